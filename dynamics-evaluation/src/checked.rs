@@ -85,7 +85,7 @@ impl RuntimeRobot {
             if let Request::One(one) = function.request
                 && one != Function::TaylorSeries
             {
-                let shared = self.shared(function, &T::from_f64);
+                let shared = function.tape.shared(self.fields(), &T::from_f64);
                 let values = self.values(function, &shared, &argument, &T::from_f64);
                 evaluation.set(one.name(), values);
             }

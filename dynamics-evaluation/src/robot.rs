@@ -258,7 +258,7 @@ impl RuntimeRobot {
         let function = self.function(function)?;
         let like = arguments.iter().find_map(|entries| entries.first());
         let constant = |x: f64| like.map_or_else(|| T::from_f64(x), |like| like.constant(x));
-        let shared = self.shared(function, &constant);
+        let shared = function.tape.shared(&self.fields, &constant);
         self.of_state(function, &shared, arguments, &constant)
     }
 
@@ -271,12 +271,8 @@ impl RuntimeRobot {
     ) -> Result<Vec<T>, EvaluationError> {
         let lengths = arguments.iter().map(|entries| entries.len());
         function.check_lengths(lengths, 1)?;
-        let at = |argument: Argument, i: usize| {
-            let mut known = function.arguments.iter();
-            let place = known.position(|(known, _)| *known == argument);
-            place.map_or_else(|| constant(f64::NAN), |place| arguments[place][i])
-        };
-        let values = self.values(function, shared, &at, constant);
+        let entry = function.entry(arguments, constant);
+        let values = self.values(function, shared, &entry, constant);
         values.map_err(|error| self.singular(None, error))
     }
 
@@ -411,15 +407,6 @@ impl RuntimeRobot {
             test.result(|output| outputs[output])?;
         }
         Ok(function.layout.values_of(&outputs))
-    }
-
-    /// The numbers that all states share, in the arithmetic of the numbers that `constant` makes.
-    pub(crate) fn shared<T: Scalar>(
-        &self,
-        function: &Compiled,
-        constant: &impl Fn(f64) -> T,
-    ) -> Vec<T> {
-        function.tape.shared(&self.fields, constant)
     }
 
     fn singular(&self, state: Option<usize>, error: SingularMassMatrix) -> EvaluationError {
