@@ -44,9 +44,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let Some((path_of_other, other)) = other else {
         return Ok(text);
     };
-    let compared = match given.contains_id("functions") {
-        true => requests(&model)?,
-        false => COMPARED.map(Request::One).to_vec(),
+    let compared = if given.contains_id("functions") {
+        requests(&model)?
+    } else {
+        COMPARED.map(Request::One).to_vec()
     };
     let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
     if dof != dof_of_other {
@@ -67,7 +68,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     Ok(text)
 }
 
-/// What is compared with another file: all that a motion depends on, and where the tip is.
+/// The functions compared with another file: all that a motion depends on, and the pose of the tip.
 const COMPARED: [Function; 5] = [
     Function::MassMatrix,
     Function::CoriolisVector,

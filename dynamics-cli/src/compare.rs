@@ -21,7 +21,7 @@ pub(crate) fn compare(
     );
     let mut is_same = true;
     for name in one.function_names() {
-        let found = Difference::of(name, one, other, samples)?;
+        let found = Difference::between(name, one, other, samples)?;
         let is_good = found.relative <= tolerance;
         is_same &= is_good;
         let at = if is_good {
@@ -44,7 +44,7 @@ struct Difference {
 }
 
 impl Difference {
-    fn of(
+    fn between(
         name: &str,
         one: &RuntimeRobot,
         other: &RuntimeRobot,

@@ -36,6 +36,18 @@ struct Motion {
     qdd: Vec<f64>,
 }
 
+impl Motion {
+    /// Adds a time with position, velocity and acceleration of each joint.
+    fn add(&mut self, t: f64, joints: impl Iterator<Item = [f64; 3]>) {
+        self.t.push(t);
+        for [q, qd, qdd] in joints {
+            self.q.push(q);
+            self.qd.push(qd);
+            self.qdd.push(qdd);
+        }
+    }
+}
+
 fn torques(arm: &RuntimeRobot, motion: Motion) -> Result<Csv, Failure> {
     let Motion { t, q, qd, qdd } = motion;
     let mut tau = vec![0.0; q.len()];
@@ -67,19 +79,12 @@ fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion
     };
     let paths: Vec<Cycloidal<1>> = from.iter().zip(&to).map(path).collect::<Result<_, _>>()?;
     let mut motion = Motion::default();
-    let mut joints: Vec<_> = paths.iter().map(|path| path.samples(samples)).collect();
-    for _ in 0..samples {
-        let mut t = 0.0;
-        for joint in &mut joints {
-            let Some((time, state)) = joint.next() else {
-                return Ok(motion);
-            };
-            t = time;
-            motion.q.push(state.q[0]);
-            motion.qd.push(state.qd[0]);
-            motion.qdd.push(state.qdd[0]);
-        }
-        motion.t.push(t);
+    for (t, _) in paths.iter().take(1).flat_map(|path| path.samples(samples)) {
+        let states = paths.iter().map(|path| path.at(t));
+        motion.add(
+            t,
+            states.map(|state| [state.q[0], state.qd[0], state.qdd[0]]),
+        );
     }
     Ok(motion)
 }
@@ -100,9 +105,9 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
     });
     let splines: Vec<_> = splines.collect();
     let mut motion = Motion::default();
-    let is_finite = |spline: &Spline, t: f64| spline.at(t).iter().all(|x| x.is_finite());
     for t in times(times_of_rows[0], times_of_rows[rows.len() - 1], samples) {
-        if !splines.iter().all(|spline| is_finite(spline, t)) {
+        let joints: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();
+        if !joints.iter().flatten().all(|x| x.is_finite()) {
             let message = format!(
                 "rates or accelerations between the rows are not finite at t = {}: the times are too short for the \
                  positions, or the positions too large",
@@ -110,13 +115,7 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
             );
             return Err(Failure::of_file(path, message));
         }
-        motion.t.push(t);
-        for spline in &splines {
-            let [q, qd, qdd] = spline.at(t);
-            motion.q.push(q);
-            motion.qd.push(qd);
-            motion.qdd.push(qdd);
-        }
+        motion.add(t, joints.into_iter());
     }
     Ok(motion)
 }

@@ -43,11 +43,11 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 }
 
 struct Measured {
-    /// Of a single evaluation, ns.
+    /// Time of a single evaluation, ns.
     single: f64,
-    /// Of a state in a batch, ns.
+    /// Time of a state in a batch, ns.
     batch: f64,
-    /// The largest, over the largest entry of the same state.
+    /// The largest error, over the largest entry of the same state.
     error: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What the macro expands to, as a file of Rust.
+//! The expansion of the macro as a file of Rust.
 
 use std::path::Path;
 
@@ -57,9 +57,10 @@ fn struct_name(module: &str) -> Ident {
     });
     let name: String = words.collect();
     // A name does not start with a digit.
-    let name = match name.starts_with(|letter: char| letter.is_alphabetic()) {
-        true => name,
-        false => format!("Arm{name}"),
+    let name = if name.starts_with(|letter: char| letter.is_alphabetic()) {
+        name
+    } else {
+        format!("Arm{name}")
     };
     let name: String = name
         .chars()

@@ -1,4 +1,4 @@
-//! What can be wrong with a robot at run time, and with a call of one of its functions.
+//! Errors of robots at run time, and of calls of their functions.
 
 use core::fmt;
 
@@ -77,7 +77,7 @@ pub enum EvaluationError {
         state: Option<usize>,
         /// The name of the joint whose pivot failed.
         joint: String,
-        /// What generated code returns there.
+        /// The error of generated code there.
         error: SingularMassMatrix,
     },
 }

@@ -36,7 +36,7 @@ pub struct FileMistake {
     pub line: usize,
     /// The column of the first letter, counted from 1.
     pub column: usize,
-    /// What is wrong, and what was expected.
+    /// The mistake, and what was expected.
     pub message: String,
 }
 
@@ -77,7 +77,7 @@ impl fmt::Display for FileError {
 
 impl core::error::Error for FileError {}
 
-/// What is said of a robot besides its file, or its text.
+/// Options by which a robot is read from a file or a text.
 ///
 /// ```
 /// # mod robot_dynamics {
@@ -143,8 +143,8 @@ impl ReadOptions {
         ReadOptions { ignore, ..self }
     }
 
-    /// How near an angle of a URDF file is to a multiple of a quarter turn that it is taken for, rad, and which share of
-    /// an axis is zero; passed over for a table.
+    /// The distance from a multiple of a quarter turn, rad, within which an angle of a URDF file is taken for it. Smaller
+    /// shares of an axis are zero. Passed over for a table.
     pub fn round_angles(self, within: f64) -> Self {
         let round_angles = Some(within);
         ReadOptions {
@@ -172,8 +172,8 @@ impl ReadOptions {
         }
     }
 
-    /// As a table. Its lines are counted behind the `lines` of the file, so that a mistake in one of them is not taken for
-    /// one in the file; the functions are the first of them.
+    /// As a table, whose lines are counted behind the `lines` of the file: no mistake in them is taken for one in the file.
+    /// The functions are the first of them.
     fn table(&self, stem: &str, lines: usize) -> Result<Table, Vec<Error>> {
         let functions = self.functions.as_ref();
         let functions = functions.map_or(String::new(), |names| format!("functions = {names:?}"));

@@ -1,7 +1,7 @@
 //! From identified base parameters to a robot that has them.
 //!
 //! Torques show the base parameters b = K x of an arm alone, not all of the links' own parameters x. The links with the
-//! identified b that are nearest to the table's are `x = x0 + W (K W)^+ (b - K x0)`, with weights W by which first moments
+//! identified b that are nearest to the table's are `x = x0 + W (K W)^+ (b - K x0)`. By the weights W first moments
 //! and tensors change rather than masses and motors. If no bodies have these x, the nearest that bodies have are searched
 //! for ([`crate::possible`]; C. D. Sousa, R. Cortesao, Int. J. Robotics Research 33 (2014), 931-944).
 
@@ -37,8 +37,8 @@ pub enum IdentificationError {
     NotFinite(usize),
     /// A field of the robot has no value, or none that is finite: its name.
     Field(String),
-    /// The columns of the regressor are dependent, as they may be for special values of fields, such as a factor
-    /// of zero by which a joint follows another: no set of base parameters is the only one.
+    /// The columns of the regressor are dependent: no set of base parameters is the only one. Special values of fields may
+    /// do that, such as a factor of zero by which a joint follows another.
     Dependent,
     /// No bodies have these base parameters, however their masses are distributed, or they are too large for numbers:
     /// the links that would be none of bodies if the table's were changed by the least.
@@ -50,8 +50,8 @@ pub enum IdentificationError {
     Build(BuildError),
 }
 
-/// A link that no body is: its mass is negative, or a principal moment of its inertia is negative or greater than the
-/// sum of the other two, so that its pseudo-inertia matrix is not positive semidefinite.
+/// A link that no body is: its pseudo-inertia matrix is not positive semidefinite. Its mass is negative, or a principal
+/// moment of its inertia is negative or greater than the sum of the other two.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ImpossibleLink {
@@ -160,9 +160,9 @@ impl RuntimeRobot {
     /// `base_parameters`; its functions are those of this one, derived and proven anew, and its fields have
     /// their present values.
     ///
-    /// Links are changed by as little as that takes, masses and motors least of all. If one would be no body's, those
-    /// links and motors of bodies are taken that have these base parameters and are nearest to the table's, in the
-    /// entropic divergence of pseudo-inertia matrices (Lee, Wensing, Park 2020). A table with such links of its own is
+    /// Links are changed by as little as that takes, masses and motors least of all. If one would be no body's, the nearest
+    /// links and motors of bodies with these base parameters are taken. Their distance from the table's is the entropic
+    /// divergence of pseudo-inertia matrices (Lee, Wensing, Park 2020). A table with such links of its own is
     /// changed by the least in any case. Springs and friction stay as they are.
     ///
     /// # Errors
@@ -178,9 +178,8 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// Those of [`identified`](RuntimeRobot::identified), also if `friction` has not one entry for each joint that moves,
-    /// and [`IdentificationError::Friction`] for a coefficient below zero, which noise may make of a small one, or one that
-    /// is not finite.
+    /// The errors of [`identified`](RuntimeRobot::identified), also if `friction` has not one entry for each joint that
+    /// moves. [`IdentificationError::Friction`] for a coefficient that is below zero, as noise may make it, or not finite.
     pub fn identified_with_friction(
         &self,
         base_parameters: &[f64],
@@ -212,7 +211,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// Those of [`identified`](RuntimeRobot::identified), but impossible base parameters are errors only where they are too
+    /// The errors of [`identified`](RuntimeRobot::identified), but impossible base parameters are errors only where they are too
     /// large for numbers.
     pub fn nearest_possible(
         &self,

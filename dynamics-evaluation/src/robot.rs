@@ -21,7 +21,7 @@ use crate::value::Value;
 /// Its functions are derived and proven as the macro's are, and are the same operations on the same
 /// constants: a call returns, bit for bit, what a generated method returns. One call takes some ten
 /// times as long as generated code, because each operation has to be looked up. A batch looks it up once for 32
-/// states, in the lanes of vector registers, and takes about as long as single calls of generated code.
+/// states, in the lanes of vector registers: a state takes about as long as a call of generated code.
 ///
 /// ```
 /// # mod robot_dynamics {
@@ -209,7 +209,7 @@ impl RuntimeRobot {
             .map(|function| function.request.name())
     }
 
-    /// What a function costs.
+    /// The operations of a function.
     ///
     /// # Errors
     ///
@@ -249,7 +249,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// Those of [`evaluate`](RuntimeRobot::evaluate).
+    /// The errors of [`evaluate`](RuntimeRobot::evaluate).
     pub fn evaluate_in<T: Scalar>(
         &self,
         function: &str,

@@ -34,7 +34,7 @@ pub struct Tip<'a> {
     jacobian: &'a Compiled,
 }
 
-/// What [`RuntimeRobot::dynamics`] takes, then what [`RuntimeDynamics::with_tip`] takes.
+/// The functions of [`RuntimeRobot::dynamics`], then those of [`RuntimeDynamics::with_tip`].
 const OF_SIMULATIONS: [Function; 7] = [
     Function::MassMatrix,
     Function::InverseDynamics,

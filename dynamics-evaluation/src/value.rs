@@ -58,8 +58,7 @@ fn read(shape: &Shape, sizes: Sizes, entries: &mut impl Iterator<Item = f64>) ->
     }
 }
 
-/// What the methods of a [`RuntimeRobot`](crate::RuntimeRobot) return: a [`Value`] of a known
-/// arrangement.
+/// A result of the methods of a [`RuntimeRobot`](crate::RuntimeRobot): a [`Value`] of a known arrangement.
 pub(crate) trait FromValue: Sized {
     /// The value; `None` where it is arranged otherwise.
     fn from_value(value: Value) -> Option<Self>;

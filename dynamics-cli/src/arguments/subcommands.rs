@@ -1,4 +1,4 @@
-//! What each subcommand is, and an example of it.
+//! The subcommands, with an example of each.
 
 use clap::{ArgAction, ArgGroup, Command};
 
@@ -7,7 +7,7 @@ use super::options::{
 };
 use crate::convert::WITHOUT;
 
-/// Those about a robot file.
+/// The subcommands about a robot file.
 pub(super) fn all() -> Vec<Command> {
     vec![
         show(),
@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Command> {
     ]
 }
 
-/// Of the list of functions where a subcommand knows what it needs.
+/// The help on the list of functions if a subcommand knows which ones it needs.
 const BESIDES: &str = "The functions, in place of the file's: their names are checked, and what is needed here is derived";
 
 fn show() -> Command {

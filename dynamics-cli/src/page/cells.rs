@@ -71,9 +71,10 @@ fn written(robot: &Robot, value: &Value, around: Binding) -> String {
             (Binding::Product, text)
         }
     };
-    match binding < around {
-        true => format!("({text})"),
-        false => text,
+    if binding < around {
+        format!("({text})")
+    } else {
+        text
     }
 }
 

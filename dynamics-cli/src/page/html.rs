@@ -3,7 +3,7 @@
 /// The page with places for what is put into it.
 const TEMPLATE: &str = include_str!("../../page/page.html");
 
-/// What draws the page, and what it looks like: made by `dynamics-cli/page/build.mjs`.
+/// The script that draws the page, and its style: made by `dynamics-cli/page/build.mjs`.
 const SCRIPT: &str = include_str!("../../page/dist/page.js");
 const STYLE: &str = include_str!("../../page/dist/page.css");
 

@@ -30,8 +30,8 @@ pub(super) fn option(value: Option<String>) -> String {
 }
 
 /// A module as a script that stands in a page, with its exports in a global variable: no other script
-/// could import it from there. A `<` ahead of a slash or an exclamation mark stands in no code but in
-/// texts and comments alone, and is written as such an escape.
+/// could import it from there. A `<` ahead of a slash or an exclamation mark stands in texts and
+/// comments alone, and is written as an escape.
 pub(super) fn module_with_a_global(module: &str, global: &str) -> String {
     let exported = module.lines().filter_map(|line| {
         let rest = line.strip_prefix("export ")?;

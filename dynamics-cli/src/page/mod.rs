@@ -19,7 +19,7 @@ use crate::simulate::positions;
 use html::html;
 use literal::module_with_a_global;
 
-/// What the page evaluates.
+/// The functions that the page evaluates.
 const FUNCTIONS: [Function; 9] = [
     Function::MassMatrix,
     Function::GravityVector,
@@ -36,7 +36,7 @@ const FUNCTIONS: [Function; 9] = [
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
-    let start = Start::of(given, &robot)?;
+    let start = Start::read(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
     read(path, given)?;
     let programs = programs(path, &robot, &FUNCTIONS.map(Request::One))?;
@@ -53,7 +53,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 /// Bytes up to which a page opens at once on a phone.
 const LARGE: usize = 1_000_000;
 
-/// What is said of a page of so many bytes, of which the equations of so many joints take a part.
+/// The remark on a page of so many bytes, of which the equations of so many joints take a part.
 fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     (bytes > LARGE).then(|| {
@@ -66,7 +66,7 @@ fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
     })
 }
 
-/// What the page shows at first.
+/// The motion that the page shows at first.
 struct Start {
     from: Option<Vec<f64>>,
     to: Option<Vec<f64>>,
@@ -74,7 +74,7 @@ struct Start {
 }
 
 impl Start {
-    fn of(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
+    fn read(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
         let positions_of = |name: &str| {
             let is_given = given.contains_id(name);
             is_given.then(|| positions(given, name, robot)).transpose()
