@@ -51,11 +51,9 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     };
     let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
     if dof != dof_of_other {
-        let message = format!(
-            "{dof_of_other} joints move, and {dof} in {}",
-            path.display()
-        );
-        let message = Failure::of_file(path_of_other, message).message;
+        let path = path.display();
+        let differs = format!("{dof_of_other} joints move, and {dof} in {path}");
+        let message = Failure::of_file(path_of_other, differs).message;
         return Err(Failure::after(text, message));
     }
     let one = arm(path, &model.robot, &compared)?;

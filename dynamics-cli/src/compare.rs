@@ -51,13 +51,13 @@ impl Difference {
         samples: usize,
     ) -> Result<Difference, Failure> {
         let mut random = SplitMix64::new(1);
-        let arguments = one.arguments(name)?.map(|(argument, width)| {
+        let mut drawn: Vec<Vec<f64>> = Vec::new();
+        for (argument, width) in one.arguments(name)? {
             let range = range(argument);
             let entries = (0..samples * width).map(|_| range * (2.0 * random.unit() - 1.0));
-            entries.collect::<Vec<f64>>()
-        });
-        let arguments: Vec<_> = arguments.collect();
-        let arguments: Vec<&[f64]> = arguments.iter().map(Vec::as_slice).collect();
+            drawn.push(entries.collect());
+        }
+        let arguments: Vec<&[f64]> = drawn.iter().map(Vec::as_slice).collect();
         let entries = one.entries(name)?;
         let [mut mine, mut others] = [(); 2].map(|()| vec![0.0; samples * entries]);
         one.batch(name, &arguments, &mut mine)?;

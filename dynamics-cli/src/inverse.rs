@@ -55,9 +55,9 @@ fn torques(arm: &RuntimeRobot, motion: Motion) -> Result<Csv, Failure> {
     let mut csv = Csv::new("t", &["q", "qd", "qdd", "tau"], arm.joint_names());
     let dof = arm.dof();
     for (sample, t) in t.iter().enumerate() {
-        let entries = [&q, &qd, &qdd, &tau].into_iter();
-        let entries = entries.flat_map(|vector| vector[sample * dof..(sample + 1) * dof].iter());
-        csv.row([*t].into_iter().chain(entries.copied()))?;
+        let of_sample = sample * dof..(sample + 1) * dof;
+        let vectors = [&q, &qd, &qdd, &tau].map(|vector| &vector[of_sample.clone()]);
+        csv.row([*t].into_iter().chain(vectors.concat()))?;
     }
     Ok(csv)
 }
@@ -99,11 +99,11 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
         }
     }
     let times_of_rows: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let splines = (1..=joints.len()).map(|joint| {
-        let positions: Vec<f64> = rows.iter().map(|row| row[joint]).collect();
+    let through = |joint: usize| {
+        let positions = rows.iter().map(|row| row[joint]).collect();
         Spline::new(&times_of_rows, positions)
-    });
-    let splines: Vec<_> = splines.collect();
+    };
+    let splines: Vec<_> = (1..=joints.len()).map(through).collect();
     let mut motion = Motion::default();
     for t in times(times_of_rows[0], times_of_rows[rows.len() - 1], samples) {
         let joints: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();

@@ -121,8 +121,8 @@ pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
 /// The words of an option.
 fn words(given: &ArgMatches, option: &str) -> Vec<String> {
     let words = given.try_get_many::<String>(option).ok().flatten();
-    let words = words.into_iter().flatten();
-    words.map(|word| word.trim().to_owned()).collect()
+    let trimmed = words.into_iter().flatten().map(|word| word.trim());
+    trimmed.map(str::to_owned).collect()
 }
 
 /// Names of the joints in a file; empty if it cannot be read, which is reported elsewhere.
@@ -310,11 +310,12 @@ fn entries(given: &ArgMatches, is_meant: impl Fn(&str) -> bool) -> Result<String
             let _ = writeln!(text, "{key} = [{}]", words.join(", "));
         }
     }
-    let locks = assignments(given, LOCK)?.into_iter();
-    let locks = locks.filter(|(joint, _)| is_meant(joint));
-    let locks: Vec<_> = locks
-        .map(|(joint, position)| format!("{joint:?} = {position:?}"))
-        .collect();
+    let mut locks = Vec::new();
+    for (joint, position) in assignments(given, LOCK)? {
+        if is_meant(&joint) {
+            locks.push(format!("{joint:?} = {position:?}"));
+        }
+    }
     if !locks.is_empty() {
         let _ = writeln!(text, "lock = {{ {} }}", locks.join(", "));
     }
@@ -331,8 +332,8 @@ pub(crate) fn programs(
     let mut programs = Vec::with_capacity(requests.len());
     for (index, request) in requests.iter().enumerate() {
         progress.doing(request.name());
-        let program = proven_program(robot, request);
-        let program = program.map_err(|error| Failure::of_file(path, error))?;
+        let proven = proven_program(robot, request);
+        let program = proven.map_err(|error| Failure::of_file(path, error))?;
         programs.push((request.clone(), program));
         progress.done(index + 1);
     }

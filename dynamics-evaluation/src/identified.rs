@@ -356,16 +356,17 @@ impl Equations {
 
     /// The links that no bodies are.
     fn impossible(&self, robot: &Robot, parameters: &DVector<f64>) -> Vec<ImpossibleLink> {
-        let links = self.rows.iter().zip(self.columns());
-        let links = links.filter_map(|(&row, columns)| {
+        let link = |(&row, columns): (&usize, Range<usize>)| {
             let (mass, moments) = impossible(&parameters.as_slice()[columns])?;
+            let joint = robot.rows[row].name.clone();
             Some(ImpossibleLink {
-                joint: robot.rows[row].name.clone(),
+                joint,
                 mass,
                 moments,
             })
-        });
-        links.collect()
+        };
+        let links = self.rows.iter().zip(self.columns());
+        links.filter_map(link).collect()
     }
 
     /// The links and motors of bodies with the base parameters, or nearest to them in torque, and the residual.

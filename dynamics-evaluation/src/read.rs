@@ -59,8 +59,8 @@ pub(crate) fn axes<T: Scalar>(
             None => constant(1.0),
         },
     };
-    let joints = robot.joints().enumerate();
-    let joints = joints.map(|(joint, row)| axis(row, joint, None));
+    let rows = robot.joints().enumerate();
+    let joints = rows.map(|(joint, row)| axis(row, joint, None));
     let followers = robot.followers().map(|(row, coupling)| {
         let leader = robot.joint_of(coupling.leader);
         axis(row, leader, Some(&coupling.factor))

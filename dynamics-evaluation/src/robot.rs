@@ -97,9 +97,9 @@ impl RuntimeRobot {
         let mut programs = Vec::new();
         for request in functions {
             let request = request.into();
-            let proven = proven_program(&robot, &request);
-            let proven = proven.map_err(|failure| BuildError::Failure(failure.to_string()))?;
-            programs.push((request, proven));
+            let program = proven_program(&robot, &request)
+                .map_err(|failure| BuildError::Failure(failure.to_string()))?;
+            programs.push((request, program));
         }
         Self::of_programs(robot, &programs)
     }

@@ -177,8 +177,8 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         let mut free = None;
         for j in (0..q.len()).filter(|j| joints[*j]) {
             let tau = duals(tau, |i| f64::from(u8::from(i == j)));
-            let qdd = self.at(self.forward_dynamics, &[&positions, &velocities, &tau])?;
-            let qdd = DVector::from_vec(qdd);
+            let entries = self.at(self.forward_dynamics, &[&positions, &velocities, &tau])?;
+            let qdd = DVector::from_vec(entries);
             columns.set_column(j, &qdd.map(|x| x.slope));
             free = Some(qdd.map(|x| x.value));
         }

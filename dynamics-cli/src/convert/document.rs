@@ -120,10 +120,10 @@ impl Document {
         model: &Model,
         allowed: &Allowed,
     ) -> Document {
-        let rows = table.rows.iter().zip(names(table));
-        let rows = rows.map(|(row, name)| found(row, name)).collect();
-        let frames = [&table.base, &table.tool];
-        let frames = frames.map(|frame| frame.as_ref().map(placement).unwrap_or_default());
+        let named = table.rows.iter().zip(names(table));
+        let rows = named.map(|(row, name)| found(row, name)).collect();
+        let place = |frame: &Option<Transform>| frame.as_ref().map(placement).unwrap_or_default();
+        let frames = [&table.base, &table.tool].map(place);
         let head = (table.convention, list(gravity));
         Document::new(head, frames, rows, (model, allowed))
     }
@@ -132,8 +132,8 @@ impl Document {
     pub(super) fn as_written(model: &Model, allowed: &Allowed) -> Document {
         let robot = &model.robot;
         let tool = robot.tool.as_ref().map(|tool| &tool.placement);
-        let frames = [robot.base.as_ref(), tool];
-        let frames = frames.map(|frame| frame.map(placement_as_written).unwrap_or_default());
+        let place = |frame: Option<_>| frame.map(placement_as_written).unwrap_or_default();
+        let frames = [robot.base.as_ref(), tool].map(place);
         let rows = robot.rows.iter().map(line_as_written).collect();
         let head = (robot.convention, list(&robot.gravity));
         Document::new(head, frames, rows, (model, allowed))
@@ -152,9 +152,11 @@ impl Document {
         };
         let mut entries = vec![entry("convention", convention), entry("gravity", gravity)];
         entries.extend(functions(model));
-        let locked = rows.iter();
-        let locked = locked.filter_map(|row| Some((row.name.clone(), row.locked.clone()?)));
-        entries.extend(unless_empty("lock", locked.collect()));
+        let locked = |row: &Line<'_>| Some((row.name.clone(), row.locked.clone()?));
+        entries.extend(unless_empty(
+            "lock",
+            rows.iter().filter_map(locked).collect(),
+        ));
         entries.extend(unless_empty("couple", couplings(robot)));
         let neglect = model.neglect.as_ref();
         entries.extend(neglect.map(|(share, _)| entry("neglect", share)));

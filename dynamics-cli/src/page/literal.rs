@@ -12,16 +12,15 @@ pub(super) fn number(x: f64) -> String {
 
 /// An array of what is written already.
 pub(super) fn array(entries: impl IntoIterator<Item = String>) -> String {
-    let entries: Vec<_> = entries.into_iter().collect();
-    format!("[{}]", entries.join(", "))
+    let written: Vec<_> = entries.into_iter().collect();
+    format!("[{}]", written.join(", "))
 }
 
 /// An object of names and of what is written already.
 pub(super) fn object<'n>(entries: impl IntoIterator<Item = (&'n str, String)>) -> String {
-    let entries = entries
-        .into_iter()
-        .map(|(name, value)| format!("{name}: {value}"));
-    format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
+    let entry = |(name, value)| format!("{name}: {value}");
+    let written: Vec<_> = entries.into_iter().map(entry).collect();
+    format!("{{{}}}", written.join(", "))
 }
 
 /// Either, or `null`.
