@@ -25,8 +25,7 @@
 //! # Ok::<(), robot_dynamics::SingularMassMatrix>(())
 //! ```
 //!
-//! - [`robot_dynamics!`] documents the whole grammar of a table, with an example of each entry, the files that it reads,
-//!   and the list of all functions.
+//! - [`robot_dynamics!`] documents the whole grammar of a table with examples, the files that it reads, and all functions.
 //! - [`Scalar`] is the trait of the numbers that functions compute with: `f32`, `f64`, [`DoubleDouble`] with 31 digits,
 //!   dual numbers, your own.
 //! - [`Certified`] numbers carry a proven bound of their error; the module [`certified`] has sharper bounds of

@@ -44,17 +44,16 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let Some((path_of_other, other)) = other else {
         return Ok(text);
     };
-    let compared = match given.contains_id("functions") {
-        true => requests(&model)?,
-        false => COMPARED.map(Request::One).to_vec(),
+    let compared = if given.contains_id("functions") {
+        requests(&model)?
+    } else {
+        COMPARED.map(Request::One).to_vec()
     };
     let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
     if dof != dof_of_other {
-        let message = format!(
-            "{dof_of_other} joints move, and {dof} in {}",
-            path.display()
-        );
-        let message = Failure::of_file(path_of_other, message).message;
+        let path = path.display();
+        let differs = format!("{dof_of_other} joints move, and {dof} in {path}");
+        let message = Failure::of_file(path_of_other, differs).message;
         return Err(Failure::after(text, message));
     }
     let one = arm(path, &model.robot, &compared)?;
@@ -67,7 +66,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     Ok(text)
 }
 
-/// What is compared with another file: all that a motion depends on, and where the tip is.
+/// The functions compared with another file: all that a motion depends on, and the pose of the tip.
 const COMPARED: [Function; 5] = [
     Function::MassMatrix,
     Function::CoriolisVector,

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use dynamics_evaluation::RuntimeRobot;
+use dynamics_symbolic::exact::SplitMix64;
 
 use crate::failure::Failure;
 
@@ -20,7 +21,7 @@ pub(crate) fn compare(
     );
     let mut is_same = true;
     for name in one.function_names() {
-        let found = Difference::of(name, one, other, samples)?;
+        let found = Difference::between(name, one, other, samples)?;
         let is_good = found.relative <= tolerance;
         is_same &= is_good;
         let at = if is_good {
@@ -43,20 +44,20 @@ struct Difference {
 }
 
 impl Difference {
-    fn of(
+    fn between(
         name: &str,
         one: &RuntimeRobot,
         other: &RuntimeRobot,
         samples: usize,
     ) -> Result<Difference, Failure> {
-        let mut random = Random(1);
-        let arguments = one.arguments(name)?.map(|(argument, width)| {
+        let mut random = SplitMix64::new(1);
+        let mut drawn: Vec<Vec<f64>> = Vec::new();
+        for (argument, width) in one.arguments(name)? {
             let range = range(argument);
-            let entries = (0..samples * width).map(|_| range * random.next());
-            entries.collect::<Vec<f64>>()
-        });
-        let arguments: Vec<_> = arguments.collect();
-        let arguments: Vec<&[f64]> = arguments.iter().map(Vec::as_slice).collect();
+            let entries = (0..samples * width).map(|_| range * (2.0 * random.unit() - 1.0));
+            drawn.push(entries.collect());
+        }
+        let arguments: Vec<&[f64]> = drawn.iter().map(Vec::as_slice).collect();
         let entries = one.entries(name)?;
         let [mut mine, mut others] = [(); 2].map(|()| vec![0.0; samples * entries]);
         one.batch(name, &arguments, &mut mine)?;
@@ -96,18 +97,5 @@ fn range(argument: &str) -> f64 {
     match argument {
         "q" | "qd" => 3.0,
         _ => 10.0,
-    }
-}
-
-/// Numbers between -1 and 1, the same each time.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        let Random(state) = self;
-        *state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (*state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }

@@ -9,22 +9,22 @@ use dynamics_evaluation::{FileMistake, read_text};
 /// The mistakes as a person reads them: `FILE:LINE:COLUMN: what is wrong`, and below it the place in the file.
 /// If the file cannot be read any more, the place is left out.
 pub(crate) fn with_excerpts(mistakes: &[FileMistake], is_coloured: bool) -> String {
-    let mut told = Vec::with_capacity(mistakes.len());
+    let mut shown = Vec::with_capacity(mistakes.len());
     for of_one_file in mistakes.chunk_by(|a, b| a.file == b.file) {
         let file = of_one_file[0].file.as_deref();
         let text = file.and_then(|file| read_text(file).ok());
         let text = text.map(|text| without_controls(&text));
-        told.extend(of_one_file.iter().map(|mistake| {
+        shown.extend(of_one_file.iter().map(|mistake| {
             let text = text.as_deref();
             let excerpt = text.and_then(|text| excerpt_of(mistake, text, is_coloured));
-            excerpt.unwrap_or_else(|| told_of(mistake))
+            excerpt.unwrap_or_else(|| message(mistake))
         }));
     }
-    told.join("\n")
+    shown.join("\n")
 }
 
 /// The message of a mistake without its place in the file. It may quote words of the file.
-fn told_of(mistake: &FileMistake) -> String {
+fn message(mistake: &FileMistake) -> String {
     without_controls(&mistake.to_string())
 }
 
@@ -57,7 +57,7 @@ fn excerpt_of(mistake: &FileMistake, text: &str, is_coloured: bool) -> Option<St
     // The report's own first line is for a message without a place.
     let report = String::from_utf8_lossy(&report);
     let (_, place) = report.trim_end().split_once('\n')?;
-    Some(format!("{}\n{place}", told_of(mistake)))
+    Some(format!("{}\n{place}", message(mistake)))
 }
 
 /// Which characters of the text are the word that a mistake begins at.

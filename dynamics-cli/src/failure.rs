@@ -11,9 +11,9 @@ use crate::excerpt::{with_excerpts, without_controls};
 /// The message of a failure, and the status of the process.
 #[derive(Debug)]
 pub(crate) struct Failure {
-    /// What was found before the failure: it is printed as if nothing had failed.
+    /// The text found before the failure: it is printed as if nothing had failed.
     pub(crate) output: String,
-    /// What is wrong, and what was expected.
+    /// The mistake, and what was expected.
     pub(crate) message: String,
     /// The mistakes in a file that the message reports.
     mistakes: Vec<FileMistake>,
@@ -37,13 +37,13 @@ impl Failure {
         Failure { output, ..self }
     }
 
-    /// What is wrong with a file as a whole.
+    /// A mistake of a file as a whole.
     pub(crate) fn of_file(path: &Path, message: impl fmt::Display) -> Self {
         let message = format!("{}:1:1: {message}", path.display());
         Failure::after(String::new(), message)
     }
 
-    /// What the command line says cannot be.
+    /// A mistake of the command line.
     pub(crate) fn of_the_command_line(message: impl fmt::Display) -> Self {
         Failure {
             output: String::new(),
@@ -61,13 +61,13 @@ impl Failure {
         }
     }
 
-    /// What is written to standard error: on a terminal with the places in the file, elsewhere a line for each
-    /// mistake. Nothing in it acts on the terminal, whatever the names of files and of what is in them: a log may be
+    /// The text for standard error: on a terminal with the places in the file, elsewhere a line for each mistake. Nothing in it acts on the terminal, whatever the names of files and of what is in them: a log may be
     /// shown on one later.
-    pub(crate) fn told(&self) -> String {
-        match std::io::stderr().is_terminal() && !self.mistakes.is_empty() {
-            true => with_excerpts(&self.mistakes, std::env::var_os("NO_COLOR").is_none()),
-            false => without_controls(&self.message),
+    pub(crate) fn report(&self) -> String {
+        if std::io::stderr().is_terminal() && !self.mistakes.is_empty() {
+            with_excerpts(&self.mistakes, std::env::var_os("NO_COLOR").is_none())
+        } else {
+            without_controls(&self.message)
         }
     }
 }

@@ -19,15 +19,15 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         Some("rust") => vec![rust::source(path, model)?],
         language => other(language, path, &model)?,
     };
-    let folder = given.get_one::<PathBuf>("out");
-    let folder = folder.map_or(Path::new("."), PathBuf::as_path);
+    let out = given.get_one::<PathBuf>("out");
+    let folder = out.map_or(Path::new("."), PathBuf::as_path);
     make_folder(folder)?;
-    let files = files.into_iter();
-    let files: Vec<_> = files
-        .map(|(name, content)| (folder.join(name), content))
+    let contents = files.into_iter();
+    let placed: Vec<_> = contents
+        .map(|(name, text)| (folder.join(name), text))
         .collect();
-    write(&files)?;
-    let names = files
+    write(&placed)?;
+    let names = placed
         .iter()
         .map(|(path, _)| format!("{}\n", path.display()));
     Ok(names.collect())

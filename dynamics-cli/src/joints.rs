@@ -15,7 +15,7 @@ pub(crate) fn note_degrees(source: &str, robot: &Robot, positions: &[f64]) -> bo
         row.joint_type == JointType::Revolute && position.abs() > TURNS * TAU
     });
     if let Some((row, position)) = many_turns {
-        // What cannot be said is no failure.
+        // A remark that cannot be written is no failure.
         let _ = writeln!(
             std::io::stderr(),
             "`{source}`: {position} rad of `{}` are {:.1} turns: angles are in radians, and {position} degrees are {:.4}",

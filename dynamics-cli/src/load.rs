@@ -29,8 +29,13 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
 
 /// The robot of a file, and what is asked for. The names of `--field` stand for their values.
 pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    read_for(path, given, Vec::new())
+}
+
+/// As [`read`], of which functions are needed besides.
+fn read_for(path: &Path, given: &ArgMatches, needed: Vec<Function>) -> Result<Model, Failure> {
     about_links(given, &[path])?;
-    read_with(path, with_values(given, path, None, "chain")?, Vec::new())
+    read_with(path, with_values(given, path, None, "chain")?, needed)
 }
 
 /// As [`read`], the names of `--field` being fields of the robot, of which functions are needed besides.
@@ -71,15 +76,14 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     if formats.any(|format| !matches!(format, Some(Format::Toml | Format::Json))) {
         return Ok(());
     }
-    const OPTIONS: [&str; 3] = ["chain", "ignore", "round-angles"];
     let is_given = |option: &&str| matches!(given.try_contains_id(option), Ok(true));
-    match OPTIONS.into_iter().find(is_given) {
-        Some(option) => Err(Failure::of_the_command_line(format!(
+    let mut options = ["chain", "ignore", "round-angles"].into_iter();
+    options.find(is_given).map_or(Ok(()), |option| {
+        Err(Failure::of_the_command_line(format!(
             "`--{option}` is about a URDF file, a tree of links: {} is a table",
             paths[0].display()
-        ))),
-        None => Ok(()),
-    }
+        )))
+    })
 }
 
 /// The model of a file, of which functions are needed besides those that are asked for.
@@ -94,7 +98,7 @@ fn read_with(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result
     })
 }
 
-/// What a model asks for, `taylor_series` left out, which is no program over numbers: that is said.
+/// The functions that a model asks for but `taylor_series`, which is no program over numbers: a remark says so.
 pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
     const LEFT_OUT: &str =
         "`taylor_series` is left out: `generate --lang rust` and the macro write it";
@@ -104,25 +108,21 @@ pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
         .filter(|request| **request != series)
         .cloned()
         .collect();
-    match (others.len(), model.requests.len()) {
-        (0, _) => Err(Failure::after(
-            String::new(),
-            format!("{LEFT_OUT}, and nothing else is asked for"),
-        )),
-        (some, all) => {
-            if some < all {
-                let _ = writeln!(std::io::stderr(), "{LEFT_OUT}");
-            }
-            Ok(others)
-        }
+    if others.is_empty() {
+        let message = format!("{LEFT_OUT}, and nothing else is asked for");
+        return Err(Failure::after(String::new(), message));
     }
+    if others.len() < model.requests.len() {
+        let _ = writeln!(std::io::stderr(), "{LEFT_OUT}");
+    }
+    Ok(others)
 }
 
 /// The words of an option.
 fn words(given: &ArgMatches, option: &str) -> Vec<String> {
     let words = given.try_get_many::<String>(option).ok().flatten();
-    let words = words.into_iter().flatten();
-    words.map(|word| word.trim().to_owned()).collect()
+    let trimmed = words.into_iter().flatten().map(|word| word.trim());
+    trimmed.map(str::to_owned).collect()
 }
 
 /// Names of the joints in a file; empty if it cannot be read, which is reported elsewhere.
@@ -168,7 +168,7 @@ fn has_name(path: &Path, name: &str) -> bool {
     }
 }
 
-/// What the command line says about a file besides its content. If there are two files, joints that only the other one
+/// The options of the command line about a file. If there are two files, joints that only the other one
 /// has are left out.
 fn options(
     given: &ArgMatches,
@@ -203,17 +203,15 @@ fn options(
 /// is read.
 fn report_missing(given: &ArgMatches, path: &Path, chain: &str) -> Result<(), Failure> {
     let is_tree = Format::of(path) == Some(Format::Urdf) && !joints_of(path).is_empty();
-    let mut missing = Vec::new();
-    if is_tree && words(given, chain).is_empty() {
-        missing.push(format!(
-            "expected `--{chain} BASE,TIP`, the first and the last link of the arm{}",
-            ends_of(path)
-        ));
-    }
-    if is_tree && words(given, "gravity").is_empty() {
-        let gravity = "expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link points up";
-        missing.push(gravity.to_owned());
-    }
+    let is_missing = |option: &str| is_tree && words(given, option).is_empty();
+    let chain = is_missing(chain).then(|| {
+        let ends = ends_of(path);
+        format!("expected `--{chain} BASE,TIP`, the first and the last link of the arm{ends}")
+    });
+    let gravity = is_missing("gravity").then(|| {
+        "expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link points up".to_owned()
+    });
+    let missing: Vec<String> = chain.into_iter().chain(gravity).collect();
     if missing.is_empty() {
         return Ok(());
     }
@@ -334,8 +332,8 @@ pub(crate) fn programs(
     let mut programs = Vec::with_capacity(requests.len());
     for (index, request) in requests.iter().enumerate() {
         progress.doing(request.name());
-        let program = proven_program(robot, request);
-        let program = program.map_err(|error| Failure::of_file(path, error))?;
+        let proven = proven_program(robot, request);
+        let program = proven.map_err(|error| Failure::of_file(path, error))?;
         programs.push((request.clone(), program));
         progress.done(index + 1);
     }
@@ -359,10 +357,7 @@ pub(crate) fn arm_with(
     functions: impl IntoIterator<Item = Function>,
 ) -> Result<RuntimeRobot, Failure> {
     let path = file_of(given);
-    about_links(given, &[path])?;
     let needed: Vec<_> = functions.into_iter().collect();
     let requests: Vec<_> = needed.iter().copied().map(Request::One).collect();
-    let options = with_values(given, path, None, "chain")?;
-    let model = read_with(path, options, needed)?;
-    arm(path, &model.robot, &requests)
+    arm(path, &read_for(path, given, needed)?.robot, &requests)
 }

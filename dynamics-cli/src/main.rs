@@ -41,7 +41,7 @@ fn main() -> ExitCode {
     match failure {
         None => ExitCode::SUCCESS,
         Some(failure) => {
-            let _ = writeln!(std::io::stderr(), "{}", failure.told());
+            let _ = writeln!(std::io::stderr(), "{}", failure.report());
             ExitCode::from(failure.status)
         }
     }

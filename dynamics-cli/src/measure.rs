@@ -43,11 +43,11 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 }
 
 struct Measured {
-    /// Of a single evaluation, ns.
+    /// Time of a single evaluation, ns.
     single: f64,
-    /// Of a state in a batch, ns.
+    /// Time of a state in a batch, ns.
     batch: f64,
-    /// The largest, over the largest entry of the same state.
+    /// The largest error, over the largest entry of the same state.
     error: f64,
 }
 
@@ -87,12 +87,10 @@ fn measure(arm: &RuntimeRobot, name: &str) -> Result<Measured, Failure> {
 /// The error of a state's values against the same program in 31 digits.
 fn rounding(arm: &RuntimeRobot, name: &str, state: &[&[f64]]) -> Result<f64, Failure> {
     let values: Vec<f64> = arm.evaluate_in(name, state)?;
-    let precise: Vec<Vec<DoubleDouble>> = state
-        .iter()
-        .map(|entries| entries.iter().map(|x| DoubleDouble::from(*x)).collect())
-        .collect();
-    let precise: Vec<&[DoubleDouble]> = precise.iter().map(Vec::as_slice).collect();
-    let precise: Vec<DoubleDouble> = arm.evaluate_in(name, &precise)?;
+    let precise = |entries: &&[f64]| entries.iter().map(|x| DoubleDouble::from(*x)).collect();
+    let arguments: Vec<Vec<DoubleDouble>> = state.iter().map(precise).collect();
+    let slices: Vec<&[DoubleDouble]> = arguments.iter().map(Vec::as_slice).collect();
+    let exact_values: Vec<DoubleDouble> = arm.evaluate_in(name, &slices)?;
     if values.iter().any(|x| !x.is_finite()) {
         let message = format!(
             "`{name}` is not finite at a state of the measurement: the numbers of the robot are too large"
@@ -100,7 +98,7 @@ fn rounding(arm: &RuntimeRobot, name: &str, state: &[&[f64]]) -> Result<f64, Fai
         return Err(Failure::after(String::new(), message));
     }
     let size = values.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-    let differences = values.iter().zip(precise);
+    let differences = values.iter().zip(exact_values);
     let worst = differences
         .map(|(x, exact)| (DoubleDouble::from(*x) - exact).to_f64().abs())
         .fold(0.0, f64::max);

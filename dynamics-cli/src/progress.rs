@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// What takes less is over before anybody asks.
+/// Shorter work is over before anybody asks.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// A bar that appears after a second, and is gone when this is.
@@ -33,7 +33,7 @@ impl Progress {
         Progress { bar, _over: over }
     }
 
-    /// What is being done.
+    /// Names the present step.
     pub(crate) fn doing(&self, what: &str) {
         self.bar.set_message(what.to_owned());
     }

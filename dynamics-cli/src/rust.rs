@@ -1,4 +1,4 @@
-//! What the macro expands to, as a file of Rust.
+//! The expansion of the macro as a file of Rust.
 
 use std::path::Path;
 
@@ -55,16 +55,13 @@ fn struct_name(module: &str) -> Ident {
         let first = letters.next().map(|first| first.to_uppercase().to_string());
         first.unwrap_or_default() + letters.as_str()
     });
-    let name: String = words.collect();
+    let joined: String = words.collect();
     // A name does not start with a digit.
-    let name = match name.starts_with(|letter: char| letter.is_alphabetic()) {
-        true => name,
-        false => format!("Arm{name}"),
-    };
-    let name: String = name
+    let starts_well = joined.starts_with(|letter: char| letter.is_alphabetic());
+    let letters = if starts_well { "" } else { "Arm" }
         .chars()
-        .filter(|letter| letter.is_ascii_alphanumeric())
-        .collect();
+        .chain(joined.chars());
+    let name: String = letters.filter(char::is_ascii_alphanumeric).collect();
     match syn::parse_str(&name) {
         Ok(name) => name,
         Err(_) => Ident::new("Arm", Span::call_site()),

@@ -1,4 +1,4 @@
-//! What a file says, and what the functions of its robot are.
+//! The content of a file, and the functions of its robot.
 
 mod table;
 
@@ -60,15 +60,16 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 struct LeftOut(Vec<(String, TooLong)>);
 
 impl LeftOut {
-    /// What is said of them all.
+    /// The sentence about them all.
     fn sentence(&self, most_terms: usize) -> String {
         let Some(largest) = self.0.iter().map(|(_, too_long)| too_long.terms).max() else {
             return String::new();
         };
         let names: Vec<&str> = self.0.iter().map(|(name, _)| name.as_str()).collect();
-        let enough = match self.0.iter().any(|(_, too_long)| too_long.or_more) {
-            true => "a larger `--terms`".to_owned(),
-            false => format!("`--terms {largest}`"),
+        let enough = if self.0.iter().any(|(_, too_long)| too_long.or_more) {
+            "a larger `--terms`".to_owned()
+        } else {
+            format!("`--terms {largest}`")
         };
         format!(
             "not printed, because of more than {most_terms} terms: {}; {enough} prints them\n",
@@ -86,7 +87,7 @@ fn format(given: &ArgMatches) -> Option<Format> {
     }
 }
 
-/// What each function costs.
+/// The operations of each function.
 fn operations(programs: &[(Request, Proven)]) -> String {
     let mut text = format!(
         "\n{:<32}{:>7}{:>7}{:>7}{:>9}\n",
@@ -145,11 +146,10 @@ fn formulas(
 
 /// Why a function has no formulas.
 fn without_formulas(request: &Request) -> String {
-    let reason = match request.refuses() {
-        true => {
-            "it solves equations with M(q) step by step; `mass_matrix` and `inverse_dynamics` have formulas"
-        }
-        false => "its values have no letters by which a formula would name them",
+    let reason = if request.refuses() {
+        "it solves equations with M(q) step by step; `mass_matrix` and `inverse_dynamics` have formulas"
+    } else {
+        "its values have no letters by which a formula would name them"
     };
     format!("no formulas: {reason}")
 }

@@ -56,10 +56,7 @@ impl Tape {
         }
         let outputs = self.outputs.iter().map(|output| {
             let value = at(&slots, last, output.place);
-            match output.negative {
-                true => -value,
-                false => value,
-            }
+            if output.negative { -value } else { value }
         });
         outputs.collect()
     }

@@ -1,6 +1,6 @@
 //! A function of a robot, ready to be evaluated.
 
-use dynamics_runtime::Operations;
+use dynamics_runtime::{Operations, Scalar};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
@@ -54,6 +54,19 @@ impl Compiled {
             tape,
             request,
         })
+    }
+
+    /// The entries of arguments, which are those of the function in their order; NaN of any other.
+    pub(crate) fn entry<T: Scalar>(
+        &self,
+        arguments: &[&[T]],
+        constant: &impl Fn(f64) -> T,
+    ) -> impl Fn(Argument, usize) -> T {
+        move |argument, i| {
+            let mut known = self.arguments.iter();
+            let place = known.position(|(known, _)| *known == argument);
+            place.map_or_else(|| constant(f64::NAN), |place| arguments[place][i])
+        }
     }
 
     /// Whether arguments have the lengths that so many states take.

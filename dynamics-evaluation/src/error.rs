@@ -1,4 +1,4 @@
-//! What can be wrong with a robot at run time, and with a call of one of its functions.
+//! Errors of robots at run time, and of calls of their functions.
 
 use core::fmt;
 
@@ -77,7 +77,7 @@ pub enum EvaluationError {
         state: Option<usize>,
         /// The name of the joint whose pivot failed.
         joint: String,
-        /// What generated code returns there.
+        /// The error of generated code there.
         error: SingularMassMatrix,
     },
 }
@@ -151,22 +151,3 @@ impl fmt::Display for UnknownField {
 }
 
 impl core::error::Error for UnknownField {}
-
-/// The arm has another number of joints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct WrongJoints {
-    /// How many it has.
-    pub found: usize,
-    /// How many were expected.
-    pub expected: usize,
-}
-
-impl fmt::Display for WrongJoints {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let WrongJoints { found, expected } = self;
-        write!(f, "{found} joints move where {expected} are expected")
-    }
-}
-
-impl core::error::Error for WrongJoints {}

@@ -36,7 +36,7 @@ pub struct FileMistake {
     pub line: usize,
     /// The column of the first letter, counted from 1.
     pub column: usize,
-    /// What is wrong, and what was expected.
+    /// The mistake, and what was expected.
     pub message: String,
 }
 
@@ -77,7 +77,7 @@ impl fmt::Display for FileError {
 
 impl core::error::Error for FileError {}
 
-/// What is said of a robot besides its file, or its text.
+/// Options by which a robot is read from a file or a text.
 ///
 /// ```
 /// # mod robot_dynamics {
@@ -143,8 +143,8 @@ impl ReadOptions {
         ReadOptions { ignore, ..self }
     }
 
-    /// How near an angle of a URDF file is to a multiple of a quarter turn that it is taken for, rad, and which share of
-    /// an axis is zero; passed over for a table.
+    /// The distance from a multiple of a quarter turn, rad, within which an angle of a URDF file is taken for it. Smaller
+    /// shares of an axis are zero. Passed over for a table.
     pub fn round_angles(self, within: f64) -> Self {
         let round_angles = Some(within);
         ReadOptions {
@@ -172,13 +172,13 @@ impl ReadOptions {
         }
     }
 
-    /// As a table. Its lines are counted behind the `lines` of the file, so that a mistake in one of them is not taken for
-    /// one in the file; the functions are the first of them.
-    fn table(&self, stem: &str, lines: usize) -> Result<Table, Vec<Error>> {
-        let functions = self.functions.as_ref();
-        let functions = functions.map_or(String::new(), |names| format!("functions = {names:?}"));
+    /// As a table, whose lines are counted behind the `lines` of the file: no mistake in them is taken for one in the file.
+    /// The functions are the first of them.
+    fn table(&self, robot: &str, lines: usize) -> Result<Table, Vec<Error>> {
+        let names = self.functions.as_ref();
+        let functions = names.map_or(String::new(), |names| format!("functions = {names:?}"));
         let entries = "\n".repeat(lines) + &functions + "\n" + &self.entries;
-        let mut table = table(stem, &entries, Format::Toml, &Request::default())?;
+        let mut table = table(robot, &entries, Format::Toml, &Request::default())?;
         table.audience = self.audience;
         table.needed.clone_from(&self.needed);
         let place = Place::File {
@@ -187,9 +187,10 @@ impl ReadOptions {
         };
         let name = |name: &String| Name::new(name.as_str(), place);
         table.fields = self.fields.iter().map(name).collect();
-        let chain = self.chain.as_ref();
-        let chain = chain.map(|[first, last]| Entry::Chain(Some([name(first), name(last)])));
-        table.entries.extend(chain);
+        if let Some(links) = &self.chain {
+            let links = links.each_ref().map(name);
+            table.entries.push(Entry::Chain(Some(links)));
+        }
         let ignore = self.ignore.iter().map(name).collect();
         table.entries.push(Entry::Ignore(Some(ignore)));
         if let Some(within) = self.round_angles {
@@ -222,11 +223,11 @@ fn read(
     options: &ReadOptions,
 ) -> Result<Model, FileError> {
     let stem = path.file_stem().and_then(|stem| stem.to_str());
-    let stem = stem.unwrap_or("robot");
+    let name = stem.unwrap_or("robot");
     // A mistake at the end of a file may have the line behind its last one.
     let lines = text.lines().count() + 1;
-    let model = options.table(stem, lines).and_then(|beside| {
-        let model = model_beside(stem, text, format, beside)?;
+    let model = options.table(name, lines).and_then(|beside| {
+        let model = model_beside(name, text, format, beside)?;
         without_neglected(model).map_err(|error| vec![error])
     });
     model.map_err(|errors| {

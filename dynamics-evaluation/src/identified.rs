@@ -1,7 +1,7 @@
 //! From identified base parameters to a robot that has them.
 //!
 //! Torques show the base parameters b = K x of an arm alone, not all of the links' own parameters x. The links with the
-//! identified b that are nearest to the table's are `x = x0 + W (K W)^+ (b - K x0)`, with weights W by which first moments
+//! identified b that are nearest to the table's are `x = x0 + W (K W)^+ (b - K x0)`. By the weights W first moments
 //! and tensors change rather than masses and motors. If no bodies have these x, the nearest that bodies have are searched
 //! for ([`crate::possible`]; C. D. Sousa, R. Cortesao, Int. J. Robotics Research 33 (2014), 931-944).
 
@@ -11,14 +11,14 @@ use core::ops::Range;
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
 use dynamics_runtime::{
     StandardParameters,
-    check::base_parameter_map,
-    table::{Convention, JointType, Table},
+    check::base_parameter_map_any,
+    table::{Convention, JointType, Row, RuntimeTable},
 };
 use dynamics_symbolic::exact::SplitMix64;
 use dynamics_symbolic::robot::{Robot, Value};
 
+use crate::compiled::check_length;
 use crate::possible::{OF_LINK, Part, Search};
-use crate::typed::Typed;
 use crate::{BuildError, EvaluationError, RuntimeRobot};
 
 /// The distance that a mass or a motor moves beside a first moment or an entry of a tensor.
@@ -37,12 +37,12 @@ pub enum IdentificationError {
     NotFinite(usize),
     /// A field of the robot has no value, or none that is finite: its name.
     Field(String),
-    /// The columns of the regressor are dependent, as they may be for special values of fields, such as a factor
-    /// of zero by which a joint follows another: no set of base parameters is the only one.
+    /// The columns of the regressor are dependent: no set of base parameters is the only one. Special values of fields may
+    /// do that, such as a factor of zero by which a joint follows another.
     Dependent,
     /// No bodies have these base parameters, however their masses are distributed, or they are too large for numbers:
     /// the links that would be none of bodies if the table's were changed by the least.
-    /// [`Typed::nearest_possible`] has the nearest base parameters that bodies have.
+    /// [`RuntimeRobot::nearest_possible`] has the nearest base parameters that bodies have.
     Impossible(Vec<ImpossibleLink>),
     /// A coefficient of friction of the joint of this name is negative or not finite.
     Friction(String, f64),
@@ -50,8 +50,8 @@ pub enum IdentificationError {
     Build(BuildError),
 }
 
-/// A link that no body is: its mass is negative, or a principal moment of its inertia is negative or greater than the
-/// sum of the other two, so that its pseudo-inertia matrix is not positive semidefinite.
+/// A link that no body is: its pseudo-inertia matrix is not positive semidefinite. Its mass is negative, or a principal
+/// moment of its inertia is negative or greater than the sum of the other two.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ImpossibleLink {
@@ -135,7 +135,7 @@ impl JointFriction {
     }
 }
 
-/// Base parameters that bodies have: see [`Typed::nearest_possible`].
+/// Base parameters that bodies have: see [`RuntimeRobot::nearest_possible`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct NearestPossible {
@@ -155,14 +155,14 @@ struct Equations {
     missing: DVector<f64>,
 }
 
-impl<const N: usize> Typed<'_, N> {
+impl RuntimeRobot {
     /// The robot with these base parameters, as an identification finds them, in the order of
     /// `base_parameters`; its functions are those of this one, derived and proven anew, and its fields have
     /// their present values.
     ///
-    /// Links are changed by as little as that takes, masses and motors least of all. If one would be no body's, those
-    /// links and motors of bodies are taken that have these base parameters and are nearest to the table's, in the
-    /// entropic divergence of pseudo-inertia matrices (Lee, Wensing, Park 2020). A table with such links of its own is
+    /// Links are changed by as little as that takes, masses and motors least of all. If one would be no body's, the nearest
+    /// links and motors of bodies with these base parameters are taken. Their distance from the table's is the entropic
+    /// divergence of pseudo-inertia matrices (Lee, Wensing, Park 2020). A table with such links of its own is
     /// changed by the least in any case. Springs and friction stay as they are.
     ///
     /// # Errors
@@ -173,18 +173,19 @@ impl<const N: usize> Typed<'_, N> {
         self.with_parameters(base_parameters, |_| Ok(()))
     }
 
-    /// [`identified`](Typed::identified), with an identified friction in place of all friction of the table, that of
+    /// [`identified`](RuntimeRobot::identified), with an identified friction in place of all friction of the table, that of
     /// Stribeck and of joints that follow others, too.
     ///
     /// # Errors
     ///
-    /// Those of [`identified`](Typed::identified), and [`IdentificationError::Friction`] for a coefficient below zero,
-    /// which noise may make of a small one, or one that is not finite.
+    /// The errors of [`identified`](RuntimeRobot::identified), also if `friction` has not one entry for each joint that
+    /// moves. [`IdentificationError::Friction`] for a coefficient that is below zero, as noise may make it, or not finite.
     pub fn identified_with_friction(
         &self,
         base_parameters: &[f64],
-        friction: &[JointFriction; N],
+        friction: &[JointFriction],
     ) -> Result<RuntimeRobot, IdentificationError> {
+        check_length("friction", friction.len(), self.dof())?;
         self.with_parameters(base_parameters, |robot| {
             let mut given = friction.iter();
             for row in robot.rows.iter_mut().filter(|row| row.locked.is_none()) {
@@ -202,7 +203,7 @@ impl<const N: usize> Typed<'_, N> {
     }
 
     /// The base parameters nearest to these that bodies can have; these themselves where bodies can have them. Hand them
-    /// to [`identified`](Typed::identified).
+    /// to [`identified`](RuntimeRobot::identified).
     ///
     /// The distance is the root mean square of the difference in torque over all joints and 100 random states: positions
     /// within pi, velocities within 3, accelerations within 10. It is within 5 % of the least one. The residual r of least
@@ -210,7 +211,7 @@ impl<const N: usize> Typed<'_, N> {
     ///
     /// # Errors
     ///
-    /// Those of [`identified`](Typed::identified), but impossible base parameters are errors only where they are too
+    /// The errors of [`identified`](RuntimeRobot::identified), but impossible base parameters are errors only where they are too
     /// large for numbers.
     pub fn nearest_possible(
         &self,
@@ -234,8 +235,7 @@ impl<const N: usize> Typed<'_, N> {
         base_parameters: &[f64],
         change: impl FnOnce(&mut Robot) -> Result<(), IdentificationError>,
     ) -> Result<RuntimeRobot, IdentificationError> {
-        let arm = self.arm;
-        let mut robot = arm.robot().clone();
+        let mut robot = self.robot().clone();
         let equations = self.equations(base_parameters)?;
         let least = equations.least_change();
         let (parameters, residual) = self.links(&equations, &least)?;
@@ -243,46 +243,38 @@ impl<const N: usize> Typed<'_, N> {
         if residual.amax() > 0.0 {
             return Err(impossible());
         }
-        let written = equations.written(&robot, arm.fields(), &parameters);
+        let written = equations.written(&robot, self.fields(), &parameters);
         robot = written.ok_or_else(impossible)?;
         change(&mut robot)?;
-        let functions = arm.functions().iter();
+        let functions = self.functions().iter();
         let requests = functions.map(|function| function.request.clone());
         let identified = RuntimeRobot::new(robot, requests);
         let mut identified = identified.map_err(IdentificationError::Build)?;
-        identified.set_fields(arm.fields())?;
+        identified.set_fields(self.fields())?;
         Ok(identified)
     }
 
     /// The equations of these base parameters.
     fn equations(&self, base_parameters: &[f64]) -> Result<Equations, IdentificationError> {
-        let arm = self.arm;
-        let expected = arm.entries("regressor")? / N;
-        if base_parameters.len() != expected {
-            return Err(IdentificationError::Values(EvaluationError::Length {
-                argument: "base_parameters",
-                found: base_parameters.len(),
-                expected,
-            }));
-        }
+        let expected = self.entries("regressor")? / self.dof();
+        check_length("base_parameters", base_parameters.len(), expected)?;
         if let Some(index) = base_parameters.iter().position(|b| !b.is_finite()) {
             return Err(IdentificationError::NotFinite(index));
         }
-        let mut fields = arm.field_names().iter().zip(arm.fields());
+        let mut fields = self.field_names().iter().zip(self.fields());
         if let Some((name, _)) = fields.find(|(_, value)| !value.is_finite()) {
             return Err(IdentificationError::Field(name.clone()));
         }
-        let map = base_parameter_map(self).ok_or(IdentificationError::Dependent)?;
-        let of_robot = &arm.robot().rows;
+        let map = base_parameter_map_any(self).ok_or(IdentificationError::Dependent)?;
+        let of_robot = &self.robot().rows;
         let (mut rows, followers): (Vec<usize>, Vec<usize>) = (0..of_robot.len())
             .filter(|&row| of_robot[row].locked.is_none())
             .partition(|&row| of_robot[row].is_free());
         rows.extend(followers);
-        let table = parameters_of_table(&self.table);
-        let missing = DVector::from_column_slice(base_parameters) - &map * &table;
-        let mut own = table;
+        let mut own = parameters_of_table(&self.table());
+        let missing = DVector::from_column_slice(base_parameters) - &map * &own;
         for (k, &row) in rows.iter().enumerate() {
-            let number = |value: &Value| value.to_f64(arm.fields());
+            let number = |value: &Value| value.to_f64(self.fields());
             let row = &of_robot[row];
             let com = row.com.each_ref().map(number);
             let link = parameters(number(&row.mass), com, row.inertia.each_ref().map(number));
@@ -303,7 +295,7 @@ impl<const N: usize> Typed<'_, N> {
         equations: &Equations,
         least: &DVector<f64>,
     ) -> Result<(DVector<f64>, DVector<f64>), IdentificationError> {
-        let impossible = |parameters| equations.impossible(self.arm.robot(), parameters);
+        let impossible = |parameters| equations.impossible(self.robot(), parameters);
         if impossible(least).is_empty() || !impossible(&equations.own).is_empty() {
             return Ok((least.clone(), DVector::zeros(1)));
         }
@@ -314,17 +306,18 @@ impl<const N: usize> Typed<'_, N> {
     /// The matrix R with `|R b|^2` the mean square of the torques `Y b` over random states and all joints.
     fn torques(&self) -> Result<DMatrix<f64>, IdentificationError> {
         const STATES: usize = 100;
+        let joints = self.dof();
         let mut random = SplitMix64::new(1);
         let [q, qd, qdd] = [core::f64::consts::PI, 3.0, 10.0].map(|largest| {
-            let numbers = (0..STATES * N).map(|_| largest * (2.0 * random.unit() - 1.0));
+            let numbers = (0..STATES * joints).map(|_| largest * (2.0 * random.unit() - 1.0));
             numbers.collect::<Vec<f64>>()
         });
-        let entries = self.arm.entries("regressor")?;
+        let entries = self.entries("regressor")?;
         let mut values = vec![0.0; STATES * entries];
-        self.arm.batch("regressor", &[&q, &qd, &qdd], &mut values)?;
-        let share = 1.0 / ((STATES * N) as f64).sqrt();
-        let y = DMatrix::from_fn(STATES * N, entries / N, |row, column| {
-            share * values[row / N * entries + column * N + row % N]
+        self.batch("regressor", &[&q, &qd, &qdd], &mut values)?;
+        let share = 1.0 / ((STATES * joints) as f64).sqrt();
+        let y = DMatrix::from_fn(STATES * joints, entries / joints, |row, column| {
+            share * values[row / joints * entries + column * joints + row % joints]
         });
         Ok(y.qr().r())
     }
@@ -363,16 +356,17 @@ impl Equations {
 
     /// The links that no bodies are.
     fn impossible(&self, robot: &Robot, parameters: &DVector<f64>) -> Vec<ImpossibleLink> {
-        let links = self.rows.iter().zip(self.columns());
-        let links = links.filter_map(|(&row, columns)| {
+        let link = |(&row, columns): (&usize, Range<usize>)| {
             let (mass, moments) = impossible(&parameters.as_slice()[columns])?;
+            let joint = robot.rows[row].name.clone();
             Some(ImpossibleLink {
-                joint: robot.rows[row].name.clone(),
+                joint,
                 mass,
                 moments,
             })
-        });
-        links.collect()
+        };
+        let links = self.rows.iter().zip(self.columns());
+        links.filter_map(link).collect()
     }
 
     /// The links and motors of bodies with the base parameters, or nearest to them in torque, and the residual.
@@ -438,13 +432,17 @@ fn values<const K: usize>(numbers: [f64; K]) -> Option<[Value; K]> {
 }
 
 /// The parameters of the table: links, then motors, of joints and then of followers.
-fn parameters_of_table<const N: usize>(table: &Table<N>) -> DVector<f64> {
-    let links = table.standard_parameters().into_iter();
-    let links = links.chain(table.standard_parameters_of_followers());
-    let mut x: Vec<f64> = links.flat_map(|link| link.as_slice().to_vec()).collect();
-    let followers = table.followers.iter().map(|follower| &follower.row);
-    let rows = table.rows.iter().chain(followers);
-    x.extend(rows.map(|row| row.reflected_inertia()));
+fn parameters_of_table(table: &RuntimeTable) -> DVector<f64> {
+    let links = table.standard_parameters();
+    let mut x: Vec<f64> = links.iter().flatten().copied().collect();
+    let followers = table.followers().map(|follower| &follower.row);
+    x.extend(
+        table
+            .rows
+            .iter()
+            .chain(followers)
+            .map(Row::reflected_inertia),
+    );
     DVector::from(x)
 }
 
@@ -473,14 +471,13 @@ fn impossible(p: &[f64]) -> Option<(f64, [f64; 3])> {
 
 /// The standard parameters of a link.
 fn parameters(mass: f64, com: [f64; 3], inertia: [f64; 6]) -> StandardParameters {
-    let row = dynamics_runtime::table::Row {
+    let row = Row {
         mass,
         com,
         inertia,
-        ..dynamics_runtime::table::Row::new(JointType::Revolute)
+        ..Row::new(JointType::Revolute)
     };
-    let [parameters] = Table::new(Convention::Modified, [0.0; 3], [row]).standard_parameters();
-    parameters
+    RuntimeTable::new(Convention::Modified, [0.0; 3], vec![row]).standard_parameters()[0]
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! What the outputs of a program are: values in their arrangement, and tests of pivots.
+//! The outputs of a program: values in their arrangement, and tests of pivots.
 
 use dynamics_runtime::{Scalar, SingularMassMatrix};
 use dynamics_symbolic::Request;

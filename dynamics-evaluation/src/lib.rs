@@ -7,6 +7,7 @@
 
 mod at;
 mod block;
+mod checked;
 mod compiled;
 mod error;
 mod file;
@@ -19,18 +20,16 @@ mod robot;
 mod simulated;
 mod table;
 mod tape;
-mod typed;
 mod validate;
 mod value;
 
 pub use dynamics_runtime;
 
-pub use error::{BuildError, EvaluationError, UnknownField, WrongJoints};
+pub use error::{BuildError, EvaluationError, UnknownField};
 pub use file::{FileError, FileMistake, ReadOptions};
 #[doc(hidden)]
 pub use file::{read_file, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
 pub use simulated::{RuntimeDynamics, Tip};
-pub use typed::Typed;
 pub use value::Value;

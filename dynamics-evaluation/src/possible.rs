@@ -1,12 +1,12 @@
 //! The links that bodies can have, nearest to given ones.
 //!
-//! A link with the mass m, the first moments h and the tensor J about the origin has the pseudo-inertia
+//! A link has the mass m, the first moments h and the tensor J about the origin. Its pseudo-inertia is
 //! `P = [[S, h], [h', m]]` with `S = tr(J)/2 1 - J`. Positive masses can be distributed so if and only if P is positive
 //! definite, or semidefinite at the limit (P. M. Wensing, S. Kim, J.-J. E. Slotine, IEEE Robotics and Automation
 //! Letters 3 (2018), 60-67).
 //!
-//! The distance from the table's links is the sum of their entropic divergences `tr(P0^-1 P) - log det(P0^-1 P) - 4`,
-//! which no choice of units or frames changes (T. Lee, P. M. Wensing, F. C. Park, IEEE Transactions on Robotics 36
+//! The distance from the table's links is the sum of their entropic divergences `tr(P0^-1 P) - log det(P0^-1 P) - 4`.
+//! No choice of units or frames changes it (T. Lee, P. M. Wensing, F. C. Park, IEEE Transactions on Robotics 36
 //! (2020), 168-182). It is a barrier as well: it grows without bound where P becomes singular.
 
 use dynamics_runtime::nalgebra::{Cholesky, DMatrix, DVector, Dyn};

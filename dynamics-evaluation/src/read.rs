@@ -1,4 +1,4 @@
-//! What programs read: arguments, fields, and functions of both.
+//! The numbers that programs read: arguments, fields, and functions of both.
 
 use core::f64::consts::PI;
 
@@ -33,12 +33,12 @@ pub(crate) fn parameter<T: Scalar>(
     }
 }
 
-/// What an index of [`Symbol`] stands for: a joint that moves by itself, or one that follows it.
+/// The joint of an index of [`Symbol`], which moves by itself or follows another one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axis<T> {
     /// The joint by which it moves.
     joint: usize,
-    /// Of a follower, what positions and velocities of that joint are multiplied by.
+    /// The factor of a follower's positions and velocities; none if the joint moves by itself.
     factor: Option<T>,
     /// Stribeck's velocity; 1 where the joint has none, which nothing reads.
     stribeck: T,
@@ -59,8 +59,8 @@ pub(crate) fn axes<T: Scalar>(
             None => constant(1.0),
         },
     };
-    let joints = robot.joints().enumerate();
-    let joints = joints.map(|(joint, row)| axis(row, joint, None));
+    let rows = robot.joints().enumerate();
+    let joints = rows.map(|(joint, row)| axis(row, joint, None));
     let followers = robot.followers().map(|(row, coupling)| {
         let leader = robot.joint_of(coupling.leader);
         axis(row, leader, Some(&coupling.factor))
@@ -68,13 +68,7 @@ pub(crate) fn axes<T: Scalar>(
     joints.chain(followers).collect()
 }
 
-/// exp(-(qd/v)^2)
-fn stribeck<T: Scalar>(qd: T, v: T) -> T {
-    let x = qd / v;
-    (-(x * x)).exp()
-}
-
-/// What a symbol is read of: an entry of an argument, of a follower times the factor.
+/// The entry of an argument that a symbol is read of, for a follower times the factor.
 struct Source<T> {
     argument: Argument,
     entry: usize,
@@ -82,7 +76,7 @@ struct Source<T> {
     read: Read<T>,
 }
 
-/// What is read of that number.
+/// The function of that number that is read.
 enum Read<T> {
     Itself,
     Sign,
@@ -91,52 +85,57 @@ enum Read<T> {
 }
 
 impl<T: Scalar> Source<T> {
-    fn of(symbol: &Symbol, axes: &[Axis<T>]) -> Option<Self> {
-        let of_axis = |argument: Argument, index: usize, read: Read<T>| Source {
-            argument,
-            entry: axes[index].joint,
-            factor: axes[index].factor,
-            read,
-        };
-        let of_argument = |argument: Argument, entry: usize| Source {
-            argument,
-            entry,
-            factor: None,
-            read: Read::Itself,
-        };
-        Some(match *symbol {
-            Symbol::Position(i) => of_axis(Argument::Position, i, Read::Itself),
-            Symbol::Velocity(i) => of_axis(Argument::Velocity, i, Read::Itself),
-            Symbol::VelocitySign(i) => of_axis(Argument::Velocity, i, Read::Sign),
+    fn new(symbol: &Symbol, axes: &[Axis<T>]) -> Option<Self> {
+        let (argument, axis, read) = match *symbol {
+            Symbol::Position(i) => (Argument::Position, i, Read::Itself),
+            Symbol::Velocity(i) => (Argument::Velocity, i, Read::Itself),
+            Symbol::VelocitySign(i) => (Argument::Velocity, i, Read::Sign),
             Symbol::Stribeck(i) => {
                 let read = Read::Exponential(axes[i].stribeck);
-                of_axis(Argument::Velocity, i, read)
+                (Argument::Velocity, i, read)
             }
-            Symbol::Acceleration(i) => of_argument(Argument::Acceleration, i),
-            Symbol::Force(i) => of_argument(Argument::Force, i),
-            Symbol::Entry(argument, i) => of_argument(argument, i),
+            Symbol::Acceleration(i) => (Argument::Acceleration, i, Read::Itself),
+            Symbol::Force(i) => (Argument::Force, i, Read::Itself),
+            Symbol::Entry(argument, entry) => {
+                return Some(Source {
+                    argument,
+                    entry,
+                    factor: None,
+                    read: Read::Itself,
+                });
+            }
             _ => return None,
+        };
+        let Axis { joint, factor, .. } = axes[axis];
+        Some(Source {
+            argument,
+            entry: joint,
+            factor,
+            read,
         })
     }
 
-    /// What is read where the entry is x.
+    /// The number that is read where the entry is x.
     fn value(&self, x: T) -> T {
         let x = self.factor.map_or(x, |factor| factor * x);
         match self.read {
             Read::Itself => x,
             Read::Sign => x.sign(),
-            Read::Exponential(velocity) => stribeck(x, velocity),
+            Read::Exponential(velocity) => {
+                let ratio = x / velocity;
+                (-(ratio * ratio)).exp()
+            }
         }
     }
 }
 
-/// What a symbol is at one state: `argument` are the entries of the arguments there.
+/// The value of a symbol at one state: `argument` are the entries of the arguments there.
 pub(crate) fn at_state<T: Scalar>(
     symbol: &Symbol,
     argument: &impl Fn(Argument, usize) -> T,
     axes: &[Axis<T>],
 ) -> Option<T> {
-    let source = Source::of(symbol, axes)?;
+    let source = Source::new(symbol, axes)?;
     Some(source.value(argument(source.argument, source.entry)))
 }
 
@@ -144,7 +143,7 @@ pub(crate) fn at_state<T: Scalar>(
 pub(crate) struct Reader<'a> {
     /// Each argument with its entries of all states and how many of them a state has.
     pub(crate) arguments: Vec<(Argument, &'a [f64], usize)>,
-    /// What the indices of symbols stand for.
+    /// The joints of the indices of symbols.
     pub(crate) axes: &'a [Axis<f64>],
 }
 
@@ -159,7 +158,7 @@ pub(crate) struct Column<'a> {
 impl<'a> Reader<'a> {
     /// A symbol at all states.
     pub(crate) fn column(&self, symbol: &Symbol) -> Option<Column<'a>> {
-        let source = Source::of(symbol, self.axes)?;
+        let source = Source::new(symbol, self.axes)?;
         let mut arguments = self.arguments.iter();
         let of_source = |(known, ..): &&(Argument, &[f64], usize)| *known == source.argument;
         let &(_, entries, width) = arguments.find(of_source)?;

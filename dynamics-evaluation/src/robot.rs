@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use dynamics_runtime::{Operations, Scalar, SingularMassMatrix};
+use dynamics_runtime::{Operations, Scalar, SingularMassMatrix, table::RuntimeTable};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request, proven_program};
@@ -12,6 +12,7 @@ use crate::block::{Batch, Block, run};
 use crate::compiled::{Compiled, check_length};
 use crate::error::{BuildError, EvaluationError, UnknownField};
 use crate::read::{Axis, Reader, at_state, axes};
+use crate::table::table;
 use crate::validate::validate;
 use crate::value::Value;
 
@@ -20,7 +21,7 @@ use crate::value::Value;
 /// Its functions are derived and proven as the macro's are, and are the same operations on the same
 /// constants: a call returns, bit for bit, what a generated method returns. One call takes some ten
 /// times as long as generated code, because each operation has to be looked up. A batch looks it up once for 32
-/// states, in the lanes of vector registers, and takes about as long as single calls of generated code.
+/// states, in the lanes of vector registers: a state takes about as long as a call of generated code.
 ///
 /// ```
 /// # mod robot_dynamics {
@@ -96,9 +97,9 @@ impl RuntimeRobot {
         let mut programs = Vec::new();
         for request in functions {
             let request = request.into();
-            let proven = proven_program(&robot, &request);
-            let proven = proven.map_err(|failure| BuildError::Failure(failure.to_string()))?;
-            programs.push((request, proven));
+            let program = proven_program(&robot, &request)
+                .map_err(|failure| BuildError::Failure(failure.to_string()))?;
+            programs.push((request, program));
         }
         Self::of_programs(robot, &programs)
     }
@@ -136,6 +137,11 @@ impl RuntimeRobot {
     #[doc(hidden)]
     pub fn robot(&self) -> &Robot {
         &self.robot
+    }
+
+    /// The table as numbers, with the present values of the fields: without a value for each, some are NaN.
+    pub fn table(&self) -> RuntimeTable {
+        table(&self.robot, &self.fields)
     }
 
     /// Number of joints that move.
@@ -203,7 +209,7 @@ impl RuntimeRobot {
             .map(|function| function.request.name())
     }
 
-    /// What a function costs.
+    /// The operations of a function.
     ///
     /// # Errors
     ///
@@ -243,7 +249,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// Those of [`evaluate`](RuntimeRobot::evaluate).
+    /// The errors of [`evaluate`](RuntimeRobot::evaluate).
     pub fn evaluate_in<T: Scalar>(
         &self,
         function: &str,
@@ -252,7 +258,7 @@ impl RuntimeRobot {
         let function = self.function(function)?;
         let like = arguments.iter().find_map(|entries| entries.first());
         let constant = |x: f64| like.map_or_else(|| T::from_f64(x), |like| like.constant(x));
-        let shared = self.shared(function, &constant);
+        let shared = function.tape.shared(&self.fields, &constant);
         self.of_state(function, &shared, arguments, &constant)
     }
 
@@ -265,12 +271,8 @@ impl RuntimeRobot {
     ) -> Result<Vec<T>, EvaluationError> {
         let lengths = arguments.iter().map(|entries| entries.len());
         function.check_lengths(lengths, 1)?;
-        let at = |argument: Argument, i: usize| {
-            let mut known = function.arguments.iter();
-            let place = known.position(|(known, _)| *known == argument);
-            place.map_or_else(|| constant(f64::NAN), |place| arguments[place][i])
-        };
-        let values = self.values(function, shared, &at, constant);
+        let entry = function.entry(arguments, constant);
+        let values = self.values(function, shared, &entry, constant);
         values.map_err(|error| self.singular(None, error))
     }
 
@@ -405,15 +407,6 @@ impl RuntimeRobot {
             test.result(|output| outputs[output])?;
         }
         Ok(function.layout.values_of(&outputs))
-    }
-
-    /// The numbers that all states share, in the arithmetic of the numbers that `constant` makes.
-    pub(crate) fn shared<T: Scalar>(
-        &self,
-        function: &Compiled,
-        constant: &impl Fn(f64) -> T,
-    ) -> Vec<T> {
-        function.tape.shared(&self.fields, constant)
     }
 
     fn singular(&self, state: Option<usize>, error: SingularMassMatrix) -> EvaluationError {

@@ -6,11 +6,9 @@ use dynamics_runtime::{
     simulation::{EquationsOfMotion, Responses, SizedModel},
     table::RuntimeTable,
 };
-use dynamics_symbolic::Function;
-use dynamics_symbolic::function::Argument::{self, Acceleration, Force, Position, Velocity};
+use dynamics_symbolic::{Function, Request};
 
 use crate::compiled::Compiled;
-use crate::table::table;
 use crate::{EvaluationError, RuntimeRobot};
 
 /// A [`RuntimeRobot`] that has the functions by which an arm moves, as
@@ -36,7 +34,35 @@ pub struct Tip<'a> {
     jacobian: &'a Compiled,
 }
 
+/// The functions of [`RuntimeRobot::dynamics`], then those of [`RuntimeDynamics::with_tip`].
+const OF_SIMULATIONS: [Function; 7] = [
+    Function::MassMatrix,
+    Function::InverseDynamics,
+    Function::ForwardDynamics,
+    Function::KineticEnergy,
+    Function::PotentialEnergy,
+    Function::ForwardKinematics,
+    Function::Jacobian,
+];
+
 impl RuntimeRobot {
+    /// The names of the functions that a simulation needs: those of [`dynamics`](RuntimeRobot::dynamics), then the two of
+    /// [`with_tip`](RuntimeDynamics::with_tip).
+    ///
+    /// Forward dynamics moves the arm; methods that work in momenta need the mass matrix and inverse dynamics, energies
+    /// are compared; the last two, `forward_kinematics` and `jacobian`, are those of a force at the tool.
+    pub fn simulation_functions() -> [&'static str; 7] {
+        OF_SIMULATIONS.map(Function::name)
+    }
+
+    /// A function by itself, not a method of several that has its name.
+    fn simulated(&self, function: Function) -> Result<&Compiled, EvaluationError> {
+        let mut known = self.functions().iter();
+        known
+            .find(|known| known.request == Request::One(function))
+            .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
+    }
+
     /// The arm with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
     ///
     /// ```
@@ -62,7 +88,7 @@ impl RuntimeRobot {
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
         Ok(RuntimeDynamics {
             arm: self,
-            table: table(self.robot(), self.fields()),
+            table: self.table(),
             mass_matrix: self.simulated(Function::MassMatrix)?,
             inverse_dynamics: self.simulated(Function::InverseDynamics)?,
             forward_dynamics: self.simulated(Function::ForwardDynamics)?,
@@ -97,36 +123,23 @@ impl<'a> RuntimeDynamics<'a> {
     }
 }
 
-/// An argument of a function, and its entries.
-type Given<'e, T> = (Argument, &'e [T]);
-
 impl<K> RuntimeDynamics<'_, K> {
     /// The values of a function, in the arithmetic of its arguments.
     fn at<T: Scalar>(
         &self,
         function: &Compiled,
-        given: &[Given<'_, T>],
+        arguments: &[&[T]],
     ) -> Result<Vec<T>, SingularMassMatrix> {
-        let argument = |of: Argument, i: usize| {
-            let entries = given.iter().find(|(argument, _)| *argument == of);
-            entries.map_or_else(|| T::from_f64(f64::NAN), |(_, entries)| entries[i])
-        };
-        let shared = self.arm.shared(function, &T::from_f64);
-        self.arm.values(function, &shared, &argument, &T::from_f64)
+        let shared = function.tape.shared(self.arm.fields(), &T::from_f64);
+        let entry = function.entry(arguments, &T::from_f64);
+        self.arm.values(function, &shared, &entry, &T::from_f64)
     }
 
     /// The values of a function that does not solve with M.
-    fn numbers<T: Scalar>(&self, function: &Compiled, given: &[Given<'_, T>]) -> Vec<T> {
+    fn numbers<T: Scalar>(&self, function: &Compiled, arguments: &[&[T]]) -> Vec<T> {
         let entries = function.layout.entries();
         let unknown = |_| vec![T::from_f64(f64::NAN); entries];
-        self.at(function, given).unwrap_or_else(unknown)
-    }
-
-    fn energy(&self, function: &Compiled, q: &DVector<f64>, qd: &DVector<f64>) -> f64 {
-        self.numbers(
-            function,
-            &[(Position, q.as_slice()), (Velocity, qd.as_slice())],
-        )[0]
+        self.at(function, arguments).unwrap_or_else(unknown)
     }
 }
 
@@ -147,9 +160,8 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         qd: &DVector<f64>,
         tau: &DVector<f64>,
     ) -> Result<DVector<f64>, SingularMassMatrix> {
-        let given = [(Position, q), (Velocity, qd), (Force, tau)];
-        let given = given.map(|(argument, vector)| (argument, vector.as_slice()));
-        Ok(self.at(self.forward_dynamics, &given)?.into())
+        let arguments = [q, qd, tau].map(DVector::as_slice);
+        Ok(self.at(self.forward_dynamics, &arguments)?.into())
     }
 
     /// A column of M^-1 is the derivative by a torque, which a dual number carries along.
@@ -165,17 +177,10 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         let mut free = None;
         for j in (0..q.len()).filter(|j| joints[*j]) {
             let tau = duals(tau, |i| f64::from(u8::from(i == j)));
-            let given = [
-                (Position, &positions[..]),
-                (Velocity, &velocities),
-                (Force, &tau),
-            ];
-            let qdd = self.at(self.forward_dynamics, &given)?;
-            columns.set_column(
-                j,
-                &DVector::from_iterator(q.len(), qdd.iter().map(|x| x.slope)),
-            );
-            free = Some(DVector::from_iterator(q.len(), qdd.iter().map(|x| x.value)));
+            let entries = self.at(self.forward_dynamics, &[&positions, &velocities, &tau])?;
+            let qdd = DVector::from_vec(entries);
+            columns.set_column(j, &qdd.map(|x| x.slope));
+            free = Some(qdd.map(|x| x.value));
         }
         match free {
             Some(free) => Ok((free, columns)),
@@ -190,24 +195,19 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
 
 impl<K> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
     fn inertia(&self, q: &DVector<f64>) -> DMatrix<f64> {
-        let entries = self.numbers(self.mass_matrix, &[(Position, q.as_slice())]);
+        let entries = self.numbers(self.mass_matrix, &[q.as_slice()]);
         DMatrix::from_vec(q.len(), q.len(), entries)
     }
 
     /// As that of generated arms: dT/dq = M' qd - V, with the rate M' of M along qd.
     fn force(&self, q: &DVector<f64>, qd: &DVector<f64>, tau: &DVector<f64>) -> DVector<f64> {
         let along = duals(q, |i| qd[i]);
-        let mass_rate = self.numbers(self.mass_matrix, &[(Position, &along[..])]);
-        let slopes = mass_rate.iter().map(|entry| entry.slope);
+        let entries = self.numbers(self.mass_matrix, &[&along]);
+        let slopes = entries.iter().map(|entry| entry.slope);
         let mass_rate = DMatrix::from_iterator(q.len(), q.len(), slopes);
         let rest = vec![0.0; q.len()];
-        let given = [
-            (Position, q.as_slice()),
-            (Velocity, qd.as_slice()),
-            (Acceleration, &rest),
-        ];
-        let bias = DVector::from_vec(self.numbers(self.inverse_dynamics, &given));
-        tau + mass_rate * qd - bias
+        let bias = self.numbers(self.inverse_dynamics, &[q.as_slice(), qd.as_slice(), &rest]);
+        tau + mass_rate * qd - DVector::from_vec(bias)
     }
 }
 
@@ -221,19 +221,22 @@ impl<K> SizedModel<Dyn> for RuntimeDynamics<'_, K> {
     }
 
     fn sized_energies(&self, q: &DVector<f64>, qd: &DVector<f64>) -> Option<[f64; 2]> {
-        let functions = [self.kinetic_energy, self.potential_energy];
-        Some(functions.map(|function| self.energy(function, q, qd)))
+        let kinetic = self.numbers(self.kinetic_energy, &[q.as_slice(), qd.as_slice()])[0];
+        Some([
+            kinetic,
+            self.numbers(self.potential_energy, &[q.as_slice()])[0],
+        ])
     }
 }
 
 impl<'a> SizedKinematics<Dyn> for RuntimeDynamics<'a, Tip<'a>> {
     fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
-        let entries = self.numbers(self.tip.forward_kinematics, &[(Position, q.as_slice())]);
+        let entries = self.numbers(self.tip.forward_kinematics, &[q.as_slice()]);
         Matrix4::from_column_slice(&entries)
     }
 
     fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
-        let entries = self.numbers(self.tip.jacobian, &[(Position, q.as_slice())]);
+        let entries = self.numbers(self.tip.jacobian, &[q.as_slice()]);
         Matrix6xX::from_vec(entries)
     }
 }

@@ -1,8 +1,8 @@
 //! Values of functions whose arrangement is known at run time.
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector};
-use dynamics_symbolic::Request;
 use dynamics_symbolic::function::{Shape, Sizes};
+use dynamics_symbolic::{Function, Request};
 
 /// The value of a function, in the arrangement that generated code returns it in.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,16 +21,10 @@ impl Value {
     /// The value of a request among its entries, in the order of its shape, matrices by columns.
     pub(crate) fn new(request: &Request, sizes: Sizes, entries: &[f64]) -> Self {
         let mut entries = entries.iter().copied();
+        let mut value = |part: &Function| read(part.shape(), sizes, &mut entries);
         match request {
-            Request::One(function) => read(function.shape(), sizes, &mut entries),
-            Request::Fused(fused) => {
-                let parts = fused.parts.iter();
-                Value::Tuple(
-                    parts
-                        .map(|part| read(part.shape(), sizes, &mut entries))
-                        .collect(),
-                )
-            }
+            Request::One(function) => value(function),
+            Request::Fused(fused) => Value::Tuple(fused.parts.iter().map(value).collect()),
         }
     }
 }
@@ -58,8 +52,7 @@ fn read(shape: &Shape, sizes: Sizes, entries: &mut impl Iterator<Item = f64>) ->
     }
 }
 
-/// What the methods of a [`RuntimeRobot`](crate::RuntimeRobot) return: a [`Value`] of a known
-/// arrangement.
+/// A result of the methods of a [`RuntimeRobot`](crate::RuntimeRobot): a [`Value`] of a known arrangement.
 pub(crate) trait FromValue: Sized {
     /// The value; `None` where it is arranged otherwise.
     fn from_value(value: Value) -> Option<Self>;
@@ -85,12 +78,8 @@ impl FromValue for DMatrix<f64> {
 
 impl FromValue for DVector<f64> {
     fn from_value(value: Value) -> Option<Self> {
-        match value {
-            Value::Matrix(matrix) if matrix.ncols() == 1 => {
-                Some(DVector::from_column_slice(matrix.as_slice()))
-            }
-            _ => None,
-        }
+        let matrix = DMatrix::from_value(value)?;
+        (matrix.ncols() == 1).then(|| DVector::from_column_slice(matrix.as_slice()))
     }
 }
 

@@ -48,7 +48,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
 /// Turns M of so many rows into U; `diagonal`, which is that of M, becomes the inverse of the pivots.
 #[inline(always)]
-fn factor<T: Scalar>(
+pub(crate) fn factor<T: Scalar>(
     size: usize,
     m: &mut impl IndexMut<(usize, usize), Output = T>,
     diagonal: &mut impl IndexMut<usize, Output = T>,
@@ -64,7 +64,7 @@ fn factor<T: Scalar>(
 
 /// Turns b into x with M x = b.
 #[inline(always)]
-fn substitute<T: Scalar>(
+pub(crate) fn substitute<T: Scalar>(
     size: usize,
     upper: &impl Index<(usize, usize), Output = T>,
     inverse_pivots: &impl Index<usize, Output = T>,

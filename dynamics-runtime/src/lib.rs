@@ -39,8 +39,6 @@ mod formula;
 mod frame;
 mod friction;
 mod function;
-#[cfg(feature = "std")]
-mod identification;
 mod inputs;
 #[cfg(feature = "std")]
 mod integrate;

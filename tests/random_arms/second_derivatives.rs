@@ -5,9 +5,9 @@ use std::ops::RangeInclusive;
 
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::Function;
-use robot_dynamics::nalgebra::{SMatrix, SVector};
+use robot_dynamics::nalgebra::{DVector, Dyn, SMatrix, SVector};
 use robot_dynamics::{
-    DoubleDouble, Model, SecondDerivatives, State, check::Evaluate, table::JointType,
+    DoubleDouble, SecondDerivatives, SizedState, State, check::Checked as _, table::JointType,
 };
 use testkit::exact::Exact;
 use testkit::random::Random;
@@ -20,6 +20,16 @@ fn state<const N: usize>(random: &mut Random) -> State<N> {
         q: random.vector(3.0),
         qd: random.vector(2.0),
         qdd: random.vector(5.0),
+    }
+}
+
+/// The same for an arm whose number of joints is known at run time alone.
+fn of_any_size<const N: usize>(state: &State<N>) -> SizedState<Dyn> {
+    let vector = |vector: &SVector<f64, N>| DVector::from_column_slice(vector.as_slice());
+    SizedState {
+        q: vector(&state.q),
+        qd: vector(&state.qd),
+        qdd: vector(&state.qdd),
     }
 }
 
@@ -59,14 +69,15 @@ fn largest<const R: usize, const C: usize>(matrix: &SMatrix<DoubleDouble, R, C>)
 }
 
 /// The largest error of an arm. What is symmetric is so to the last bit.
-fn largest_error<const N: usize>(arm: &(impl Model<N> + Evaluate<N>), states: usize) -> f64 {
-    let table = arm.table();
+fn largest_error<const N: usize>(arm: &RuntimeRobot, states: usize) -> f64 {
+    let table = arm.table().of_joints::<N>().expect("so many joints");
     let exact = Exact(&table);
     let mut random = Random::seeded(31);
     let mut worst = 0.0_f64;
     for _ in 0..states {
-        let state = state(&mut random);
-        let found = arm.evaluate(&state, &SVector::zeros());
+        let state: State<N> = state(&mut random);
+        let sized = of_any_size(&state);
+        let found = arm.values(&sized, &DVector::zeros(N));
         let found: Option<SecondDerivatives<f64, N>> =
             found.get("inverse_dynamics_second_derivatives");
         let found = four(&found.expect("asked for"));
@@ -95,8 +106,7 @@ fn check<const N: usize>(name: &str) {
     let robot = arms::robot(name);
     let function = Function::InverseDynamicsSecondDerivatives;
     let arm = RuntimeRobot::new(robot, [function]).expect("programs are proven");
-    let arm = arm.typed::<N>().expect("so many joints");
-    let worst = largest_error(&arm, if N < 7 { 3 } else { 1 });
+    let worst = largest_error::<N>(&arm, if N < 7 { 3 } else { 1 });
     let unit = 1e-15 * N as f64;
     println!("{name:26} {:.2}", worst / unit);
     assert!(worst <= BOUND * N as f64, "{name}: {worst:e}");

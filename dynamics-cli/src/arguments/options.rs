@@ -59,7 +59,7 @@ pub(super) fn functions() -> Arg {
 }
 
 /// Words between commas.
-fn words(name: &'static str, shown: &'static str) -> Arg {
+pub(super) fn words(name: &'static str, shown: &'static str) -> Arg {
     Arg::new(name)
         .long(name)
         .value_name(shown)
@@ -92,13 +92,6 @@ pub(super) fn choice<const N: usize>(
         .long(name)
         .value_name(shown)
         .value_parser(PossibleValuesParser::new(words))
-}
-
-/// The first and the last link of the arm in another file.
-pub(super) fn chain_of_other() -> Arg {
-    words("against-chain", "BASE,TIP")
-        .requires("against")
-        .help("The first and the last link of the arm in the other file, where they have other names there")
 }
 
 /// A path.

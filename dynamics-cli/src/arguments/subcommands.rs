@@ -1,13 +1,13 @@
-//! What each subcommand is, and an example of it.
+//! The subcommands, with an example of each.
 
 use clap::{ArgAction, ArgGroup, Command};
 
 use super::options::{
-    chain_of_other, choice, count, functions, number, number_between, of_a_file, out, path, vector,
+    choice, count, functions, number, number_between, of_a_file, out, path, vector, words,
 };
 use crate::convert::WITHOUT;
 
-/// Those about a robot file.
+/// The subcommands about a robot file.
 pub(super) fn all() -> Vec<Command> {
     vec![
         show(),
@@ -21,7 +21,7 @@ pub(super) fn all() -> Vec<Command> {
     ]
 }
 
-/// Of the list of functions where a subcommand knows what it needs.
+/// The help on the list of functions if a subcommand knows which ones it needs.
 const BESIDES: &str = "The functions, in place of the file's: their names are checked, and what is needed here is derived";
 
 fn show() -> Command {
@@ -52,7 +52,11 @@ fn check() -> Command {
         )
         .arg(functions())
         .arg(path("against", "Another file of the same arm").long("against"))
-        .arg(chain_of_other())
+        .arg(
+            words("against-chain", "BASE,TIP")
+                .requires("against")
+                .help("The first and the last link of the arm in the other file, where they have other names there"),
+        )
         .arg(count("samples", "100", 1, 1_000_000, "Random states"))
         .arg(
             number("tolerance", "Largest difference to the other file, relative to the largest entry")

@@ -4,6 +4,8 @@ use dynamics_codegen::geometry::{Mass, Transform, Vector, dot, number, tidy};
 use dynamics_symbolic::exact::{Rational, square_root};
 use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Value};
 
+use super::parameters;
+
 /// An arm whose joints have axes in space, and whose bodies are given in the frames of its joints.
 pub(super) struct Arm<'r> {
     pub(super) robot: &'r Robot,
@@ -125,21 +127,17 @@ fn placed(place: &Placement) -> Option<Transform> {
 
 /// A frame behind a row in the one before it: the joint at zero, or where it is locked.
 fn step(convention: Convention, row: &Row) -> Option<Transform> {
-    let zero = Value::zero;
-    let along_x = [number(&row.a)?, Rational::ZERO, Rational::ZERO];
-    let about_x = Transform::new(&along_x, &[row.alpha.clone(), zero(), zero()])?;
-    let (mut angle, mut offset) = (zero(), number(&row.d)?);
+    let (mut angle, mut offset) = (Value::zero(), number(&row.d)?);
     match (&row.locked, row.joint_type) {
         (None, _) => {}
         (Some(position), JointType::Revolute) => angle = position.clone(),
         (Some(position), JointType::Prismatic) => offset += number(position)?,
     }
-    let along_z = [Rational::ZERO, Rational::ZERO, offset];
-    let about_z = Transform::new(&along_z, &[zero(), zero(), row.theta.clone()])?;
-    let locked = Transform::new(&[Rational::ZERO; 3], &[zero(), zero(), angle])?;
-    let about_z = about_z.then(&locked);
+    let angles = [row.alpha.clone(), row.theta.clone()];
+    let step = parameters::step(convention, [&number(&row.a)?, &offset], angles)?;
+    let locked = Transform::new(&[Rational::ZERO; 3], &[Value::zero(), Value::zero(), angle])?;
     Some(match convention {
-        Convention::Standard => about_z.then(&about_x),
-        Convention::Modified => about_x.then(&about_z),
+        Convention::Standard => locked.then(&step),
+        Convention::Modified => step.then(&locked),
     })
 }

@@ -8,7 +8,7 @@ use dynamics_codegen::geometry::{Body, Transform, Vector};
 use dynamics_symbolic::Request;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{
-    Convention, Coupling, JointType, Placement, Robot, Row as Joint, Value,
+    Convention, Coupling, JointType, Placement, Robot, Row as Joint, Stribeck, Value,
 };
 
 use super::angle::{Angle, roll_pitch_yaw};
@@ -29,6 +29,18 @@ pub(super) enum Node {
     List(Vec<Node>),
     Table(Entries),
 }
+
+macro_rules! impl_from {
+    ($($variant:ident($given:ty))*) => {$(
+        impl From<$given> for Node {
+            fn from(given: $given) -> Node {
+                Node::$variant(given.to_owned())
+            }
+        }
+    )*};
+}
+
+impl_from!(Number(&Rational) Written(&Value) Angle(&Angle) Text(&str) Table(Entries));
 
 impl Node {
     /// Whether all of its numbers are zero, so that a cell need not be written.
@@ -89,16 +101,6 @@ pub(super) struct Document {
     pub(super) names: Vec<String>,
 }
 
-/// Where an arm's frames are, in words.
-struct Geometry<'a> {
-    convention: Convention,
-    gravity: Node,
-    base: Entries,
-    rows: Vec<Line<'a>>,
-    /// The tool's frame.
-    tool: Entries,
-}
-
 /// A row.
 struct Line<'a> {
     name: String,
@@ -118,55 +120,51 @@ impl Document {
         model: &Model,
         allowed: &Allowed,
     ) -> Document {
-        let rows = table.rows.iter().zip(names(table));
-        let geometry = Geometry {
-            convention: table.convention,
-            gravity: numbers(gravity),
-            base: table.base.as_ref().map(placement).unwrap_or_default(),
-            rows: rows.map(|(row, name)| found(row, name)).collect(),
-            tool: table.tool.as_ref().map(placement).unwrap_or_default(),
-        };
-        Document::new(geometry, model, allowed)
+        let named = table.rows.iter().zip(names(table));
+        let rows = named.map(|(row, name)| found(row, name)).collect();
+        let place = |frame: &Option<Transform>| frame.as_ref().map(placement).unwrap_or_default();
+        let frames = [&table.base, &table.tool].map(place);
+        let head = (table.convention, list(gravity));
+        Document::new(head, frames, rows, (model, allowed))
     }
 
     /// The table that was read, with the cells as they were written. Its rows have no mounts.
     pub(super) fn as_written(model: &Model, allowed: &Allowed) -> Document {
         let robot = &model.robot;
-        let base = robot.base.as_ref();
         let tool = robot.tool.as_ref().map(|tool| &tool.placement);
-        let geometry = Geometry {
-            convention: robot.convention,
-            gravity: values(&robot.gravity),
-            base: base.map(placement_as_written).unwrap_or_default(),
-            rows: robot.rows.iter().map(line_as_written).collect(),
-            tool: tool.map(placement_as_written).unwrap_or_default(),
-        };
-        Document::new(geometry, model, allowed)
+        let place = |frame: Option<_>| frame.map(placement_as_written).unwrap_or_default();
+        let frames = [robot.base.as_ref(), tool].map(place);
+        let rows = robot.rows.iter().map(line_as_written).collect();
+        let head = (robot.convention, list(&robot.gravity));
+        Document::new(head, frames, rows, (model, allowed))
     }
 
-    fn new(geometry: Geometry<'_>, model: &Model, allowed: &Allowed) -> Document {
+    fn new(
+        (convention, gravity): (Convention, Node),
+        [base, tool_frame]: [Entries; 2],
+        rows: Vec<Line<'_>>,
+        (model, allowed): (&Model, &Allowed),
+    ) -> Document {
         let robot = &model.robot;
-        let convention = match geometry.convention {
+        let convention = match convention {
             Convention::Standard => "standard",
             Convention::Modified => "modified",
         };
-        let mut entries = vec![
-            entry("convention", Node::Text(convention.to_owned())),
-            entry("gravity", geometry.gravity),
-        ];
+        let mut entries = vec![entry("convention", convention), entry("gravity", gravity)];
         entries.extend(functions(model));
-        let locked = geometry.rows.iter();
-        let locked = locked.filter_map(|row| Some((row.name.clone(), row.locked.clone()?)));
-        entries.extend(unless_empty("lock", locked.collect()));
+        let locked = |row: &Line<'_>| Some((row.name.clone(), row.locked.clone()?));
+        entries.extend(unless_empty(
+            "lock",
+            rows.iter().filter_map(locked).collect(),
+        ));
         entries.extend(unless_empty("couple", couplings(robot)));
-        if let Some((share, _)) = &model.neglect {
-            entries.push(entry("neglect", value(share)));
-        }
+        let neglect = model.neglect.as_ref();
+        entries.extend(neglect.map(|(share, _)| entry("neglect", share)));
         entries.extend(allow(allowed.get(&None)));
-        entries.extend(unless_empty("base", geometry.base));
-        entries.extend(tool(geometry.tool, robot));
-        let names: Vec<String> = geometry.rows.iter().map(|row| row.name.clone()).collect();
-        let joints = geometry.rows.into_iter().map(|row| {
+        entries.extend(unless_empty("base", base));
+        entries.extend(tool(tool_frame, robot));
+        let names: Vec<String> = rows.iter().map(|row| row.name.clone()).collect();
+        let joints = rows.into_iter().map(|row| {
             let allowed = allow(allowed.get(&Some(row.name.clone())));
             let mut cells = cells(row);
             cells.extend(allowed);
@@ -182,40 +180,35 @@ impl Document {
 
 /// A row that was found.
 fn found<'a>(row: &Row<'a>, name: String) -> Line<'a> {
-    let Parameters { a, alpha, d, theta } = row.parameters.clone();
-    let [a, d] = [a, d].map(Node::Number);
-    let [alpha, theta] = [alpha, theta].map(Node::Angle);
+    let Parameters { a, alpha, d, theta } = &row.parameters;
+    let parameters = [a.into(), alpha.into(), d.into(), theta.into()];
     let Body { mass, com, inertia } = &row.body;
     let joint = row.joint.map(|joint| joint.row);
     Line {
         name,
         joint,
         locked: joint.is_none().then_some(Node::Number(Rational::ZERO)),
-        cells: geometry(
-            [a, alpha, d, theta],
-            number(mass),
-            numbers(com),
-            inertia.each_ref().map(number),
-        ),
+        cells: geometry(parameters, mass.into(), list(com), inertia),
     }
 }
 
 /// A row that was read.
 fn line_as_written(row: &Joint) -> Line<'_> {
-    let parameters = [&row.a, &row.alpha, &row.d, &row.theta].map(value);
-    let inertia = row.inertia.each_ref().map(value);
+    let parameters = [&row.a, &row.alpha, &row.d, &row.theta].map(Node::from);
     Line {
         name: row.name.clone(),
         joint: Some(row),
-        locked: row.locked.as_ref().map(value),
-        cells: geometry(parameters, value(&row.mass), values(&row.com), inertia),
+        locked: row.locked.as_ref().map(Node::from),
+        cells: geometry(parameters, (&row.mass).into(), list(&row.com), &row.inertia),
     }
 }
 
 /// The parameters and the body of a row, as far as they are not zero.
-fn geometry(parameters: [Node; 4], mass: Node, com: Node, inertia: [Node; 6]) -> Entries {
-    let words = ["a", "alpha", "d", "theta"].into_iter().zip(parameters);
-    let mut cells: Entries = words.filter_map(|(word, x)| unless_zero(word, x)).collect();
+fn geometry<'n, X>(parameters: [Node; 4], mass: Node, com: Node, inertia: &'n [X; 6]) -> Entries
+where
+    Node: From<&'n X>,
+{
+    let mut cells = without_zeros(["a", "alpha", "d", "theta"], parameters);
     let inertia = tensor(inertia);
     // A mass of zero is written where a tensor might be taken for one without its mass.
     if !mass.is_zero() || inertia.is_some() {
@@ -227,58 +220,54 @@ fn geometry(parameters: [Node; 4], mass: Node, com: Node, inertia: [Node; 6]) ->
 }
 
 /// The entries of a tensor that are not zero.
-fn tensor(inertia: [Node; 6]) -> Option<(String, Node)> {
-    let entries = TENSOR.into_iter().zip(inertia);
-    let entries = entries.filter_map(|(word, x)| unless_zero(word, x));
-    unless_empty("inertia", entries.collect())
+fn tensor<'n, X>(inertia: &'n [X; 6]) -> Option<(String, Node)>
+where
+    Node: From<&'n X>,
+{
+    let entries = inertia.each_ref().map(Node::from);
+    unless_empty("inertia", without_zeros(TENSOR, entries))
 }
 
 pub(super) const TENSOR: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 
 /// A frame that was found.
 fn placement(frame: &Transform) -> Entries {
-    let rpy = roll_pitch_yaw(&frame.rotation).map(Node::Angle);
-    vec![
-        entry("xyz", numbers(&frame.origin)),
-        entry("rpy", Node::List(rpy.into())),
-    ]
+    let rpy = roll_pitch_yaw(&frame.rotation);
+    vec![entry("xyz", list(&frame.origin)), entry("rpy", list(&rpy))]
 }
 
 /// A frame that was read.
 fn placement_as_written(frame: &Placement) -> Entries {
     vec![
-        entry("xyz", values(&frame.xyz)),
-        entry("rpy", values(&frame.rpy)),
+        entry("xyz", list(&frame.xyz)),
+        entry("rpy", list(&frame.rpy)),
     ]
 }
 
-fn entry(word: &str, node: Node) -> (String, Node) {
-    (word.to_owned(), node)
+fn entry(word: &str, node: impl Into<Node>) -> (String, Node) {
+    (word.to_owned(), node.into())
 }
 
 fn unless_zero(word: &str, node: Node) -> Option<(String, Node)> {
     (!node.is_zero()).then(|| entry(word, node))
 }
 
+fn without_zeros<const K: usize>(words: [&str; K], nodes: [Node; K]) -> Entries {
+    let entries = words.into_iter().zip(nodes);
+    entries
+        .filter_map(|(word, x)| unless_zero(word, x))
+        .collect()
+}
+
 fn unless_empty(word: &str, entries: Entries) -> Option<(String, Node)> {
-    (!entries.is_empty()).then(|| entry(word, Node::Table(entries)))
+    (!entries.is_empty()).then(|| entry(word, entries))
 }
 
-fn number(x: &Rational) -> Node {
-    Node::Number(x.clone())
-}
-
-fn numbers(values: &[Rational]) -> Node {
-    Node::List(values.iter().map(number).collect())
-}
-
-fn values(values: &[Value]) -> Node {
-    Node::List(values.iter().map(value).collect())
-}
-
-/// A number of the file that was read.
-fn value(value: &Value) -> Node {
-    Node::Written(value.clone())
+fn list<'n, X>(values: &'n [X]) -> Node
+where
+    Node: From<&'n X>,
+{
+    Node::List(values.iter().map(Node::from).collect())
 }
 
 /// Names of all rows: those of the joints, and others for rows that stand still.
@@ -300,12 +289,11 @@ fn functions(model: &Model) -> Option<(String, Node)> {
     if model.requests.iter().all(|(_, place)| place.is_none()) {
         return None;
     }
-    let name = |name: &str| Node::Text(name.to_owned());
     let request = |(request, _): &(Request, _)| match request {
-        Request::One(function) => name(function.name()),
+        Request::One(function) => function.name().into(),
         Request::Fused(fused) => {
-            let parts = fused.parts.iter().map(|part| name(part.name()));
-            Node::Table(vec![entry(request.name(), Node::List(parts.collect()))])
+            let parts = fused.parts.iter().map(|part| part.name().into());
+            vec![entry(request.name(), Node::List(parts.collect()))].into()
         }
     };
     let requests = model.requests.iter().map(request).collect();
@@ -329,16 +317,16 @@ fn couplings(robot: &Robot) -> Entries {
 }
 
 fn allow(words: Option<&BTreeSet<&'static str>>) -> Option<(String, Node)> {
-    let words = words?.iter().map(|word| Node::Text((*word).to_owned()));
+    let words = words?.iter().map(|word| Node::from(*word));
     Some(entry("allow", Node::List(words.collect())))
 }
 
 /// The tool's frame, and its body as the file that was read has it.
 fn tool(mut entries: Entries, robot: &Robot) -> Option<(String, Node)> {
     if let Some(tool) = robot.tool.as_ref().filter(|tool| tool.has_body()) {
-        entries.push(entry("mass", value(&tool.mass)));
-        entries.push(entry("com", values(&tool.com)));
-        entries.extend(tensor(tool.inertia.each_ref().map(value)));
+        entries.push(entry("mass", &tool.mass));
+        entries.push(entry("com", list(&tool.com)));
+        entries.extend(tensor(&tool.inertia));
     }
     unless_empty("tool", entries)
 }
@@ -349,10 +337,7 @@ fn cells(row: Line) -> Entries {
         Some(JointType::Prismatic) => "prismatic",
         _ => "revolute",
     };
-    let mut cells = vec![
-        entry("name", Node::Text(row.name)),
-        entry("type", Node::Text(joint_type.to_owned())),
-    ];
+    let mut cells = vec![entry("name", &*row.name), entry("type", joint_type)];
     cells.extend(row.cells);
     cells.extend(row.joint.into_iter().flat_map(of_joint));
     cells
@@ -363,41 +348,40 @@ const _: () = assert!(Joint::CELLS == 11);
 
 /// The motor, friction, spring and limits of a joint.
 fn of_joint(joint: &Joint) -> Entries {
-    let named = |word, x: &Value| unless_zero(word, value(x));
+    let named = |word, x: &Value| unless_zero(word, x.into());
+    let pair =
+        |word, [(a, x), (b, y)]: [(&str, &Value); 2]| entry(word, vec![entry(a, x), entry(b, y)]);
     let mut cells = Vec::new();
     if joint.has_motor() {
-        let motor = vec![
-            entry("inertia", value(&joint.motor_inertia)),
-            entry("gear_ratio", value(&joint.gear_ratio)),
-        ];
-        cells.push(entry("motor", Node::Table(motor)));
+        let (inertia, ratio) = (&joint.motor_inertia, &joint.gear_ratio);
+        cells.push(pair("motor", [("inertia", inertia), ("gear_ratio", ratio)]));
     }
     let mut friction: Entries = named("viscous", &joint.viscous).into_iter().collect();
     let [positive, negative] = &joint.coulomb;
     if positive == negative {
         friction.extend(named("coulomb", positive));
     } else {
-        let directions = vec![
-            entry("positive", value(positive)),
-            entry("negative", value(negative)),
-        ];
-        friction.push(entry("coulomb", Node::Table(directions)));
+        let directions = [("positive", positive), ("negative", negative)];
+        friction.push(pair("coulomb", directions));
     }
-    if let Some(stribeck) = &joint.stribeck {
-        let stribeck = vec![
-            entry("static", value(&stribeck.friction)),
-            entry("velocity", value(&stribeck.velocity)),
-        ];
-        friction.push(entry("stribeck", Node::Table(stribeck)));
+    if let Some(Stribeck {
+        friction: highest,
+        velocity,
+    }) = &joint.stribeck
+    {
+        friction.push(pair(
+            "stribeck",
+            [("static", highest), ("velocity", velocity)],
+        ));
     }
     cells.extend(unless_empty("friction", friction));
     if let Some(spring) = &joint.spring {
-        let mut entries = vec![entry("stiffness", value(&spring.stiffness))];
+        let mut entries = vec![entry("stiffness", &spring.stiffness)];
         entries.extend(named("rest", &spring.rest));
-        cells.push(entry("spring", Node::Table(entries)));
+        cells.push(entry("spring", entries));
     }
     if let Some(limits) = &joint.limits {
-        cells.push(entry("limits", values(limits)));
+        cells.push(entry("limits", list(limits)));
     }
     cells
 }

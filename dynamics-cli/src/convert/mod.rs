@@ -45,8 +45,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };
-    let name = path.file_stem().and_then(|stem| stem.to_str());
-    let name = name.unwrap_or("robot");
+    let stem = path.file_stem().and_then(|stem| stem.to_str());
+    let name = stem.unwrap_or("robot");
     match target(given, path) {
         Format::Urdf => as_urdf(name, &arm, path, given),
         format => as_table(name, &arm, &model, (path, format), given),
@@ -146,12 +146,12 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
         .flatten()
         .map(String::as_str)
         .collect();
-    let untold = urdf::untold(arm);
+    let without_words = urdf::without_words(arm);
     let is_missing = |word: &str| !without.contains(&word);
-    let missing = untold.iter().filter(|(word, _)| is_missing(word));
-    let missing: Vec<_> = missing.map(|(_, what)| what.as_str()).collect();
+    let parts = without_words.iter().filter(|(word, _)| is_missing(word));
+    let missing: Vec<_> = parts.map(|(_, what)| what.as_str()).collect();
     if !missing.is_empty() {
-        let has = |word: &&str| untold.iter().any(|(other, _)| other == word);
+        let has = |word: &&str| without_words.iter().any(|(other, _)| other == word);
         let words: Vec<_> = WITHOUT.into_iter().filter(has).collect();
         let message = format!(
             "{}, which URDF has no words for: `--without {}` leaves it out",
@@ -166,7 +166,7 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
     remarks.push(format!(
         "The arm is the chain from {base} to {tip}; gravity, of which URDF does not tell, is [{gravity}] m/s^2."
     ));
-    for (_, what) in &untold {
+    for (_, what) in &without_words {
         remarks.push(format!("Left out: {what}."));
     }
     Ok(urdf::text(name, arm, &remarks))

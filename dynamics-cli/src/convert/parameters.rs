@@ -2,7 +2,7 @@
 
 use dynamics_codegen::geometry::{Transform, tidy};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::Convention;
+use dynamics_symbolic::robot::{Convention, Value};
 
 use super::angle::Angle;
 
@@ -100,14 +100,22 @@ impl Parameters {
 
     /// The step that they are the parameters of.
     pub(super) fn step(&self, convention: Convention) -> Option<Transform> {
-        let (zero, nowhere) = (|| Angle::ZERO.value(), || Rational::ZERO);
-        let along_x = [self.a.clone(), nowhere(), nowhere()];
-        let about_x = Transform::new(&along_x, &[self.alpha.value(), zero(), zero()])?;
-        let along_z = [nowhere(), nowhere(), self.d.clone()];
-        let about_z = Transform::new(&along_z, &[zero(), zero(), self.theta.value()])?;
-        Some(match convention {
-            Convention::Standard => about_z.then(&about_x),
-            Convention::Modified => about_x.then(&about_z),
-        })
+        let [alpha, theta] = [&self.alpha, &self.theta].map(Angle::value);
+        step(convention, [&self.a, &self.d], [alpha, theta])
     }
+}
+
+/// A row's step: `Rz(theta) Tz(d) Tx(a) Rx(alpha)`, or in a modified table `Rx(alpha) Tx(a) Rz(theta) Tz(d)`.
+pub(super) fn step(
+    convention: Convention,
+    [a, d]: [&Rational; 2],
+    [alpha, theta]: [Value; 2],
+) -> Option<Transform> {
+    let (zero, nowhere) = (Value::zero, || Rational::ZERO);
+    let about_x = Transform::new(&[a.clone(), nowhere(), nowhere()], &[alpha, zero(), zero()])?;
+    let about_z = Transform::new(&[nowhere(), nowhere(), d.clone()], &[zero(), zero(), theta])?;
+    Some(match convention {
+        Convention::Standard => about_z.then(&about_x),
+        Convention::Modified => about_x.then(&about_z),
+    })
 }

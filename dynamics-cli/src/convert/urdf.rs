@@ -16,13 +16,13 @@ pub(super) const CHAIN: [&str; 2] = ["base", "tip"];
 /// The options for parts of an arm that URDF has no words for.
 pub(super) const WITHOUT: [&str; 3] = ["motor", "spring", "friction"];
 
-/// The parts of joints that URDF cannot tell of: a word of [`WITHOUT`], and a sentence.
-pub(super) fn untold(arm: &Arm) -> Vec<(&'static str, String)> {
-    let mut untold = Vec::new();
+/// The parts of joints that URDF has no words for: a word of [`WITHOUT`], and a sentence.
+pub(super) fn without_words(arm: &Arm) -> Vec<(&'static str, String)> {
+    let mut parts = Vec::new();
     for joint in &arm.joints {
         let row = joint.row;
         let mut note = |word: &'static str, what: &str| {
-            untold.push((word, format!("`{}` has {what}", row.name)));
+            parts.push((word, format!("`{}` has {what}", row.name)));
         };
         if row.has_motor() && !row.motor_inertia.is_zero() {
             note("motor", "a motor with inertia");
@@ -37,10 +37,10 @@ pub(super) fn untold(arm: &Arm) -> Vec<(&'static str, String)> {
             note("friction", "friction that differs by direction");
         }
     }
-    untold
+    parts
 }
 
-/// The text of an arm, without what is [`untold`].
+/// The text of an arm, without the parts that it has no words for.
 pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
     let names = arm.joints.iter().map(|joint| joint.row.name.clone());
     let mut writer = Writer {

@@ -1,6 +1,6 @@
 //! Cells of the table as JavaScript, as text, and with the units of their fields.
 
-use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::robot::{Robot, Row, Value};
 
 use super::literal::number;
 
@@ -71,23 +71,23 @@ fn written(robot: &Robot, value: &Value, around: Binding) -> String {
             (Binding::Product, text)
         }
     };
-    match binding < around {
-        true => format!("({text})"),
-        false => text,
+    if binding < around {
+        format!("({text})")
+    } else {
+        text
     }
 }
 
 /// The unit of a field: that of the cells which are the field times a number, where they are all of one.
 pub(super) fn unit(robot: &Robot, field: usize) -> &'static str {
-    let mut units = Vec::new();
-    visit(robot, &mut |value, unit| {
-        if is_multiple_of(value, field) && !units.contains(&unit) {
-            units.push(unit);
-        }
-    });
-    match units.as_slice() {
-        [unit] => unit,
-        _ => "",
+    let known = cells(robot).filter_map(|(name, values)| Some((unit_of(name)?, values)));
+    let is_meant = |value: &Value| is_multiple_of(value, field);
+    let mut units = known.filter(|(_, values)| values.iter().any(is_meant));
+    let first = units.next().map_or("", |(unit, _)| unit);
+    if units.all(|(unit, _)| unit == first) {
+        first
+    } else {
+        ""
     }
 }
 
@@ -104,38 +104,30 @@ fn is_multiple_of(value: &Value, field: usize) -> bool {
     }
 }
 
-/// The cells of the table whose unit does not depend on what else stands there, with it.
-fn visit(robot: &Robot, visit: &mut impl FnMut(&Value, &'static str)) {
-    robot
-        .gravity
-        .iter()
-        .for_each(|value| visit(value, "m/s\u{b2}"));
-    for row in &robot.rows {
-        [&row.a, &row.d]
-            .into_iter()
-            .chain(&row.com)
-            .for_each(|value| visit(value, "m"));
-        [&row.alpha, &row.theta]
-            .into_iter()
-            .for_each(|value| visit(value, "rad"));
-        row.inertia
-            .iter()
-            .chain([&row.motor_inertia])
-            .for_each(|value| visit(value, "kg m\u{b2}"));
-        visit(&row.mass, "kg");
-    }
+/// The unit of a cell, if it does not depend on what else stands in the table.
+fn unit_of(cell: &str) -> Option<&'static str> {
+    Some(match cell {
+        "gravity" => "m/s\u{b2}",
+        "a" | "d" | "com" | "xyz" => "m",
+        "alpha" | "theta" | "rpy" => "rad",
+        "mass" => "kg",
+        "inertia" | "motor_inertia" => "kg m\u{b2}",
+        _ => return None,
+    })
+}
+
+/// The cells of the table with their names.
+fn cells(robot: &Robot) -> impl Iterator<Item = (&'static str, &[Value])> {
     let tool = robot.tool.as_ref();
-    for placement in robot.base.iter().chain(tool.map(|tool| &tool.placement)) {
-        placement.xyz.iter().for_each(|value| visit(value, "m"));
-        placement.rpy.iter().for_each(|value| visit(value, "rad"));
-    }
-    if let Some(tool) = tool {
-        visit(&tool.mass, "kg");
-        tool.com.iter().for_each(|value| visit(value, "m"));
-        tool.inertia
-            .iter()
-            .for_each(|value| visit(value, "kg m\u{b2}"));
-    }
+    let bodies = tool.into_iter().flat_map(|tool| {
+        let mass = ("mass", core::slice::from_ref(&tool.mass));
+        [mass, ("com", &tool.com), ("inertia", &tool.inertia)]
+    });
+    let places = robot.base.iter().chain(tool.map(|tool| &tool.placement));
+    let places = places.flat_map(|place| [("xyz", &place.xyz[..]), ("rpy", &place.rpy)]);
+    let gravity = ("gravity", &robot.gravity[..]);
+    let rows = robot.rows.iter().flat_map(Row::cells);
+    rows.chain([gravity]).chain(places).chain(bodies)
 }
 
 #[cfg(test)]

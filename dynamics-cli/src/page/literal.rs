@@ -12,16 +12,15 @@ pub(super) fn number(x: f64) -> String {
 
 /// An array of what is written already.
 pub(super) fn array(entries: impl IntoIterator<Item = String>) -> String {
-    let entries: Vec<_> = entries.into_iter().collect();
-    format!("[{}]", entries.join(", "))
+    let written: Vec<_> = entries.into_iter().collect();
+    format!("[{}]", written.join(", "))
 }
 
 /// An object of names and of what is written already.
 pub(super) fn object<'n>(entries: impl IntoIterator<Item = (&'n str, String)>) -> String {
-    let entries = entries
-        .into_iter()
-        .map(|(name, value)| format!("{name}: {value}"));
-    format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
+    let entry = |(name, value)| format!("{name}: {value}");
+    let written: Vec<_> = entries.into_iter().map(entry).collect();
+    format!("{{{}}}", written.join(", "))
 }
 
 /// Either, or `null`.
@@ -30,8 +29,8 @@ pub(super) fn option(value: Option<String>) -> String {
 }
 
 /// A module as a script that stands in a page, with its exports in a global variable: no other script
-/// could import it from there. A `<` ahead of a slash or an exclamation mark stands in no code but in
-/// texts and comments alone, and is written as such an escape.
+/// could import it from there. A `<` ahead of a slash or an exclamation mark stands in texts and
+/// comments alone, and is written as an escape.
 pub(super) fn module_with_a_global(module: &str, global: &str) -> String {
     let exported = module.lines().filter_map(|line| {
         let rest = line.strip_prefix("export ")?;

@@ -16,10 +16,10 @@ use dynamics_symbolic::{Function, Request};
 use crate::failure::Failure;
 use crate::load::{fields, file_of, programs, read, read_with_fields};
 use crate::simulate::positions;
-use html::Page;
+use html::html;
 use literal::module_with_a_global;
 
-/// What the page evaluates.
+/// The functions that the page evaluates.
 const FUNCTIONS: [Function; 9] = [
     Function::MassMatrix,
     Function::GravityVector,
@@ -36,18 +36,15 @@ const FUNCTIONS: [Function; 9] = [
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
-    let start = Start::of(given, &robot)?;
+    let start = Start::read(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
     read(path, given)?;
     let programs = programs(path, &robot, &FUNCTIONS.map(Request::One))?;
-    let page = Page {
-        name: &robot.name,
-        equations: module_with_a_global(&javascript_module(&robot, &programs), "robotEquations"),
-        table: table::script(&robot, &fields(given)?, &start),
-    };
-    let equations = page.equations.len();
-    let html = page.html();
-    if let Some(remark) = remark(html.len(), equations, robot.dof()) {
+    let module = javascript_module(&robot, &programs);
+    let equations = module_with_a_global(&module, "robotEquations");
+    let table = table::script(&robot, &fields(given)?, &start);
+    let html = html(&robot.name, &equations, &table);
+    if let Some(remark) = remark(html.len(), equations.len(), robot.dof()) {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(html)
@@ -56,7 +53,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 /// Bytes up to which a page opens at once on a phone.
 const LARGE: usize = 1_000_000;
 
-/// What is said of a page of so many bytes, of which the equations of so many joints take a part.
+/// The remark on a page of so many bytes, of which the equations of so many joints take a part.
 fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     (bytes > LARGE).then(|| {
@@ -69,7 +66,7 @@ fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
     })
 }
 
-/// What the page shows at first.
+/// The motion that the page shows at first.
 struct Start {
     from: Option<Vec<f64>>,
     to: Option<Vec<f64>>,
@@ -77,7 +74,7 @@ struct Start {
 }
 
 impl Start {
-    fn of(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
+    fn read(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
         let positions_of = |name: &str| {
             let is_given = given.contains_id(name);
             is_given.then(|| positions(given, name, robot)).transpose()

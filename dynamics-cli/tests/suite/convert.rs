@@ -5,8 +5,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot, read_file};
+use dynamics_runtime::NewtonEuler;
 use dynamics_runtime::nalgebra::SVector;
-use dynamics_runtime::{Model as _, NewtonEuler};
 use dynamics_symbolic::robot::{Convention, Robot};
 
 use super::calls::{data, errors, file, folder, output};
@@ -141,7 +141,7 @@ fn differences(one: &Robot, other: &Robot) -> [f64; 5] {
 fn differences_of<const N: usize>(one: &Robot, other: &Robot) -> [f64; 5] {
     let values = [one, other].map(|robot| {
         let arm = RuntimeRobot::of_programs(robot.clone(), &[]).expect("an arm");
-        let table = arm.typed::<N>().expect("so many joints").table();
+        let table = arm.table().of_joints::<N>().expect("so many joints");
         let numeric = NewtonEuler::new(&table);
         let mut values: [Vec<f64>; 5] = Default::default();
         for state in 0..20 {

@@ -9,10 +9,10 @@ const LONGEST: usize = 20_000;
 
 /// The lines whose values differ from state to state, in an order in which each reads earlier ones alone.
 ///
-/// The next line is one that alone reads the result of the line before, because that needs no slot; then the one after
-/// which the fewest numbers are kept (its own result, inputs that it is the first to read, less the numbers that no
-/// other reads), where one that reads the result of the line before counts for one less; among equals the one that reads
-/// the latest result.
+/// The next line is one that alone reads the result of the line before, because that needs no slot. If there is none, it
+/// is the line after which the fewest numbers are kept: its own result, and inputs that it is the first to read, less the
+/// numbers that no other line reads. A line that reads the result of the line before counts for one less. Among equals it
+/// is the one that reads the latest result.
 pub(super) fn order(lines: &Lines<'_>) -> Vec<usize> {
     let count = lines.varying().count();
     if count > LONGEST {

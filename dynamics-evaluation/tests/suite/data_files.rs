@@ -24,6 +24,22 @@ fn every_arm_agrees_with_newton_euler() {
     }
 }
 
+/// M and inverse dynamics say how far accelerations are from those that fulfil the equations of motion.
+#[test]
+fn accelerations_are_bounded_by_their_residuals() {
+    let bound = |functions: &[Function]| {
+        let robot = arms::robot("panda");
+        let arm = RuntimeRobot::new(robot, functions.iter().copied()).expect("an arm");
+        let report = Check::new().samples(3).certify_any(&arm);
+        let mut functions = report.functions.iter();
+        let known = functions.find(|known| known.function == "forward_dynamics");
+        known.and_then(|known| known.rounding).expect("a bound")
+    };
+    let [by_residual, plain] = [&FUNCTIONS[..], &[Function::ForwardDynamics]].map(bound);
+    println!("{by_residual:e}, {plain:e}");
+    assert!(by_residual < 0.5 * plain, "{by_residual:e}, {plain:e}");
+}
+
 /// One derivation for all masses, centres of mass and tensors.
 #[test]
 fn fields_take_no_new_derivation() {

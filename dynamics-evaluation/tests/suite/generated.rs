@@ -2,9 +2,11 @@
 
 use arms::decimal;
 use dynamics_evaluation::{RuntimeDynamics, RuntimeRobot};
-use dynamics_runtime::nalgebra::{DVector, SVector, Vector3, Vector6};
+use dynamics_runtime::nalgebra::{DVector, Dyn, SVector, Vector3, Vector6};
 use dynamics_runtime::{
-    Friction, Method, Model, Simulation, State, check::Evaluate, robot_dynamics,
+    Friction, Method, Simulation, SizedState, State,
+    check::{Checked, Evaluate, Evaluation},
+    robot_dynamics,
     simulation::DormandPrince,
 };
 use dynamics_symbolic::function::Fused;
@@ -220,31 +222,44 @@ fn every_value_is_that_of_generated_code() {
     for fields in [FIELDS, [0.25, -1.0, 2.0, 10.0, 1.9, 0.5]] {
         arm.set_fields(&fields).expect("six fields");
         let scene = generated(fields);
-        let typed = arm.typed::<3>().expect("three joints");
-        assert_eq!(Model::table(&typed), scene.table());
+        assert_eq!(arm.table().of_joints(), Some(scene.table()));
         for number in 0..20 {
             let (state, tau) = state(number);
             let expected = scene.evaluate(&state, &tau);
-            let found = typed.evaluate(&state, &tau);
+            let (sized, forces) = of_any_size(&state, &tau);
+            let found = arm.values(&sized, &forces);
             assert_eq!(
                 format!("{found:?}"),
                 format!("{expected:?}"),
                 "state {number}"
             );
             assert_eq!(
-                parts(&typed, &state, &tau),
-                parts(&scene, &state, &tau),
+                parts(&tau, |tau, found| {
+                    let (state, tau) = of_any_size(&state, tau);
+                    arm.values_of_parts(&state, &tau, found);
+                }),
+                parts(&tau, |tau, found| scene.evaluate_parts(&state, tau, found)),
                 "state {number}"
             );
         }
     }
 }
 
+/// The same for an arm whose number of joints is known at run time alone.
+fn of_any_size(state: &State<3>, tau: &Vector3<f64>) -> (SizedState<Dyn>, DVector<f64>) {
+    let vector = |vector: &Vector3<f64>| DVector::from_column_slice(vector.as_slice());
+    let (q, qd, qdd) = (vector(&state.q), vector(&state.qd), vector(&state.qdd));
+    (SizedState { q, qd, qdd }, vector(tau))
+}
+
 /// The parts of methods that return several functions, as text: a refusal too.
-fn parts(arm: &impl Evaluate<3>, state: &State<3>, tau: &Vector3<f64>) -> Vec<String> {
+fn parts(
+    tau: &Vector3<f64>,
+    evaluate: impl Fn(&Vector3<f64>, &mut dyn FnMut(&str, Evaluation)),
+) -> Vec<String> {
     let mut parts = Vec::new();
     for tau in [*tau, tau * f64::NAN] {
-        arm.evaluate_parts(state, &tau, &mut |name, values| {
+        evaluate(&tau, &mut |name, values| {
             parts.push(format!("{name}: {values:?}"));
         });
     }

@@ -1,7 +1,7 @@
 //! What was identified, back in a robot.
 
 use dynamics_evaluation::dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
-use dynamics_evaluation::dynamics_runtime::{Friction, Simulation, check_against_rnea};
+use dynamics_evaluation::dynamics_runtime::{Friction, Simulation, check::Check};
 use dynamics_evaluation::{EvaluationError, IdentificationError, JointFriction, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::SplitMix64;
@@ -63,14 +63,12 @@ fn coupled() -> Robot {
 }
 
 /// The torques of the identified arm are those of the real one, and its base parameters.
-fn assert_found<const N: usize>(guess: Robot, fields: &[f64]) {
+fn assert_found(guess: Robot, fields: &[f64]) {
+    let joints = guess.dof();
     let name = guess.name.clone();
     let (real, guess) = (made(real(&guess, fields), fields), made(guess, fields));
     let identified = values(&real, "base_parameters", &[]);
-    let found = guess
-        .typed::<N>()
-        .expect("so many joints")
-        .identified(&identified);
+    let found = guess.identified(&identified);
     let found = found.expect("a robot");
     let close = |a: &[f64], b: &[f64]| {
         let largest = a.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
@@ -84,7 +82,7 @@ fn assert_found<const N: usize>(guess: Robot, fields: &[f64]) {
     );
     for seed in 0..5 {
         let vector = |of: usize| -> Vec<f64> {
-            (0..N)
+            (0..joints)
                 .map(|i| 2.0 * ((31 * seed + 17 * of + 5 * i) as f64).sin())
                 .collect()
         };
@@ -99,27 +97,26 @@ fn assert_found<const N: usize>(guess: Robot, fields: &[f64]) {
 
 #[test]
 fn an_identified_robot_moves_as_the_real_one() {
-    assert_found::<6>(arms::robot("puma560"), &[]);
-    assert_found::<6>(arms::robot("stanford"), &[]);
+    assert_found(arms::robot("puma560"), &[]);
+    assert_found(arms::robot("stanford"), &[]);
     let mut locked = arms::robot("puma560");
     locked.rows[1].locked = Some(arms::decimal(0.3));
     locked.rows[5].locked = Some(arms::decimal(-1.5));
-    assert_found::<4>(locked, &[]);
-    assert_found::<2>(coupled(), &[]);
+    assert_found(locked, &[]);
+    assert_found(coupled(), &[]);
     let symbolic = arms::with_inertial_fields("elbow_3r");
     let fields: Vec<f64> = (0..symbolic.fields.len())
         .map(|k| 1.0 + 0.3 * (5.0 * k as f64).sin())
         .collect();
-    assert_found::<3>(symbolic, &fields);
+    assert_found(symbolic, &fields);
 }
 
 #[test]
 fn what_is_no_identification_is_refused() {
     let guess = made(arms::robot("two_link_saha"), &[]);
-    let typed = guess.typed::<2>().expect("two joints");
     let mut found = values(&guess, "base_parameters", &[]);
-    assert!(typed.identified(&found).is_ok());
-    let error = typed.identified(&found[1..]).expect_err("one is missing");
+    assert!(guess.identified(&found).is_ok());
+    let error = guess.identified(&found[1..]).expect_err("one is missing");
     let length = EvaluationError::Length {
         argument: "base_parameters",
         found: found.len() - 1,
@@ -127,20 +124,15 @@ fn what_is_no_identification_is_refused() {
     };
     assert_eq!(error, IdentificationError::Values(length));
     found[1] = f64::NAN;
-    let error = typed.identified(&found).expect_err("no number");
+    let error = guess.identified(&found).expect_err("no number");
     assert_eq!(error, IdentificationError::NotFinite(1));
     let symbolic = arms::with_inertial_fields("two_link_saha");
     let arm = RuntimeRobot::new(symbolic, FUNCTIONS).expect("proven");
     let count = arm.entries("base_parameters").expect("derived");
-    let typed = arm.typed::<2>().expect("two joints");
-    let error = typed.identified(&vec![1.0; count]).expect_err("no values");
+    let error = arm.identified(&vec![1.0; count]).expect_err("no values");
     assert_eq!(error, IdentificationError::Field("p0".to_owned()));
     let arm = RuntimeRobot::new(arms::robot("two_link_saha"), [Function::MassMatrix]);
-    let error = arm
-        .expect("proven")
-        .typed::<2>()
-        .expect("two joints")
-        .identified(&found);
+    let error = arm.expect("proven").identified(&found);
     assert!(
         error
             .expect_err("no regressor")
@@ -314,8 +306,7 @@ fn base_parameters_of_no_bodies_are_refused_with_what_is_impossible() {
     let arm = made(robot, &[]);
     let b: Vec<f64> = values(&arm, "base_parameters", &[]);
     let negative: Vec<f64> = b.iter().map(|b| -b).collect();
-    let typed = arm.typed::<2>().expect("two joints");
-    let error = typed.identified(&negative).expect_err("no bodies");
+    let error = arm.identified(&negative).expect_err("no bodies");
     let IdentificationError::Impossible(links) = &error else {
         panic!("{error}")
     };
@@ -326,13 +317,9 @@ fn base_parameters_of_no_bodies_are_refused_with_what_is_impossible() {
             && text.ends_with("`nearest_possible` has the nearest that bodies have"),
         "{text}"
     );
-    let nearest = typed.nearest_possible(&negative).expect("finite numbers");
+    let nearest = arm.nearest_possible(&negative).expect("finite numbers");
     assert!(nearest.torque > 0.0);
-    assert_bodies(
-        &typed
-            .identified(&nearest.base_parameters)
-            .expect("possible"),
-    );
+    assert_bodies(&arm.identified(&nearest.base_parameters).expect("possible"));
 }
 
 /// Torques with noise of a tenth of their size: the parameters of least squares are no arm's.
@@ -342,8 +329,7 @@ fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
     let (real, guess) = (made(ur5e(), &[]), made(wrong(&ur5e()), &[]));
     let run = recorded(&real, 0.1, 3);
     let (b, friction) = fitted(&guess, &run);
-    let typed = guess.typed::<6>().expect("six joints");
-    let error = typed.identified(b.as_slice()).expect_err("no bodies");
+    let error = guess.identified(b.as_slice()).expect_err("no bodies");
     let IdentificationError::Impossible(links) = &error else {
         panic!("{error}")
     };
@@ -358,10 +344,10 @@ fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
         "{text}"
     );
 
-    let nearest = typed
+    let nearest = guess
         .nearest_possible(b.as_slice())
         .expect("finite numbers");
-    let identified = typed.identified_with_friction(&nearest.base_parameters, &friction);
+    let identified = guess.identified_with_friction(&nearest.base_parameters, &friction);
     let identified = identified.expect("possible");
     assert_bodies(&identified);
     // The real arm is possible, and no nearer.
@@ -400,10 +386,9 @@ fn the_nearest_possible_arm_fits_noisy_torques_nearly_as_well() {
 fn possible_base_parameters_give_links_of_bodies() {
     let (real, guess) = (made(ur5e(), &[]), made(wrong(&ur5e()), &[]));
     let b = values(&real, "base_parameters", &[]);
-    let typed = guess.typed::<6>().expect("six joints");
-    let nearest = typed.nearest_possible(&b).expect("possible");
+    let nearest = guess.nearest_possible(&b).expect("possible");
     assert_eq!((nearest.base_parameters, nearest.torque), (b.clone(), 0.0));
-    let found = typed.identified(&b).expect("possible");
+    let found = guess.identified(&b).expect("possible");
     assert_bodies(&found);
     let again = values(&found, "base_parameters", &[]);
     assert!(
@@ -418,10 +403,9 @@ fn friction_that_feeds_energy_is_refused_and_replaces_that_of_the_table() {
     guess.rows[0].coulomb = [arms::decimal(1.0), arms::decimal(1.0)];
     let guess = made(guess, &[]);
     let b = values(&guess, "base_parameters", &[]);
-    let typed = guess.typed::<2>().expect("two joints");
     let none = JointFriction::default();
     let of_first = JointFriction::new(2.0, [0.5, 0.25]);
-    let arm = typed
+    let arm = guess
         .identified_with_friction(&b, &[of_first, none])
         .expect("possible");
     assert_eq!(values(&arm, "friction_vector", &[&[3.0, 3.0]]), [6.5, 0.0]);
@@ -429,9 +413,12 @@ fn friction_that_feeds_energy_is_refused_and_replaces_that_of_the_table() {
         values(&arm, "friction_vector", &[&[-3.0, 3.0]]),
         [-6.25, 0.0]
     );
+    let error = guess.identified_with_friction(&b, &[none]);
+    let text = error.expect_err("one for two joints").to_string();
+    assert_eq!(text, "`friction` has 1 entries where 2 are expected");
     for wrong in [-0.1, f64::NAN, f64::INFINITY] {
         let negative = JointFriction::new(0.0, [0.0, wrong]);
-        let error = typed.identified_with_friction(&b, &[none, negative]);
+        let error = guess.identified_with_friction(&b, &[none, negative]);
         let text = error.expect_err("no friction").to_string();
         let expected = format!(
             "the friction of `joint2` has the coefficient {wrong}: expected a finite number, 0 or above"
@@ -444,15 +431,10 @@ fn friction_that_feeds_energy_is_refused_and_replaces_that_of_the_table() {
 #[test]
 fn an_arm_without_a_positive_definite_mass_matrix_is_no_good_one() {
     let mut robot = arms::robot("two_link_saha");
-    assert!(
-        made(robot.clone(), &[])
-            .typed::<2>()
-            .is_ok_and(|arm| check_against_rnea(&arm).is_ok())
-    );
+    assert!(Check::new().certify_any(&made(robot.clone(), &[])).is_ok());
     robot.rows[1].inertia = [(); 6].map(|()| arms::decimal(-2.5));
     let arm = made(robot, &[]);
-    let typed = arm.typed::<2>().expect("two joints");
-    let report = check_against_rnea(&typed);
+    let report = Check::new().certify_any(&arm);
     assert!(!report.is_ok() && report.functions.iter().all(|function| function.is_ok()));
     let text = report.to_string();
     assert!(

@@ -1,6 +1,8 @@
 //! Functions that solve with M, their values bounded by residuals.
 
-use nalgebra::{Matrix6, SMatrix, SVector};
+use nalgebra::{Const, Matrix6, SMatrix, SVector};
+#[cfg(feature = "std")]
+use nalgebra::{DMatrix, DVector};
 
 use super::outward::Bound;
 use super::rounded::Magnitude;
@@ -214,11 +216,11 @@ fn accelerations<A: InverseDynamics<N> + MassMatrix<N>, F: Rounded, const N: usi
 /// The same where M is known already, and so is the residual `left` of accelerations nearby: the residual of `qdd` is
 /// then left - M (qdd - nearby).
 #[cfg(feature = "std")]
-pub(crate) fn accelerations_near<F: Rounded, const N: usize>(
-    (nearby, left): (&SVector<F, N>, &Vector<F, N>),
-    mass_matrix: &SMatrix<Certified<F>, N, N>,
-    qdd: Vector<F, N>,
-) -> Vector<F, N> {
+pub(crate) fn accelerations_near(
+    (nearby, left): (&DVector<f64>, &DVector<Certified>),
+    mass_matrix: &DMatrix<Certified>,
+    qdd: DVector<Certified>,
+) -> DVector<Certified> {
     let Some(verification) = Verification::of(mass_matrix) else {
         return qdd;
     };
@@ -235,7 +237,7 @@ pub(crate) fn accelerations_near<F: Rounded, const N: usize>(
 /// their error.
 fn enclosed<A: InverseDynamics<N>, F: Rounded, const N: usize>(
     arm: &A,
-    verification: &Verification<F, N>,
+    verification: &Verification<F, Const<N>>,
     [q, qd, tau]: [&Vector<F, N>; 3],
 ) -> Vector<F, N> {
     let residual = |x: &SVector<F, N>| tau - arm.inverse_dynamics(q, qd, &x.map(Certified::exact));

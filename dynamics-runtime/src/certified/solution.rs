@@ -12,78 +12,96 @@
 //! into C |e| once. If alpha < 1, R and every matrix within M's errors are regular (S. M. Rump, *Verification methods:
 //! rigorous results using floating-point arithmetic*, Acta Numerica 19 (2010), section 10).
 
-use nalgebra::{SMatrix, SVector};
+use core::ops::Index;
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector};
 
 use super::outward::Bound;
 use super::rounded::Magnitude;
 use super::{Certified, Rounded};
-use crate::factorisation::Factors;
+use crate::factorisation::{factor, substitute};
 
 /// The bounds by which solutions with a matrix M are judged.
-pub(super) struct Verification<F: Rounded, const N: usize> {
+pub(super) struct Verification<F: Rounded, D: Dim>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     /// R.
-    inverse: SMatrix<F, N, N>,
+    inverse: OMatrix<F, D, D>,
     /// C.
-    defect: SMatrix<Bound<F::Magnitude>, N, N>,
+    defect: OMatrix<Bound<F::Magnitude>, D, D>,
     /// w: one over the roots of M's diagonal, so that units and light links do not matter.
-    weights: SVector<Bound<F::Magnitude>, N>,
+    weights: OVector<Bound<F::Magnitude>, D>,
     /// 1 - alpha, or less.
     margin: Bound<F::Magnitude>,
 }
 
-impl<F: Rounded, const N: usize> Verification<F, N> {
+impl<F: Rounded, D: Dim> Verification<F, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
     /// `None` where some matrix within the errors of `m` may be singular.
-    pub(super) fn of(m: &SMatrix<Certified<F>, N, N>) -> Option<Self> {
+    pub(super) fn of(m: &OMatrix<Certified<F>, D, D>) -> Option<Self> {
         let [zero, one] = [F::ZERO, F::from_f64(1.0)];
-        let values = m.map(Certified::value);
-        let factors = Factors::new(values).ok()?;
-        let unit = |j: usize| SVector::from_fn(|i, _| if i == j { one } else { zero });
-        let columns: [_; N] = core::array::from_fn(|j| factors.solve(&unit(j)));
-        let inverse = SMatrix::<F, N, N>::from_fn(|i, j| columns[j][i]);
-        let defect = SMatrix::from_fn(|i, j| {
+        let (size, joints) = (m.shape_generic().0, m.nrows());
+        let unit = |i: usize, j: usize| if i == j { one } else { zero };
+        let mut upper = m.map(Certified::value);
+        let diagonal = OVector::from_fn_generic(size, Const::<1>, |i, _| upper[(i, i)]);
+        let mut inverse_pivots = diagonal.clone();
+        factor(joints, &mut upper, &mut inverse_pivots).ok()?;
+        let mut inverse = OMatrix::from_fn_generic(size, size, unit);
+        for j in 0..joints {
+            let mut column = inverse.column(j).into_owned();
+            substitute(joints, &upper, &inverse_pivots, &mut column);
+            inverse.set_column(j, &column);
+        }
+        let defect = OMatrix::from_fn_generic(size, size, |i, j| {
             let column = m.column(j).into_owned();
-            (product(&inverse, i, &column) - Certified::exact(unit(j)[i])).largest()
+            (product(joints, &inverse, i, &column) - Certified::exact(unit(i, j))).largest()
         });
-        let weights = values
-            .diagonal()
-            .map(|x| Bound::new((one / x.sqrt()).magnitude()));
-        let row = |i: usize| sum((0..N).map(|j| defect[(i, j)] * weights[j])) / weights[i];
-        let alpha = (0..N).map(row).fold(Bound::NONE, Bound::max);
+        let weights = diagonal.map(|x| Bound::new((one / x.sqrt()).magnitude()));
+        let row = |i: usize| sum((0..joints).map(|j| defect[(i, j)] * weights[j])) / weights[i];
+        let alpha = (0..joints).map(row).fold(Bound::NONE, Bound::max);
         Some(Verification {
+            margin: Bound::new(F::Magnitude::ONE).beyond(alpha)?,
             inverse,
             defect,
             weights,
-            margin: Bound::new(F::Magnitude::ONE).beyond(alpha)?,
         })
     }
 
     /// R b: near the solution.
-    pub(super) fn approximate(&self, b: &SVector<Certified<F>, N>) -> SVector<F, N> {
-        SVector::from_fn(|i, _| product(&self.inverse, i, b).value())
+    pub(super) fn approximate(&self, b: &OVector<Certified<F>, D>) -> OVector<F, D> {
+        let entry = |i: usize, _| product(b.len(), &self.inverse, i, b).value();
+        OVector::from_fn_generic(b.shape_generic().0, Const::<1>, entry)
     }
 
     /// The greatest distance of a vector with this residual from the solution.
     pub(super) fn error(
         &self,
-        residual: &SVector<Certified<F>, N>,
-    ) -> SVector<Bound<F::Magnitude>, N> {
-        let first = SVector::<_, N>::from_fn(|i, _| product(&self.inverse, i, residual).largest());
-        let relative = (0..N).map(|i| first[i] / self.weights[i]);
+        residual: &OVector<Certified<F>, D>,
+    ) -> OVector<Bound<F::Magnitude>, D> {
+        let (size, joints) = (residual.shape_generic().0, residual.len());
+        let first = |i: usize, _| product(joints, &self.inverse, i, residual).largest();
+        let first = OVector::from_fn_generic(size, Const::<1>, first);
+        let relative = (0..joints).map(|i| first[i] / self.weights[i]);
         let norm = relative.fold(Bound::NONE, Bound::max) / self.margin;
-        SVector::from_fn(|i, _| {
-            let rest = (0..N).map(|j| self.defect[(i, j)] * (norm * self.weights[j]));
+        OVector::from_fn_generic(size, Const::<1>, |i, _| {
+            let rest = (0..joints).map(|j| self.defect[(i, j)] * (norm * self.weights[j]));
             first[i] + sum(rest)
         })
     }
 }
 
-/// Entry `i` of R x.
-fn product<F: Rounded, const N: usize>(
-    inverse: &SMatrix<F, N, N>,
+/// Entry `i` of R x, for so many joints.
+fn product<F: Rounded>(
+    joints: usize,
+    inverse: &impl Index<(usize, usize), Output = F>,
     i: usize,
-    x: &SVector<Certified<F>, N>,
+    x: &impl Index<usize, Output = Certified<F>>,
 ) -> Certified<F> {
-    let terms = (0..N).map(|j| Certified::exact(inverse[(i, j)]) * x[j]);
+    let terms = (0..joints).map(|j| Certified::exact(inverse[(i, j)]) * x[j]);
     terms.fold(Certified::exact(F::ZERO), |sum, term| sum + term)
 }
 

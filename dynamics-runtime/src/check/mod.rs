@@ -4,6 +4,7 @@ mod accelerations;
 mod at;
 mod deviation;
 mod functions;
+mod identification;
 pub(crate) mod random;
 mod report;
 mod scale;
@@ -13,7 +14,7 @@ use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
 
-use nalgebra::{DVector, Dyn, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, Dyn, SVector};
 
 use crate::certified::accelerations_near;
 use crate::table::AsArm as _;
@@ -22,7 +23,7 @@ use at::At;
 use functions::deviations;
 
 pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue};
-pub use crate::identification::base_parameter_map;
+pub use identification::{base_parameter_map, base_parameter_map_any};
 pub use report::{FunctionReport, Report};
 
 /// Compares every generated function of the robot with [`NewtonEuler`](crate::NewtonEuler) at the states of
@@ -151,8 +152,7 @@ impl Check {
         self.report(robot, false)
     }
 
-    /// [`certify`](Check::certify) of a robot whose number of joints is known at run time alone; accelerations have no
-    /// bounds by their residual.
+    /// [`certify`](Check::certify) of a robot whose number of joints is known at run time alone.
     pub fn certify_any(&self, robot: &dyn Checked) -> Report {
         self.report(robot, true)
     }
@@ -193,7 +193,8 @@ impl Check {
                 compare(Some(method), parts)
             });
             if is_certified {
-                for deviation in deviations(&robot.certified_values(state, &tau), &at) {
+                let certified = by_residuals(robot.certified_values(state, &tau), state, &tau);
+                for deviation in deviations(&certified, &at) {
                     report.note_rounding(&deviation);
                 }
             }
@@ -268,9 +269,8 @@ impl<R: Evaluate<N>, const N: usize> Checked for OfSize<'_, R, N> {
         state: &SizedState<Dyn>,
         tau: &DVector<f64>,
     ) -> Evaluation<Certified> {
-        let (state, tau) = (fixed_state(state), fixed(tau));
-        let found = self.0.evaluate_in(&state, &tau, Certified::exact);
-        by_residuals(found, &state, &tau)
+        self.0
+            .evaluate_in(&fixed_state(state), &fixed(tau), Certified::exact)
     }
 
     fn values_of_parts(
@@ -285,23 +285,22 @@ impl<R: Evaluate<N>, const N: usize> Checked for OfSize<'_, R, N> {
 }
 
 /// Bounds of accelerations by their residuals in the equations of motion.
-fn by_residuals<const N: usize>(
+fn by_residuals(
     mut found: Evaluation<Certified>,
-    state: &State<N>,
-    tau: &SVector<f64, N>,
+    state: &SizedState<Dyn>,
+    tau: &DVector<f64>,
 ) -> Evaluation<Certified> {
-    let mass_matrix: Option<SMatrix<Certified, N, N>> = found.get("mass_matrix");
-    let torques: Option<SVector<Certified, N>> = found.get("inverse_dynamics");
-    let (Some(mass_matrix), Some(torques)) = (mass_matrix, torques) else {
+    let of = |name: &str| found.entries(name)?.as_ref().ok();
+    let (Some(mass_matrix), Some(torques)) = (of("mass_matrix"), of("inverse_dynamics")) else {
         return found;
     };
-    let left = tau.map(Certified::exact) - torques;
+    let mass_matrix = DMatrix::from_column_slice(tau.len(), tau.len(), mass_matrix);
+    let left = tau.map(Certified::exact) - DVector::from_column_slice(torques);
     for name in ["forward_dynamics", "forward_dynamics_aba"] {
-        if let Some(qdd) = found.get(name) {
-            found.set(
-                name,
-                accelerations_near((&state.qdd, &left), &mass_matrix, qdd),
-            );
+        if let Some(Ok(qdd)) = found.entries(name) {
+            let qdd = DVector::from_column_slice(qdd);
+            let bounded = accelerations_near((&state.qdd, &left), &mass_matrix, qdd);
+            found.set(name, bounded.as_slice().to_vec());
         }
     }
     found

@@ -36,6 +36,16 @@ impl<const N: usize> Table<N> {
     }
 }
 
+#[cfg(feature = "std")]
+impl crate::RuntimeTable {
+    /// The ten standard inertial parameters of the link of each joint, as [`Table::standard_parameters`], then those of
+    /// the links of followers.
+    pub fn standard_parameters(&self) -> Vec<StandardParameters> {
+        let links = [false, true].map(|of_followers| standard_parameters(self.arm(), of_followers));
+        links.into_iter().flatten().collect()
+    }
+}
+
 /// Those of the links of followers, or of the others.
 fn standard_parameters(
     arm: Arm<'_>,

@@ -1,9 +1,10 @@
 //! From the inertial parameters of links to the base parameters, the combinations that a motion shows.
 
-use nalgebra::{DMatrix, SVector};
+use nalgebra::{DMatrix, DVector, Dyn};
 
-use crate::check::random::SplitMix64;
-use crate::{Evaluate, NewtonEuler, State, Table};
+use super::random::SplitMix64;
+use super::{Checked, Evaluate, OfSize};
+use crate::{NumericArm, RuntimeTable, SizedState};
 
 /// The matrix K of `b = K x`: the base parameters b of `base_parameters` and `regressor` as combinations of the
 /// links' standard parameters x.
@@ -47,43 +48,50 @@ use crate::{Evaluate, NewtonEuler, State, Table};
 /// assert!((b - Rod.base_parameters::<f64>()).amax() < 1e-12);
 /// ```
 pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<DMatrix<f64>> {
-    let table = robot.table();
-    let numeric = NewtonEuler::new(&table);
+    base_parameter_map_any(&OfSize(robot))
+}
+
+/// [`base_parameter_map`] of a robot whose number of joints is known at run time alone.
+pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
+    let table = robot.runtime_table();
+    let numeric = NumericArm::<Dyn>::new(&table);
     let mut random = SplitMix64(1);
-    let links = N + table.followers.iter().count();
+    let joints = table.rows.len();
+    let links = joints + table.followers().count();
     let state = |random: &mut SplitMix64| {
-        let mut vector = |size: f64| SVector::from_fn(|_, _| random.within(&(-size..=size)));
-        State {
+        let mut vector =
+            |size: f64| DVector::from_fn(joints, |_, _| random.within(&(-size..=size)));
+        SizedState {
             q: vector(2.0),
             qd: vector(2.0),
             qdd: vector(2.0),
         }
     };
-    let first = state(&mut random);
-    let columns = |state: &State<N>| -> Option<Vec<SVector<f64, N>>> {
-        let values = robot.evaluate(state, &SVector::zeros());
-        values.get("regressor")
+    let rest = DVector::zeros(joints);
+    let regressor = |state: &SizedState<Dyn>| -> Option<Vec<f64>> {
+        robot.values(state, &rest).get("regressor")
     };
-    let count = columns(&first)?.len();
+    let first = state(&mut random);
+    let count = regressor(&first)?.len() / joints.max(1);
     // Four times as many equations as the least.
-    let states = 4 * count.div_ceil(N.max(1)) + 4;
-    let mut base = DMatrix::zeros(states * N, count);
-    let mut standard = DMatrix::zeros(states * N, 11 * links);
+    let states = 4 * count.div_ceil(joints.max(1)) + 4;
+    let mut base = DMatrix::zeros(states * joints, count);
+    let mut standard = DMatrix::zeros(states * joints, 11 * links);
     for k in 0..states {
         let state = state(&mut random);
-        for (j, column) in columns(&state)?.iter().enumerate() {
-            base.fixed_view_mut::<N, 1>(k * N, j).copy_from(column);
-        }
-        let State { q, qd, qdd } = &state;
+        let rows = k * joints;
+        let columns = DMatrix::from_vec(joints, count, regressor(&state)?);
+        base.rows_mut(rows, joints).copy_from(&columns);
+        let SizedState { q, qd, qdd } = &state;
         let own = numeric.standard_regressor(q, qd, qdd).into_iter();
         let of_followers = numeric.standard_regressor_of_followers(q, qd, qdd);
         for (link, block) in own.chain(of_followers).enumerate() {
             standard
-                .fixed_view_mut::<N, 10>(k * N, 10 * link)
+                .view_mut((rows, 10 * link), (joints, 10))
                 .copy_from(&block);
         }
         for (motor, (joint, factor)) in motors(&table).enumerate() {
-            standard[(k * N + joint, 10 * links + motor)] = factor * factor * qdd[joint];
+            standard[(rows + joint, 10 * links + motor)] = factor * factor * qdd[joint];
         }
     }
     let factors = base.qr();
@@ -104,8 +112,10 @@ pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<D
 }
 
 /// The joint that feels the motor of each joint, then of each follower, and the factor.
-fn motors<const N: usize>(table: &Table<N>) -> impl Iterator<Item = (usize, f64)> {
-    let followers = table.followers.iter();
+fn motors(table: &RuntimeTable) -> impl Iterator<Item = (usize, f64)> {
+    let followers = table.followers();
     let followers = followers.map(|follower| (follower.leader, follower.factor));
-    (0..N).map(|joint| (joint, 1.0)).chain(followers)
+    (0..table.rows.len())
+        .map(|joint| (joint, 1.0))
+        .chain(followers)
 }

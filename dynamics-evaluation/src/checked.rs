@@ -1,0 +1,115 @@
+//! A robot at run time as checks take it.
+
+use dynamics_runtime::nalgebra::{DVector, Dyn};
+use dynamics_runtime::{
+    Certified, Scalar, SizedState,
+    check::{Checked, Evaluation},
+    table::RuntimeTable,
+};
+use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::{Function, Request};
+
+use crate::RuntimeRobot;
+
+impl Checked for RuntimeRobot {
+    fn names(&self) -> Vec<String> {
+        self.joint_names().map(str::to_owned).collect()
+    }
+
+    fn runtime_table(&self) -> RuntimeTable {
+        self.table()
+    }
+
+    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
+        self.evaluation(state, tau, |x| x)
+    }
+
+    fn certified_values(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+    ) -> Evaluation<Certified> {
+        self.evaluation(state, tau, Certified::exact)
+    }
+
+    /// Each method by its own program.
+    fn values_of_parts(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        let argument = arguments(state, tau);
+        for function in self.functions() {
+            let Request::Fused(fused) = &function.request else {
+                continue;
+            };
+            let mut values = self
+                .values(function, &function.shared, &argument, &|x| x)
+                .map(Vec::into_iter);
+            let mut evaluation = Evaluation::default();
+            for &part in &fused.parts {
+                let entries = part.shape().entries(function.layout.sizes);
+                match &mut values {
+                    Ok(values) => {
+                        let of_part: Vec<f64> = values.take(entries).collect();
+                        evaluation.set(part.name(), of_part);
+                    }
+                    Err(error) if part.row().refuses => {
+                        evaluation.set(part.name(), Err::<f64, _>(*error));
+                    }
+                    Err(_) => {}
+                }
+            }
+            found(
+                function.request.name(),
+                evaluation.combined(state.qd.as_slice()),
+            );
+        }
+    }
+}
+
+impl RuntimeRobot {
+    /// The values of all functions that are evaluated by themselves, in numbers that `real` makes of the state's.
+    fn evaluation<T: Scalar>(
+        &self,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+        real: fn(f64) -> T,
+    ) -> Evaluation<T> {
+        let double = arguments(state, tau);
+        let argument = |argument, i| real(double(argument, i));
+        let mut evaluation = Evaluation::default();
+        for function in self.functions() {
+            // A Taylor series is no program over numbers.
+            if let Request::One(one) = function.request
+                && one != Function::TaylorSeries
+            {
+                let shared = function.tape.shared(self.fields(), &T::from_f64);
+                let values = self.values(function, &shared, &argument, &T::from_f64);
+                evaluation.set(one.name(), values);
+            }
+        }
+        let qd: Vec<T> = state.qd.iter().map(|x| real(*x)).collect();
+        evaluation.combined(&qd)
+    }
+}
+
+/// The entries of all arguments at a state.
+fn arguments(state: &SizedState<Dyn>, tau: &DVector<f64>) -> impl Fn(Argument, usize) -> f64 {
+    let (SizedState { q, qd, qdd }, tau) = (state.clone(), tau.clone());
+    let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
+    let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], SizedState::<Dyn>::wrench());
+    move |argument, i| match argument {
+        Argument::Position => q[i],
+        Argument::Velocity => qd[i],
+        Argument::Acceleration => qdd[i],
+        Argument::Force => tau[i],
+        Argument::ReferenceVelocity => qd_r[i],
+        Argument::ReferenceAcceleration => qdd_r[i],
+        Argument::Jerk => jerk[i],
+        Argument::Snap => snap[i],
+        Argument::Wrench => wrench[i],
+        Argument::Order => f64::NAN,
+    }
+}
