@@ -53,7 +53,7 @@ pub(super) fn join(locks: &mut Vec<Lock>, list: Vec<Lock>, scope: &Scope) {
         if let (Some(one), Some(other)) = (&known.position, &lock.position) {
             let [a, b] = [&one.value, &other.value].map(number);
             if one.value != other.value && (a.is_none() || a != b) {
-                scope.error(&lock.name, mistake::locked_at_two(word, [a, b]));
+                scope.error(&lock.name, mistake::locked_at_two(word, a, b));
             }
         }
     }
@@ -119,7 +119,7 @@ pub(super) fn report_out_of_limits(
     let [lower, upper] = limits.each_ref().map(|limit| limit.to_f64(&[]));
     let is_outside = !(lower..=upper).contains(&number);
     if is_outside {
-        let mistake = mistake::locked_out_of_limits(number, &row.name, [lower, upper]);
+        let mistake = mistake::locked_out_of_limits(number, &row.name, lower, upper);
         scope.error(place, mistake);
     }
     is_outside

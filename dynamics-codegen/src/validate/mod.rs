@@ -22,6 +22,8 @@ mod solid;
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value, mounted};
 
+#[cfg(feature = "files")]
+use crate::description::Expr;
 use crate::description::{Allow, Asked, Entry, Given, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
@@ -75,6 +77,19 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         model.notes.extend(note);
     }
     is_good.then_some(model)
+}
+
+/// The value of an expression without fields and `let`.
+#[cfg(feature = "files")]
+pub(crate) fn constant(expr: &Expr) -> Option<Value> {
+    let diagnostics = Diagnostics::new();
+    let table = Table {
+        entries: vec![Entry::Allow(Some(Allow::EVERYTHING))],
+        ..Table::default()
+    };
+    let value = Scope::new(&table, &diagnostics).value(expr);
+    diagnostics.forget();
+    value
 }
 
 /// Reports the fields that no value uses. Where there are errors, the value that uses

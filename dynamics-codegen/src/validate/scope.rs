@@ -13,7 +13,7 @@ use crate::description::{
 };
 use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
-use crate::mistake::{Mistake, couple, entry, joint, size, value as mistake};
+use crate::mistake::{Mistake, couple, joint, size, value as mistake};
 use crate::place::Place;
 use crate::words;
 
@@ -215,7 +215,10 @@ impl<'d> Scope<'d> {
         if row.is_none() {
             let known: Vec<&str> = self.joints.iter().map(String::as_str).collect();
             let meant = words::nearest(name.plain(), &known);
-            self.error(name, entry::unknown_joint(name.plain(), meant, &known));
+            self.error(
+                name,
+                crate::mistake::unknown("joint", name.plain(), meant, &known),
+            );
         }
         row
     }

@@ -127,7 +127,7 @@ impl<'a> Chain<'a> {
         for name in &self.request.ignore {
             if !known.contains(&name.plain()) && name.plain() != REST {
                 let meant = words::nearest(name.plain(), &known);
-                let mistake = crate::mistake::entry::unknown_joint(name.plain(), meant, &known);
+                let mistake = crate::mistake::unknown("joint", name.plain(), meant, &known);
                 self.error(name, mistake);
             }
         }
@@ -149,7 +149,10 @@ impl<'a> Chain<'a> {
         for end in [first, last] {
             if !known.contains(&end.plain()) {
                 let meant = words::nearest(end.plain(), &known);
-                self.error(end, mistake::unknown_link(end.plain(), meant, &known));
+                self.error(
+                    end,
+                    crate::mistake::unknown("link", end.plain(), meant, &known),
+                );
                 good = false;
             }
         }
