@@ -45,7 +45,10 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> (Call, Opti
     if !call.table.has_all_fields {
         entry::skip_to_entry(&mut cursor);
     }
-    call.table.mentions = names(cursor.rest());
+    // Names are looked for where a field may be unused.
+    if !call.table.fields.is_empty() {
+        call.table.mentions = names(cursor.rest());
+    }
     let root = entry::entries(&mut cursor.reporting_to(&of_entries));
     (call, Some(root))
 }
