@@ -38,6 +38,10 @@ mistakes! {
     lock_with_names(joint: &str => shortened)
         "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without \
          fields and `let`";
+    /// The same of all joints beside the chain.
+    rest_with_names()
+        "`rest` is all joints beside the chain: their position is a sum, product or quotient of numbers and `PI`, \
+         without fields and `let`";
     negative_mass() "a mass cannot be negative";
     no_body(reason: &str) [allow: allow("unphysical_inertia", "in the call")]
         "no body has this inertia tensor: {reason} (published data can be like that: {allow} accepts it)";

@@ -47,6 +47,8 @@ pub(super) fn entries<'a>(
         return None;
     }
     let joints = chain.rows(&ends[0]);
+    // What is wrong with the rest of the rows is said beside links without inertia.
+    let is_readable = diagnostics.is_empty();
     chain.report_without_inertia();
     let start = Place::File { line: 1, column: 1 };
     let mut entries = vec![
@@ -59,7 +61,7 @@ pub(super) fn entries<'a>(
     if !chain.coupled.is_empty() {
         entries.push(Entry::Couple(Some(chain.coupled)));
     }
-    diagnostics.is_empty().then_some(entries)
+    is_readable.then_some(entries)
 }
 
 pub(super) struct Chain<'a> {
@@ -118,8 +120,11 @@ impl<'a> Chain<'a> {
     /// Names in `ignore` that no joint has, and `rest` in both lists.
     fn report_names(&mut self) {
         let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
-        if let Some((name, _)) = self.rest_locked() {
+        if let Some((name, position)) = self.rest_locked() {
             self.used.push(REST.to_owned());
+            if position.is_none() {
+                self.error(name, mistake::rest_with_names());
+            }
             if self.is_rest_ignored() {
                 self.error(name, mistake::rest_twice());
             }
