@@ -38,6 +38,23 @@ impl Audience {
         }
     }
 
+    /// The acceleration of gravity, in a call or in a file.
+    pub(crate) fn gravity(self, is_of_file: bool) -> &'static str {
+        match (self, is_of_file) {
+            (Audience::Call, false) => "write `gravity: [0, 0, -9.81]`",
+            (Audience::Call, true) | (Audience::File, _) => "expected [0, 0, -9.81]",
+            (Audience::Command, _) => "expected [0, 0, -9.81], or `--gravity 0,0,-9.81`",
+        }
+    }
+
+    /// The place of an entry of the whole table, where a call has one.
+    pub(crate) fn end_of_table(self) -> &'static str {
+        match self {
+            Audience::Call => " at the end of the table",
+            Audience::File | Audience::Command => "",
+        }
+    }
+
     /// A joint of a URDF file that is left out with what hangs on it.
     #[cfg(feature = "files")]
     pub(crate) fn ignore(self, joint: &str) -> String {

@@ -18,6 +18,19 @@ pub(crate) struct Call {
     pub(crate) tracked: Option<String>,
 }
 
+impl Call {
+    /// A call of which nothing is known yet but the path of the runtime.
+    pub(crate) fn new(path: TokenStream) -> Call {
+        Call {
+            path,
+            structure: None,
+            table: Table::default(),
+            is_refused: false,
+            tracked: None,
+        }
+    }
+}
+
 /// The struct item.
 pub(crate) struct Structure {
     /// Attributes, doc comments among them.
@@ -38,6 +51,23 @@ pub(crate) struct Structure {
     pub(crate) complete: bool,
     /// Whether it has a file for itself, in which there are no other names.
     pub(crate) is_alone: bool,
+}
+
+impl Structure {
+    /// A struct without fields, which are not known yet.
+    pub(crate) fn new(name: Ident) -> Structure {
+        Structure {
+            attributes: TokenStream::new(),
+            cfgs: TokenStream::new(),
+            has_derive: false,
+            visibility: TokenStream::new(),
+            name,
+            shape: Shape::Unit,
+            fields: Vec::new(),
+            complete: false,
+            is_alone: false,
+        }
+    }
 }
 
 /// What follows a struct's name.

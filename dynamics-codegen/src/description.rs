@@ -70,6 +70,19 @@ pub struct Table {
 }
 
 impl Table {
+    /// The joints, where they could be read.
+    pub(crate) fn joints(&self) -> Option<&Joints> {
+        self.entries.iter().find_map(|entry| match entry {
+            Entry::Joints(_, joints) => joints.as_ref(),
+            _ => None,
+        })
+    }
+
+    /// The rows of the joints.
+    pub(crate) fn rows(&self) -> &[Row] {
+        self.joints().map_or(&[], |joints| &joints.rows)
+    }
+
     /// The tool, where one is written that could be read.
     pub(crate) fn tool(&self) -> Option<&Tool> {
         self.entries.iter().find_map(|entry| match entry {
@@ -242,6 +255,15 @@ impl<T> Given<T> {
         matches!(self, Given::Absent)
     }
 
+    /// What `read` makes of it; of what was left out, `absent`.
+    pub(crate) fn read<U>(&self, absent: U, read: impl FnOnce(&T) -> Option<U>) -> Option<U> {
+        match self {
+            Given::Absent => Some(absent),
+            Given::Unreadable => None,
+            Given::As(value) => read(value),
+        }
+    }
+
     /// What was written, where it could be read.
     pub fn value(&self) -> Option<&T> {
         match self {
@@ -297,6 +319,13 @@ pub struct Row {
     pub allow: Given<Allow>,
     /// Where the joint is, in a file that has no cells a, alpha, d and theta.
     pub mount: Option<Mount>,
+}
+
+impl Row {
+    /// The joint's name; empty if it could not be read.
+    pub(crate) fn word(&self) -> &str {
+        self.name.as_ref().map_or("", Name::plain)
+    }
 }
 
 /// Where a joint is in the link frame before it.

@@ -43,63 +43,33 @@ pub(crate) const FILE: Part = Part {
     ..CALL
 };
 
-/// A tensor, its entries in the engine's order.
-pub(crate) const TENSOR: Part = Part {
-    name: "an inertia",
-    item: "tensor entry",
-    keys: word_list![xx yy zz xy yz xz],
-    shape: "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`",
-};
+/// Makes a part of each name: the part and its items as messages name them, its words, and how a call writes it.
+macro_rules! parts {
+    ($($(#[$about:meta])* $part:ident: $name:literal, $item:literal, [$($word:ident)*], $shape:literal;)*) => {$(
+        $(#[$about])*
+        pub(crate) const $part: Part = Part {
+            name: $name,
+            item: $item,
+            keys: word_list![$($word)*],
+            shape: $shape,
+        };
+    )*};
+}
 
-pub(crate) const MOTOR: Part = Part {
-    name: "`motor`",
-    item: "motor entry",
-    keys: word_list![inertia gear_ratio],
-    shape: "`{ inertia: ..., gear_ratio: ... }`",
-};
-
-pub(crate) const FRICTION: Part = Part {
-    name: "`friction`",
-    item: "friction entry",
-    keys: word_list![viscous coulomb stribeck],
-    shape: "`{ viscous: ..., coulomb: ... }`",
-};
-
-/// Coulomb friction by the direction of motion.
-pub(crate) const DIRECTIONS: Part = Part {
-    name: "`coulomb`",
-    item: "direction",
-    keys: word_list![positive negative],
-    shape: "`{ positive: ..., negative: ... }`",
-};
-
-pub(crate) const STRIBECK: Part = Part {
-    name: "`stribeck`",
-    item: "stribeck entry",
-    keys: word_list![static velocity],
-    shape: "`{ static: ..., velocity: ... }`",
-};
-
-pub(crate) const SPRING: Part = Part {
-    name: "`spring`",
-    item: "spring entry",
-    keys: word_list![stiffness rest],
-    shape: "`{ stiffness: ..., rest: ... }`",
-};
-
-pub(crate) const BASE: Part = Part {
-    name: "`base`",
-    item: "base entry",
-    keys: word_list![xyz rpy],
-    shape: "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`",
-};
-
-pub(crate) const TOOL: Part = Part {
-    name: "`tool`",
-    item: "tool entry",
-    keys: word_list![xyz rpy mass com inertia inertia_at_origin allow],
-    shape: "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`",
-};
+parts! {
+    /// A tensor, its entries in the engine's order.
+    TENSOR: "an inertia", "tensor entry", [xx yy zz xy yz xz],
+        "a tensor about the origin of the frame, of named entries: `{ xx, yy, zz, xy, yz, xz }`";
+    MOTOR: "`motor`", "motor entry", [inertia gear_ratio], "`{ inertia: ..., gear_ratio: ... }`";
+    FRICTION: "`friction`", "friction entry", [viscous coulomb stribeck], "`{ viscous: ..., coulomb: ... }`";
+    /// Coulomb friction by the direction of motion.
+    DIRECTIONS: "`coulomb`", "direction", [positive negative], "`{ positive: ..., negative: ... }`";
+    STRIBECK: "`stribeck`", "stribeck entry", [static velocity], "`{ static: ..., velocity: ... }`";
+    SPRING: "`spring`", "spring entry", [stiffness rest], "`{ stiffness: ..., rest: ... }`";
+    BASE: "`base`", "base entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
+    TOOL: "`tool`", "tool entry", [xyz rpy mass com inertia inertia_at_origin allow],
+        "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`";
+}
 
 pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 

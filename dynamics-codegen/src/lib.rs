@@ -112,10 +112,7 @@ fn read(call: TokenStream, diagnostics: &Diagnostics) -> call::Call {
 
 /// The model of a call; of one that is too long to be read there is none.
 fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
-    match call.is_refused {
-        true => None,
-        false => validate::model(&call.table, diagnostics),
-    }
+    (!call.is_refused).then(|| validate::model(&call.table, diagnostics))?
 }
 
 /// What a table says, wherever it was read: the robot and what is asked for, or every reason why there is
@@ -152,21 +149,14 @@ pub fn items_of(
     let diagnostics = Diagnostics::new();
     let structure = call::Structure {
         attributes: quote!(#(#[doc = #documentation])*),
-        cfgs: TokenStream::new(),
-        has_derive: false,
         visibility: quote!(pub),
-        name,
-        shape: call::Shape::Unit,
-        fields: Vec::new(),
         complete: true,
         is_alone: true,
+        ..call::Structure::new(name)
     };
     let call = call::Call {
-        path,
         structure: Some(structure),
-        table: description::Table::default(),
-        is_refused: false,
-        tracked: None,
+        ..call::Call::new(path)
     };
     let derivation = &dynamics_symbolic::derive::derive_together;
     match methods(&model, &call, derivation, &diagnostics) {

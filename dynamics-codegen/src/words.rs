@@ -47,12 +47,18 @@ pub(crate) fn all(words: &[&str]) -> String {
 }
 
 fn listed(words: &[&str], link: &str) -> String {
-    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
-    match quoted.split_last() {
-        None => String::new(),
-        Some((last, [])) => last.clone(),
-        Some((last, rest)) => format!("{} {link} {last}", rest.join(", ")),
+    match words {
+        [rest @ .., last] if !rest.is_empty() => {
+            format!("{} {link} `{last}`", quoted(rest, ", "))
+        }
+        words => quoted(words, ""),
     }
+}
+
+/// The words, with that between them.
+pub(crate) fn quoted(words: &[&str], between: &str) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    quoted.join(between)
 }
 
 /// Letters of a text that a message shows.

@@ -28,7 +28,8 @@ pub mod simplify;
 pub mod spatial;
 
 pub use emit::{
-    base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,
+    base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
+    stub_of_trait,
 };
 pub use function::{Function, Request};
 pub use methods::{Failure, Method, Reason, expand, expand_with, percent, proven_program};

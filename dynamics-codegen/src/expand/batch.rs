@@ -26,17 +26,16 @@ enum Receiver {
 pub(crate) fn batch_methods(item: TokenStream) -> TokenStream {
     let mut tokens: Vec<TokenTree> = item.into_iter().collect();
     let is_trait = |token: &TokenTree| token.to_string() == "trait";
-    let receiver = match tokens.iter().any(is_trait) {
-        true => Receiver::Arm,
-        false => Receiver::Each,
+    let receiver = if tokens.iter().any(is_trait) {
+        Receiver::Arm
+    } else {
+        Receiver::Each
     };
     if let Some(TokenTree::Group(items)) = tokens.pop() {
         let mut items = items.stream();
         for parallel in [false, true] {
-            items.extend(Function::ALL.into_iter().map(|function| {
-                let batch = Batch::of_table(function, receiver);
-                batch.method(parallel)
-            }));
+            let batches = Function::ALL.map(|function| Batch::of_table(function, receiver));
+            items.extend(batches.iter().map(|batch| batch.method(parallel)));
         }
         tokens.push(Group::new(Delimiter::Brace, items).into());
     }
@@ -96,10 +95,7 @@ impl Batch {
         let request = Request::One(function);
         let settings = settings(function.arguments());
         let name = format_ident!("{function:?}");
-        let value = match settings.is_empty() {
-            true => quote!(functions::#name),
-            false => quote!(functions::#name { #(#settings),* }),
-        };
+        let fields = (!settings.is_empty()).then(|| quote!({ #(#settings),* }));
         Batch {
             name: function.name().to_owned(),
             description: description(function),
@@ -107,7 +103,7 @@ impl Batch {
             result: format_ident!("{}", request.result()),
             refuses: request.refuses(),
             receiver,
-            function: [quote!(functions::#name), value],
+            function: [quote!(functions::#name), quote!(functions::#name #fields)],
             joints: None,
             path: quote!(crate),
         }
@@ -138,38 +134,37 @@ impl Batch {
         let Batch { path, result, .. } = self;
         let [function, value] = &self.function;
         let is_of_table = self.joints.is_none();
-        let name = match parallel {
-            true => format_ident!("par_{}_batch", self.name),
-            false => format_ident!("{}_batch", self.name),
+        let (name, run) = if parallel {
+            (
+                format_ident!("par_{}_batch", self.name),
+                quote!(on_all_cores),
+            )
+        } else {
+            (format_ident!("{}_batch", self.name), quote!(on_one_core))
         };
         let visibility = (self.receiver == Receiver::Each || !is_of_table).then(|| quote!(pub));
-        let n = match &self.joints {
-            Some(n) => n.to_token_stream(),
-            None => quote!(N),
-        };
+        let n = self
+            .joints
+            .as_ref()
+            .map_or(quote!(N), ToTokens::to_token_stream);
         let generic = is_of_table.then(|| quote!(, const N: usize));
         let (arm, arms) = match self.receiver {
             Receiver::Arm => (quote!(Self), quote!(self)),
             Receiver::Each => (quote!(R), quote!(self.0)),
         };
-        let arguments = self.arguments.iter().map(|argument| {
-            let name = format_ident!("{}", argument.name());
-            match argument.shape() {
-                Some(Shape::Matrix(Size::Fixed(size), _)) => {
-                    let size = Literal::usize_unsuffixed(size);
-                    quote!(#name: impl #path::States<#size, T>)
-                }
-                Some(_) => quote!(#name: impl #path::States<#n, T>),
-                None => quote!(#name: usize),
-            }
+        let sizes = self.arguments.iter().map(|argument| size(*argument, &n));
+        let names = self
+            .arguments
+            .iter()
+            .map(|argument| format_ident!("{}", argument.name()));
+        let named: Vec<_> = names.zip(sizes).collect();
+        let arguments = named.iter().map(|(name, size)| match size {
+            Some(size) => quote!(#name: impl #path::States<#size, T>),
+            None => quote!(#name: usize),
         });
-        let vectors = self.arguments.iter().filter(|a| a.shape().is_some());
-        let vectors = vectors.map(|argument| format_ident!("{}", argument.name()));
+        let vectors = named.iter().filter(|(_, size)| size.is_some());
+        let vectors = vectors.map(|(name, _)| name);
         let bounds = self.bounds(parallel, &n);
-        let run = match parallel {
-            true => quote!(on_all_cores),
-            false => quote!(on_one_core),
-        };
         let done = quote! {
             #path::#run::<_, #arm, T, _, _, _, #n>(
                 #value,
@@ -178,9 +173,10 @@ impl Batch {
                 #path::StatesMut::sink(#result),
             )
         };
-        let (error, body) = match self.refuses {
-            true => (quote!(BatchError), quote!(#path::failing(#done))),
-            false => (quote!(LengthMismatch), quote!(#done.map(|_| ()))),
+        let (error, body) = if self.refuses {
+            (quote!(BatchError), quote!(#path::failing(#done)))
+        } else {
+            (quote!(LengthMismatch), quote!(#done.map(|_| ())))
         };
         let cfg = (parallel && is_of_table).then(|| quote!(#[cfg(feature = "rayon")]));
         let documentation = self.documentation(parallel);
@@ -207,17 +203,11 @@ impl Batch {
         }
         let (path, [function, _]) = (&self.path, &self.function);
         let sync = parallel.then(|| quote!(+ Sync));
-        let vectors = self
+        let sizes = self
             .arguments
             .iter()
-            .filter_map(|argument| argument.shape());
-        let vectors = vectors.map(|shape| match shape {
-            Shape::Matrix(Size::Fixed(size), _) => {
-                let size = Literal::usize_unsuffixed(size);
-                quote!(#path::Entries<#size, 1>)
-            }
-            _ => quote!(#path::Entries<#n, 1>),
-        });
+            .filter_map(|argument| size(*argument, n));
+        let vectors = sizes.map(|size| quote!(#path::Entries<#size, 1>));
         let function = quote!(#path::Function<#function, #n, Arguments = (#(#vectors,)*)>);
         Some(match self.receiver {
             Receiver::Arm => quote!(where Self: #function + Sized #sync),
@@ -227,19 +217,18 @@ impl Batch {
 
     fn documentation(&self, parallel: bool) -> Vec<String> {
         let name = &self.name;
-        let errors = match self.refuses {
-            true => [
+        let errors: &[&str] = if self.refuses {
+            &[
                 " [`BatchError::Length`] where an argument or the results have another number of states than the",
                 " first argument: nothing is written then; [`BatchError::Singular`] where a mass matrix is not positive",
                 " definite: the first such state with what a single call says of it. The values of all states are",
                 " written then too; they are NaN where there are none.",
             ]
-            .as_slice(),
-            false => [
+        } else {
+            &[
                 " [`LengthMismatch`] where an argument or the results have another number of states than the first",
                 " argument; nothing is written then.",
             ]
-            .as_slice(),
         };
         let mut lines = match (parallel, self.receiver) {
             (true, _) => vec![
@@ -254,14 +243,17 @@ impl Batch {
             }
             (false, Receiver::Arm) => self.in_full(),
         };
-        lines.extend([String::new(), " # Errors".to_owned(), String::new()]);
-        lines.extend(errors.iter().map(|line| (*line).to_owned()));
+        lines.extend(
+            ["", " # Errors", ""]
+                .iter()
+                .chain(errors)
+                .map(|line| (*line).to_owned()),
+        );
         if self.joints.is_some() {
             // The types are not in the reach of the user's documentation.
-            lines = lines
-                .iter()
-                .map(|line| line.replace("[`", "`").replace("`]", "`"))
-                .collect();
+            for line in &mut lines {
+                *line = line.replace("[`", "`").replace("`]", "`");
+            }
         }
         lines
     }
@@ -272,15 +264,22 @@ impl Batch {
             format!(" At every state: {}", self.description),
             String::new(),
         ];
-        for argument in &self.arguments {
-            if let Some(meaning) = argument.meaning("rad or m", "N m or N") {
-                lines.push(format!(" - `{}`: {meaning};", argument.name()));
-            }
-        }
+        lines.extend(self.arguments.iter().filter_map(|argument| {
+            let meaning = argument.meaning("rad or m", "N m or N")?;
+            Some(format!(" - `{}`: {meaning};", argument.name()))
+        }));
         lines.push(format!(
             " - `{}`: room for what `{}` returns.",
             self.result, self.name
         ));
         lines
     }
+}
+
+/// The number of values of an argument at a state; none of one that is the same for all states.
+fn size(argument: Argument, n: &TokenStream) -> Option<TokenStream> {
+    Some(match argument.shape()? {
+        Shape::Matrix(Size::Fixed(size), _) => Literal::usize_unsuffixed(size).to_token_stream(),
+        _ => n.clone(),
+    })
 }

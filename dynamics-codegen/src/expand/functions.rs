@@ -12,9 +12,10 @@ pub(crate) fn function_names() -> TokenStream {
         let name = format_ident!("{function:?}");
         let documentation = format!(" `{}`.", function.name());
         let settings = settings(function.arguments());
-        let fields = match settings.is_empty() {
-            true => quote!(;),
-            false => quote!({ #(#[doc = " As the method has it."] pub #settings: usize),* }),
+        let fields = if settings.is_empty() {
+            quote!(;)
+        } else {
+            quote!({ #(#[doc = " As the method has it."] pub #settings: usize),* })
         };
         quote! {
             #[doc = #documentation]

@@ -18,7 +18,7 @@ use dynamics_symbolic::{
     Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_trait,
 };
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::quote;
 
 use crate::call::Structure;
 use crate::description::{Asked, Entry, Row};
@@ -34,29 +34,10 @@ pub(crate) fn robot(
     methods: &[Method],
     path: &TokenStream,
 ) -> TokenStream {
-    let target = Target::new(structure, model.robot.dof(), path);
-    let functions: Vec<Function> = methods
-        .iter()
-        .filter_map(|m| m.request.function())
-        .collect();
+    let robot = &model.robot;
+    let target = Target::new(structure, robot.dof(), path);
     let requests: Vec<Request> = methods.iter().map(|m| m.request.clone()).collect();
-    let names: Vec<String> = model.robot.joints().map(|row| row.name.clone()).collect();
-    let table = table::table(structure, &model.robot, path);
-    let evaluation = evaluate::evaluation(&target, &requests);
-    let item = structure::as_written(structure, &scene::lines(model));
-    let bodies = methods.iter().map(|method| &method.tokens);
-    let base_parameters = base_parameter_constants(&requests, Some(&model.robot));
-    let operations = operations(methods, path);
-    let formulas = formulas(methods, path);
-    let limits: Vec<TokenStream> = model.robot.joints().map(table::limits).collect();
-    let constants = Constants {
-        names: &names,
-        limits: &limits,
-        operations: &operations,
-        formulas: &formulas,
-        base_parameters: &base_parameters,
-    };
-    let inherent = target.inherent(&constants, &table, bodies);
+    let functions: Vec<Function> = requests.iter().filter_map(Request::function).collect();
     let provided = methods.iter().filter_map(|method| {
         let (function, mut item) = (method.request.function()?, method.provided.clone()?);
         if function == Function::ForwardDynamics {
@@ -64,23 +45,32 @@ pub(crate) fn robot(
         }
         Some((function, item))
     });
-    let mut provided = traits::provided(&target, provided);
-    let items = methods
-        .iter()
-        .map(|method| (&method.request, method.function.clone()));
-    provided.extend(traits::functions(&target, items));
-    provided.extend(traits::fields(&target, &model.robot.fields));
-    provided.extend(batch::fused(&target, &requests));
-    let angles = angles(model.robot.dof(), methods);
-    let traits = traits::traits(&target, &functions, &angles, &table, &evaluation);
-    let test = model
-        .tests
-        .then(|| test::agrees_with_newton_euler(&target, structure));
-    let implementations = quote!(#inherent #provided #traits);
-    let implementations = match structure.is_alone {
-        true => implementations,
-        false => names::apart(&implementations),
+    let items = Items {
+        names: robot.joints().map(|row| row.name.clone()).collect(),
+        limits: robot.joints().map(table::limits).collect(),
+        operations: operations(methods, path),
+        formulas: formulas(methods, path),
+        base_parameters: base_parameter_constants(&requests, Some(robot)),
+        table: table::table(structure, robot, path),
+        bodies: methods.iter().map(|method| method.tokens.clone()).collect(),
+        provided: provided.collect(),
+        functions: methods
+            .iter()
+            .map(|method| method.function.clone())
+            .collect(),
+        fields: traits::fields(&target, &robot.fields),
+        angles: angles(robot.dof(), methods),
+        evaluation: evaluate::evaluation(&target, &requests),
     };
+    let implementations = items.implementations(&target, &requests);
+    let implementations = if structure.is_alone {
+        implementations
+    } else {
+        names::apart(&implementations)
+    };
+    let item = structure::as_written(structure, &scene::lines(model));
+    let tests = model.tests;
+    let test = tests.then(|| test::agrees_with_newton_euler(&target, structure));
     quote!(#item #implementations #test)
 }
 
@@ -90,53 +80,46 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let names = joint_names(entries);
     let target = Target::new(structure, names.len(), path);
     let requests = requests_to_stub(entries);
-    let functions: Vec<Function> = requests.iter().filter_map(Request::function).collect();
     let unimplemented = quote!(::core::unimplemented!());
-    let item = structure::repaired(structure);
-    let bodies = requests.iter().map(|r| stub(r, target.dof, path));
-    let base_parameters = base_parameter_constants(&requests, None);
-    let constants = Constants {
-        names: &names,
-        limits: &vec![quote!(::core::option::Option::None); names.len()],
-        operations: &[],
-        formulas: &[],
-        base_parameters: &base_parameters,
-    };
-    let inherent = target.inherent(&constants, &unimplemented, bodies);
-    let provided = functions.iter().filter_map(|f| {
-        let item = stub_of_trait(*f, target.dof, path)?;
-        Some((*f, item))
+    let provided = requests.iter().filter_map(|request| {
+        let function = request.function()?;
+        Some((function, stub_of_trait(function, target.dof, path)?))
     });
-    let mut provided = traits::provided(&target, provided);
-    let items = requests.iter().enumerate();
-    let items = items.map(|(i, r)| (r, stub_of_function(r, i, target.dof, path)));
-    provided.extend(traits::functions(&target, items));
-    provided.extend(traits::fields_by(&target, &unimplemented));
-    provided.extend(batch::fused(&target, &requests));
-    let evaluation = Evaluation {
-        functions: unimplemented.clone(),
-        parts: None,
+    let functions = requests.iter().enumerate();
+    let items = Items {
+        limits: vec![quote!(::core::option::Option::None); names.len()],
+        names,
+        operations: Vec::new(),
+        formulas: Vec::new(),
+        base_parameters: base_parameter_constants(&requests, None),
+        table: unimplemented.clone(),
+        bodies: requests.iter().map(|r| stub(r, target.dof, path)).collect(),
+        provided: provided.collect(),
+        functions: functions
+            .map(|(i, r)| stub_of_function(r, i, target.dof, path))
+            .collect(),
+        fields: Some(traits::fields_by(&target, &unimplemented)),
+        angles: Vec::new(),
+        evaluation: Evaluation {
+            functions: unimplemented,
+            parts: None,
+        },
     };
-    let traits = traits::traits(&target, &functions, &[], &unimplemented, &evaluation);
-    let implementations = names::apart(&quote!(#inherent #provided #traits));
+    let item = structure::repaired(structure);
+    let implementations = names::apart(&items.implementations(&target, &requests));
     quote!(#item #implementations)
 }
 
 /// Names of the joints; none where an error left their number unknown.
 fn joint_names(entries: &[Entry]) -> Vec<String> {
-    let joints = entries.iter().find_map(|entry| match entry {
-        Entry::Joints(_, joints) => joints.as_ref(),
+    let names = entries.iter().find_map(|entry| match entry {
+        Entry::Joints(_, Some(joints)) if joints.complete => {
+            let names = joints.rows.iter().map(Row::word);
+            Some(names.map(str::to_owned).collect())
+        }
         _ => None,
     });
-    let name = |row: &Row| {
-        row.name
-            .as_ref()
-            .map_or(String::new(), |name| name.plain().to_owned())
-    };
-    let names = match joints {
-        Some(joints) if joints.complete => joints.rows.iter().map(name).collect(),
-        _ => Vec::new(),
-    };
+    let names = names.unwrap_or_default();
     without_others(names, entries).unwrap_or_default()
 }
 
@@ -253,39 +236,66 @@ fn formulas(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     methods.iter().filter_map(of_method).flatten().collect()
 }
 
-/// What the constants of a struct say.
-struct Constants<'a> {
+/// The parts of a struct's implementations.
+struct Items {
     /// Names of the joints.
-    names: &'a [String],
+    names: Vec<String>,
     /// Their ranges.
-    limits: &'a [TokenStream],
+    limits: Vec<TokenStream>,
     /// Names of methods, with their operations.
-    operations: &'a [TokenStream],
+    operations: Vec<TokenStream>,
     /// Entries of the method `formulas`.
-    formulas: &'a [TokenStream],
+    formulas: Vec<TokenStream>,
     /// The constants about the base parameters, where there are any.
-    base_parameters: &'a TokenStream,
+    base_parameters: TokenStream,
+    /// The body of the method `table`.
+    table: TokenStream,
+    /// The methods of the struct.
+    bodies: Vec<TokenStream>,
+    /// The items of the traits of single functions.
+    provided: Vec<(Function, TokenStream)>,
+    /// For each method the items of the trait `Function`, unless it has a trait of its own.
+    functions: Vec<Option<TokenStream>>,
+    /// The trait that reads the fields, where there are some.
+    fields: Option<TokenStream>,
+    /// Whether a function of a trait of its own reads the sine of each joint.
+    angles: Vec<bool>,
+    evaluation: Evaluation,
 }
 
-impl Target<'_> {
-    /// The inherent impl. `table` is the body of the method of that name.
-    fn inherent(
-        &self,
-        constants: &Constants,
-        table: &TokenStream,
-        methods: impl Iterator<Item = impl ToTokens>,
-    ) -> TokenStream {
-        let Constants {
+impl Items {
+    fn implementations(self, target: &Target, requests: &[Request]) -> TokenStream {
+        let functions: Vec<Function> = requests.iter().filter_map(Request::function).collect();
+        let inherent = self.inherent(target);
+        let traits = traits::traits(
+            target,
+            &functions,
+            &self.angles,
+            &self.table,
+            &self.evaluation,
+        );
+        let provided = traits::provided(target, self.provided.into_iter());
+        let of_function = traits::functions(target, requests.iter().zip(self.functions));
+        let (fields, batches) = (self.fields, batch::fused(target, requests));
+        quote!(#inherent #provided #of_function #fields #batches #traits)
+    }
+
+    /// The inherent impl.
+    fn inherent(&self, target: &Target) -> TokenStream {
+        let Items {
             names,
             limits,
             operations,
             formulas,
             base_parameters,
-        } = constants;
+            table,
+            bodies,
+            ..
+        } = self;
         let Target {
             name, cfgs, path, ..
-        } = self;
-        let n = self.n();
+        } = target;
+        let n = target.n();
         let count = Literal::usize_unsuffixed(operations.len());
         quote! {
             #cfgs
@@ -317,7 +327,7 @@ impl Target<'_> {
                     &[#(#formulas),*]
                 }
 
-                #(#methods)*
+                #(#bodies)*
             }
         }
     }

@@ -1,7 +1,9 @@
 //! What the struct's documentation says of the base, of the tool, of joints that are locked or follow
 //! others and of terms that are neglected.
 
-use dynamics_symbolic::robot::{Coupling, Neglected, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{
+    Coupling, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
+};
 
 use crate::validate::Model;
 
@@ -10,15 +12,18 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     let robot = &model.robot;
     let base = robot.base.as_ref().map(|base| self::base(robot, base));
     let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
-    let frames = base.into_iter().chain(tool);
-    let mut lines: Vec<String> = frames.flat_map(|text| section(&text, Vec::new())).collect();
-    lines.extend(locked(model));
-    let notes = model.notes.iter();
-    lines.extend(notes.flat_map(|note| section(note, Vec::new())));
+    let mut lines: Vec<String> = base.into_iter().chain(tool).flat_map(paragraph).collect();
+    lines.extend(locked(robot));
+    lines.extend(model.notes.iter().cloned().flat_map(paragraph));
     lines.extend(coupled(robot));
-    if let Some(neglected) = &model.robot.neglected {
-        lines.extend(self::neglected(neglected));
-    }
+    lines.extend(
+        robot
+            .neglected
+            .as_ref()
+            .map(neglected)
+            .into_iter()
+            .flat_map(paragraph),
+    );
     lines
 }
 
@@ -31,9 +36,10 @@ fn base(robot: &Robot, base: &Placement) -> String {
 }
 
 fn tool(robot: &Robot, tool: &Tool) -> String {
-    let body = match tool.has_body() {
-        true => format!(", with a body of {} kg", shown(robot, &tool.mass)),
-        false => String::new(),
+    let body = if tool.has_body() {
+        format!(", with a body of {} kg", shown(robot, &tool.mass))
+    } else {
+        String::new()
     };
     format!(
         " The tool frame is placed in the last link frame at {}{body}: it is the tip, of which \
@@ -60,72 +66,68 @@ fn shown(robot: &Robot, value: &Value) -> String {
     }
 }
 
-fn locked(model: &Model) -> Vec<String> {
-    let locked = model.robot.rows.iter().filter_map(|row| {
+fn locked(robot: &Robot) -> Vec<String> {
+    let locked = robot.rows.iter().filter_map(|row| {
         let position = row.locked.as_ref().filter(|_| !row.is_place())?;
-        let position = match position.is_number() {
-            true => position.to_f64(&[]).to_string(),
-            false => "a position made of fields".to_owned(),
+        let position = if position.is_number() {
+            position.to_f64(&[]).to_string()
+        } else {
+            "a position made of fields".to_owned()
         };
         Some(format!(" - `{}` at {position}", row.name))
     });
-    let locked: Vec<String> = locked.collect();
-    match locked.is_empty() {
-        true => Vec::new(),
-        false => section(
-            " Joints that are locked, and are none of this arm's:",
-            locked,
-        ),
-    }
+    list(
+        " Joints that are locked, and are none of this arm's:",
+        locked.collect(),
+    )
 }
 
 fn coupled(robot: &Robot) -> Vec<String> {
     let line = |(row, coupling): (&Row, &Coupling)| {
         let leader = &robot.rows[coupling.leader].name;
         let factor = shown(robot, &coupling.factor);
-        let offset = match coupling.offset.is_zero() {
-            true => String::new(),
-            false => format!(" + ({})", shown(robot, &coupling.offset)),
+        let offset = if coupling.offset.is_zero() {
+            String::new()
+        } else {
+            format!(" + ({})", shown(robot, &coupling.offset))
         };
         format!(" - `{}` = {factor} * `{leader}`{offset}", row.name)
     };
-    let coupled: Vec<String> = robot.followers().map(line).collect();
-    match coupled.is_empty() {
-        true => Vec::new(),
-        false => section(
-            " Joints that follow others, and are none of this arm's; their links, motors, friction and springs \
-             count through the joints that they follow:",
-            coupled,
-        ),
-    }
+    list(
+        " Joints that follow others, and are none of this arm's; their links, motors, friction and springs count through \
+         the joints that they follow:",
+        robot.followers().map(line).collect(),
+    )
 }
 
-fn neglected(neglected: &Neglected) -> Vec<String> {
+fn neglected(neglected: &Neglected) -> String {
     let percent = dynamics_symbolic::percent(neglected.share);
-    let name = |&(row, parameter): &(usize, dynamics_symbolic::robot::Parameter)| {
-        format!("`{}`", parameter.name(row + 1))
-    };
+    let name = |&(row, parameter): &(usize, Parameter)| format!("`{}`", parameter.name(row + 1));
     let names: Vec<String> = neglected.columns.iter().map(name).collect();
-    let text = match names.is_empty() {
-        true => format!(
+    if names.is_empty() {
+        return format!(
             " Nothing is neglected: every base inertial parameter makes {percent} % or more of the largest value of a function."
-        ),
-        false => format!(
-            " Abbreviated: of the Lagrangian, the base inertial parameters that make less than {percent} % of the \
-             largest value of M, V and G each are neglected, and all functions are derived from what is left: {}. \
-             `table()` is the complete table.",
-            names.join(", ")
-        ),
-    };
-    section(&text, Vec::new())
+        );
+    }
+    format!(
+        " Abbreviated: of the Lagrangian, the base inertial parameters that make less than {percent} % of the largest \
+         value of M, V and G each are neglected, and all functions are derived from what is left: {}. `table()` is the \
+         complete table.",
+        names.join(", ")
+    )
 }
 
-/// A paragraph and its list.
-fn section(text: &str, list: Vec<String>) -> Vec<String> {
-    let mut lines = vec![String::new(), text.to_owned()];
-    if !list.is_empty() {
-        lines.push(String::new());
+/// A paragraph.
+fn paragraph(text: String) -> [String; 2] {
+    [String::new(), text]
+}
+
+/// A list, unless it is empty, behind a paragraph.
+fn list(text: &str, list: Vec<String>) -> Vec<String> {
+    if list.is_empty() {
+        return list;
     }
+    let mut lines = [paragraph(text.to_owned()).as_slice(), &[String::new()]].concat();
     lines.extend(list);
     lines
 }

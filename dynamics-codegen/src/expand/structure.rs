@@ -32,14 +32,13 @@ fn double(place: Span) -> TokenStream {
 
 /// The struct as it was meant: wrong fields are `f64`.
 pub(super) fn repaired(structure: &Structure) -> TokenStream {
-    item(
-        structure,
-        &[],
-        &|field| match PRIMITIVES.contains(&field.written.to_string().as_str()) {
-            true => field.written.clone(),
-            false => double(Span::call_site()),
-        },
-    )
+    item(structure, &[], &|field| {
+        if PRIMITIVES.contains(&field.written.to_string().as_str()) {
+            field.written.clone()
+        } else {
+            double(Span::call_site())
+        }
+    })
 }
 
 fn item(
@@ -53,14 +52,13 @@ fn item(
         name,
         ..
     } = structure;
-    let derive = match structure.has_derive {
-        true => TokenStream::new(),
-        // `Eq` on a struct without fields would be gone with the first field.
-        false => quote! {
+    // `Eq` on a struct without fields would be gone with the first field.
+    let derive = (!structure.has_derive).then(|| {
+        quote! {
             #[derive(Clone, Copy, Debug, PartialEq)]
             #[allow(clippy::derive_partial_eq_without_eq)]
-        },
-    };
+        }
+    });
     let fields = fields(structure).map(|field| {
         let Field {
             attributes,

@@ -1,12 +1,13 @@
 //! The table in numbers, which the runtime's checks read.
 
+use core::fmt::Debug;
+
 use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{
-    Angle, Convention, Coupling, JointType, Placement, Quantity, Robot, Row, Spring, Stribeck,
-    Tool, Value,
+    Angle, Coupling, Placement, Quantity, Robot, Row, Spring, Stribeck, Tool, Value,
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::call::Structure;
 
@@ -17,10 +18,7 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         .iter()
         .filter_map(|f| f.name.as_ref())
         .collect();
-    let convention = match robot.convention {
-        Convention::Standard => quote!(#path::Convention::Standard),
-        Convention::Modified => quote!(#path::Convention::Modified),
-    };
+    let convention = variant(robot.convention);
     let gravity = robot.gravity.iter().map(|value| number(value, &fields));
     let mut cell = |value: &Value, quantity| match quantity {
         Quantity::Angle => angle(value, &fields, path),
@@ -28,28 +26,25 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     };
     let cells: Vec<_> = robot.rows.iter().map(|row| row.map(&mut cell)).collect();
     let rows = cells.iter().map(|cells| row(cells, path));
-    let arm = if robot.is_coupled() {
-        let motions = cells.iter().map(|row| motion(row, path));
-        quote! {
-            #path::Table::couple(
-                #convention,
-                [#(#gravity),*],
-                [#(#rows),*],
-                [#(#motions),*],
-            )
-        }
+    let (made, motions): (_, Vec<_>) = if robot.is_coupled() {
+        (
+            quote!(couple),
+            cells.iter().map(|row| motion(row, path)).collect(),
+        )
     } else if robot.rows.iter().any(|row| row.locked.is_some()) {
-        let positions = cells.iter().map(position);
-        quote! {
-            #path::Table::lock(
-                #convention,
-                [#(#gravity),*],
-                [#(#rows),*],
-                [#(#positions),*],
-            )
-        }
+        (
+            quote!(lock),
+            cells
+                .iter()
+                .map(|row| option(row.locked.as_ref()))
+                .collect(),
+        )
     } else {
-        quote!(#path::Table::new(#convention, [#(#gravity),*], [#(#rows),*]))
+        (quote!(new), Vec::new())
+    };
+    let motions = (!motions.is_empty()).then(|| quote!([#(#motions),*],));
+    let arm = quote! {
+        #path::Table::#made(#path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions)
     };
     let base = robot.base.as_ref().map(|base| {
         let frame = frame(&base.map(&mut cell), path);
@@ -59,16 +54,21 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         let tool = self::tool(&tool.map(&mut cell), path);
         quote!(tool: #tool,)
     });
-    match base.is_none() && tool.is_none() {
-        true => arm,
-        false => quote!(#path::Table { #base #tool ..#arm }),
+    if base.is_none() && tool.is_none() {
+        arm
+    } else {
+        quote!(#path::Table { #base #tool ..#arm })
     }
 }
 
-/// Where the joint of a row is locked.
-fn position(row: &Row<TokenStream>) -> TokenStream {
-    match &row.locked {
-        Some(position) => quote!(::core::option::Option::Some(#position)),
+/// The name of a variant.
+fn variant(value: impl Debug) -> Ident {
+    Ident::new(&format!("{value:?}"), Span::call_site())
+}
+
+fn option(value: Option<impl ToTokens>) -> TokenStream {
+    match value {
+        Some(value) => quote!(::core::option::Option::Some(#value)),
         None => quote!(::core::option::Option::None),
     }
 }
@@ -77,14 +77,12 @@ fn position(row: &Row<TokenStream>) -> TokenStream {
 fn motion(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
     match (&row.locked, &row.follows) {
         (Some(position), _) => quote!(#path::JointMotion::Locked(#position)),
-        (
-            None,
-            Some(Coupling {
+        (None, Some(coupling)) => {
+            let Coupling {
                 leader,
                 factor,
                 offset,
-            }),
-        ) => {
+            } = coupling;
             let leader = Literal::usize_unsuffixed(*leader);
             quote! {
                 #path::JointMotion::Follows { leader: #leader, factor: #factor, offset: #offset }
@@ -118,10 +116,7 @@ fn tool(tool: &Tool<TokenStream>, path: &TokenStream) -> TokenStream {
 
 /// The row of the runtime; how its joint moves is said apart from it.
 fn row(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
-    let joint_type = match row.joint_type {
-        JointType::Revolute => quote!(#path::JointType::Revolute),
-        JointType::Prismatic => quote!(#path::JointType::Prismatic),
-    };
+    let joint_type = variant(row.joint_type);
     let cells = row.cells().map(|(name, values)| {
         let name = Ident::new(name, Span::call_site());
         match values {
@@ -154,7 +149,7 @@ fn row(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
             #spring
             limits: #limits,
             #link_frame
-            ..#path::Row::new(#joint_type)
+            ..#path::Row::new(#path::JointType::#joint_type)
         }
     }
 }
@@ -166,10 +161,7 @@ pub(super) fn limits(row: &Row) -> TokenStream {
 }
 
 fn range(limits: Option<&[TokenStream; 2]>) -> TokenStream {
-    match limits {
-        Some([lower, upper]) => quote!(::core::option::Option::Some([#lower, #upper])),
-        None => quote!(::core::option::Option::None),
-    }
+    option(limits.map(|[lower, upper]| quote!([#lower, #upper])))
 }
 
 /// An angle, from the same parts as the engine's sine and cosine of it: a constant as the double that
@@ -197,6 +189,10 @@ fn number(value: &Value, fields: &[&Ident]) -> TokenStream {
         return literal(value.to_f64(&[]));
     }
     let number = |value: &Value| number(value, fields);
+    let binary = |a, operator, b| {
+        let (a, b): (TokenStream, TokenStream) = (number(a), number(b));
+        quote!((#a #operator #b))
+    };
     match value {
         Value::Field(index) => {
             let field = fields[*index];
@@ -206,18 +202,9 @@ fn number(value: &Value, fields: &[&Ident]) -> TokenStream {
             let a = number(a);
             quote!((-#a))
         }
-        Value::Add(a, b) => {
-            let (a, b) = (number(a), number(b));
-            quote!((#a + #b))
-        }
-        Value::Mul(a, b) => {
-            let (a, b) = (number(a), number(b));
-            quote!((#a * #b))
-        }
-        Value::Div(a, b) => {
-            let (a, b) = (number(a), number(b));
-            quote!((#a / #b))
-        }
+        Value::Add(a, b) => binary(a, quote!(+), b),
+        Value::Mul(a, b) => binary(a, quote!(*), b),
+        Value::Div(a, b) => binary(a, quote!(/), b),
         Value::Rational(_) | Value::Pi => literal(value.to_f64(&[])),
     }
 }
@@ -226,9 +213,10 @@ fn number(value: &Value, fields: &[&Ident]) -> TokenStream {
 /// literal token holds none.
 fn literal(number: f64) -> TokenStream {
     let magnitude = Literal::f64_suffixed(number.abs());
-    match number < 0.0 {
-        true => quote!((-#magnitude)),
-        false => quote!(#magnitude),
+    if number < 0.0 {
+        quote!((-#magnitude))
+    } else {
+        quote!(#magnitude)
     }
 }
 

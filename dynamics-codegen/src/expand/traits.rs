@@ -1,7 +1,7 @@
 //! The runtime's traits: those of single functions hold the programs, the methods of the others
 //! hand on to the struct's own.
 
-use dynamics_symbolic::{Function, Request, function_type};
+use dynamics_symbolic::{Function, Request, function_type, handed_on};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
@@ -22,12 +22,31 @@ pub(super) fn traits(
     let has_energies = has(Function::KineticEnergy) && has(Function::PotentialEnergy);
     let model = model(target, angles, table, has_energies);
     let evaluate = evaluate(target, evaluation);
-    let energy = has_energies.then(|| energy(target));
-    let kinematics =
-        (has(Function::ForwardKinematics) && has(Function::Jacobian)).then(|| kinematics(target));
+    let pairs = [
+        (
+            "Energy",
+            [Function::KineticEnergy, Function::PotentialEnergy],
+        ),
+        (
+            "Kinematics",
+            [Function::ForwardKinematics, Function::Jacobian],
+        ),
+    ];
+    let pairs = pairs
+        .iter()
+        .filter(|(_, pair)| pair.iter().all(|function| has(*function)));
+    let pairs = pairs.map(|(name, pair)| {
+        let (header, _) = header(target, ident(name));
+        let methods = pair.map(|function| handed_on(function, target.dof, target.path));
+        quote!(#header { #(#methods)* })
+    });
     let articulated = (has(Function::ForwardDynamicsAba) && !has(Function::ForwardDynamics))
         .then(|| articulated_dynamics(target));
-    quote!(#model #evaluate #energy #kinematics #articulated)
+    quote!(#model #evaluate #(#pairs)* #articulated)
+}
+
+fn ident(name: &str) -> TokenStream {
+    Ident::new(name, Span::call_site()).into_token_stream()
 }
 
 /// The traits of single functions, whose methods hold the programs.
@@ -36,8 +55,7 @@ pub(super) fn provided(
     items: impl Iterator<Item = (Function, TokenStream)>,
 ) -> TokenStream {
     let implementation = |(function, item): (Function, TokenStream)| {
-        let name = Ident::new(function.trait_name()?, Span::call_site());
-        let (header, _) = header(target, name.into_token_stream());
+        let (header, _) = header(target, ident(function.trait_name()?));
         Some(quote!(#header { #item }))
     };
     items.filter_map(implementation).collect()
@@ -260,50 +278,6 @@ fn articulated_dynamics(target: &Target) -> TokenStream {
                     sines,
                     &(*q, *qd, *tau),
                 )
-            }
-        }
-    }
-}
-
-fn kinematics(target: &Target) -> TokenStream {
-    let path = target.path;
-    let (header, n) = header(target, quote!(Kinematics));
-    let nalgebra = quote!(#path::nalgebra);
-    quote! {
-        #header {
-            #[inline]
-            fn forward_kinematics<T: #path::Scalar>(
-                &self,
-                q: &#nalgebra::SVector<T, #n>,
-            ) -> #nalgebra::Matrix4<T> {
-                Self::forward_kinematics(self, q)
-            }
-
-            #[inline]
-            fn jacobian<T: #path::Scalar>(
-                &self,
-                q: &#nalgebra::SVector<T, #n>,
-            ) -> #nalgebra::SMatrix<T, 6, #n> {
-                Self::jacobian(self, q)
-            }
-        }
-    }
-}
-
-fn energy(target: &Target) -> TokenStream {
-    let path = target.path;
-    let (header, n) = header(target, quote!(Energy));
-    let vector = quote!(#path::nalgebra::SVector<T, #n>);
-    quote! {
-        #header {
-            #[inline]
-            fn kinetic_energy<T: #path::Scalar>(&self, q: &#vector, qd: &#vector) -> T {
-                Self::kinetic_energy(self, q, qd)
-            }
-
-            #[inline]
-            fn potential_energy<T: #path::Scalar>(&self, q: &#vector) -> T {
-                Self::potential_energy(self, q)
             }
         }
     }

@@ -1,204 +1,142 @@
 //! The file of a call: found, read, and put in place of the entry that names it.
 
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use dynamics_symbolic::exact::Rational;
+
+use super::reading::{ADDING, bytes, decoded, read};
+use super::{Format, Request, report_without_file};
+use crate::audience::Audience;
 use crate::call::Call;
-use crate::description::{Entry, FileName};
+use crate::description::{Entry, Expr, FileName, Positioned, Table};
 use crate::diagnose::Diagnostics;
+use crate::limits::MOST_BYTES;
 use crate::mistake::file as mistake;
+use crate::validate::{constant, functions::read_masses};
 
-/// Entries that say something about a file, and mean nothing without one.
-const ABOUT_FILES: [&str; 3] = ["chain", "ignore", "round_angles"];
+/// Entries in place of which a file stands.
+const INSTEAD: [&str; 2] = ["convention", "joints"];
 
-/// Puts what the file of a call says beside what the call says.
-pub(crate) fn load(call: &mut Call, diagnostics: &Diagnostics) {
-    let file = call.table.entries.iter().find_map(|entry| match entry {
-        Entry::File(file) => Some(file.clone()),
-        _ => None,
-    });
-    match file {
-        Some(Some(file)) => insert(call, &file, diagnostics),
-        Some(None) => {}
-        None => report_without_file(call, diagnostics),
-    }
-}
-
-fn report_without_file(call: &Call, diagnostics: &Diagnostics) {
+/// Reads the file and puts its entries where the call names it.
+pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
+    // What a URDF file leaves open is said in the call.
+    let audience = match Format::of(Path::new(&file.path)) {
+        Some(Format::Urdf) => Audience::Call,
+        _ => Audience::File,
+    };
+    diagnostics.reading(file, audience);
     for (key, place) in &call.table.keys {
-        if ABOUT_FILES.contains(key) {
-            diagnostics.error(*place, mistake::only_with_urdf(key));
+        if INSTEAD.contains(key) {
+            diagnostics.error(*place, mistake::instead_of(key, &file.path));
         }
     }
+    let Some(format) = format(file, diagnostics) else {
+        return;
+    };
+    let Some(text) = text(&mut call.tracked, file, diagnostics) else {
+        return;
+    };
+    if format != Format::Urdf {
+        report_without_file(call, diagnostics);
+    }
+    let Some(request) = request(&call.table, diagnostics) else {
+        return;
+    };
+    let used = &mut Vec::new();
+    let Some(read) = read(&text, format, &request, used, diagnostics) else {
+        return;
+    };
+    for (key, place) in &call.table.keys {
+        let is_in_file = read.keys.iter().any(|(other, _)| other == key);
+        if is_in_file && !INSTEAD.contains(key) && !ADDING.contains(key) {
+            diagnostics.error(*place, mistake::in_file_too(key, &file.path));
+        }
+    }
+    let table = &mut call.table;
+    forget_locks(&mut table.entries, used);
+    table.notes.extend(read.notes);
+    let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
+    let at = table.entries.iter().position(is_file).unwrap_or(0);
+    table.entries.splice(at..=at, read.entries);
+    table.mentions.extend(read.mentions);
 }
 
-#[cfg(not(feature = "files"))]
-fn insert(_: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
-    diagnostics.error(file.place, mistake::switched_off());
+/// What the call asks of the file; none where that could not be read.
+pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
+    let mut request = Request {
+        unphysical_inertia: table.allow().unphysical_inertia,
+        no_inertia: table.allow().no_inertia || !read_masses(table),
+        odd_angle: table.allow().odd_angle,
+        ..Request::default()
+    };
+    for entry in &table.entries {
+        match entry {
+            Entry::Chain(chain) => request.chain = Some(chain.clone()?),
+            Entry::Ignore(ignore) => request.ignore.clone_from(ignore.as_ref()?),
+            Entry::RoundAngles(angle) => {
+                let within = rounded_within(angle.as_ref()?, diagnostics)?;
+                request.round_angles = Some(within);
+            }
+            Entry::Lock(locked) => {
+                let locked = locked.as_ref()?.iter();
+                let lock = |locked: &Positioned| {
+                    let position = locked.position.as_ref().and_then(constant);
+                    (locked.name.clone(), position)
+                };
+                request.lock = locked.map(lock).collect();
+            }
+            _ => {}
+        }
+    }
+    Some(request)
 }
 
-#[cfg(feature = "files")]
-use reading::insert;
-#[cfg(feature = "files")]
-pub(super) use reading::{forget_locks, request};
-
-#[cfg(feature = "files")]
-mod reading {
-    use std::io::ErrorKind;
-    use std::path::{Path, PathBuf};
-
-    use super::*;
-    use dynamics_symbolic::exact::Rational;
-    use dynamics_symbolic::robot::Value;
-
-    use crate::audience::Audience;
-    use crate::description::{Expr, ExprKind, Operator, Positioned, Table};
-    use crate::files::{self, Format, Request};
-    use crate::limits::MOST_BYTES;
-    use crate::validate::functions::read_masses;
-
-    /// Entries in place of which a file stands.
-    const INSTEAD: [&str; 2] = ["convention", "joints"];
-
-    /// Reads the file and puts its entries where the call names it.
-    pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
-        // What a URDF file leaves open is said in the call.
-        let audience = match Format::of(Path::new(&file.path)) {
-            Some(Format::Urdf) => Audience::Call,
-            _ => Audience::File,
-        };
-        diagnostics.reading(file, audience);
-        for (key, place) in &call.table.keys {
-            if INSTEAD.contains(key) {
-                diagnostics.error(*place, mistake::instead_of(key, &file.path));
-            }
-        }
-        let Some(format) = format(file, diagnostics) else {
-            return;
-        };
-        let Some(text) = text(&mut call.tracked, file, diagnostics) else {
-            return;
-        };
-        if format != Format::Urdf {
-            report_without_file(call, diagnostics);
-        }
-        let Some(request) = request(&call.table, diagnostics) else {
-            return;
-        };
-        let used = &mut Vec::new();
-        let Some(read) = files::read(&text, format, &request, used, diagnostics) else {
-            return;
-        };
-        for (key, place) in &call.table.keys {
-            let is_in_file = read.keys.iter().any(|(other, _)| other == key);
-            if is_in_file && !INSTEAD.contains(key) && !files::ADDING.contains(key) {
-                diagnostics.error(*place, mistake::in_file_too(key, &file.path));
-            }
-        }
-        let table = &mut call.table;
-        forget_locks(&mut table.entries, used);
-        table.notes.extend(read.notes);
-        let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
-        let at = table.entries.iter().position(is_file).unwrap_or(0);
-        table.entries.splice(at..=at, read.entries);
-        table.mentions.extend(read.mentions);
+fn rounded_within(angle: &Expr, diagnostics: &Diagnostics) -> Option<Rational> {
+    let good = 0.0..=0.1;
+    let value = constant(angle).filter(|value| good.contains(&value.to_f64(&[])));
+    let value = value.and_then(|value| value.as_rational().cloned());
+    if value.is_none() {
+        diagnostics.error(angle.place, crate::mistake::urdf::round_angles());
     }
+    value
+}
 
-    /// What the call asks of the file; none where that could not be read.
-    pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
-        let mut request = Request {
-            unphysical_inertia: table.allow().unphysical_inertia,
-            no_inertia: table.allow().no_inertia || !read_masses(table),
-            odd_angle: table.allow().odd_angle,
-            ..Request::default()
-        };
-        for entry in &table.entries {
-            match entry {
-                Entry::Chain(chain) => request.chain = Some(chain.clone()?),
-                Entry::Ignore(ignore) => request.ignore.clone_from(ignore.as_ref()?),
-                Entry::RoundAngles(angle) => {
-                    let within = rounded_within(angle.as_ref()?, diagnostics)?;
-                    request.round_angles = Some(within);
-                }
-                Entry::Lock(locked) => {
-                    let locked = locked.as_ref()?.iter();
-                    let lock = |locked: &Positioned| {
-                        let position = locked.position.as_ref().and_then(constant);
-                        (locked.name.clone(), position)
-                    };
-                    request.lock = locked.map(lock).collect();
-                }
-                _ => {}
-            }
+/// Removes the joints `used`, which are not part of the arm, from the list of locked joints.
+pub(crate) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
+    for entry in entries.iter_mut() {
+        if let Entry::Lock(Some(locked)) = entry {
+            locked.retain(|locked| !used.iter().any(|name| name == locked.name.plain()));
         }
-        Some(request)
     }
+    entries.retain(|entry| !matches!(entry, Entry::Lock(Some(locked)) if locked.is_empty()));
+}
 
-    fn rounded_within(angle: &Expr, diagnostics: &Diagnostics) -> Option<Rational> {
-        let good = 0.0..=0.1;
-        let value = constant(angle).filter(|value| good.contains(&value.to_f64(&[])));
-        let value = value.and_then(|value| value.as_rational().cloned());
-        if value.is_none() {
-            diagnostics.error(angle.place, crate::mistake::urdf::round_angles());
-        }
-        value
+fn format(file: &FileName, diagnostics: &Diagnostics) -> Option<Format> {
+    let format = Format::of(Path::new(&file.path));
+    if format.is_none() {
+        diagnostics.error(file.place, mistake::unknown_format(&file.path));
     }
+    format
+}
 
-    /// The value of an expression of numbers and PI.
-    fn constant(expr: &Expr) -> Option<Value> {
-        Some(match &expr.kind {
-            ExprKind::Number(number) => Value::Rational(number.clone()),
-            ExprKind::Name(name) if name == "PI" => Value::Pi,
-            ExprKind::Name(_) | ExprKind::Function(..) => return None,
-            ExprKind::Degrees(angle) => {
-                constant(angle)?.checked_div(Value::integer(180))? * Value::Pi
-            }
-            ExprKind::Minus(value) => -constant(value)?,
-            ExprKind::Binary(operator, a, b) => {
-                let (a, b) = (constant(a)?, constant(b)?);
-                match operator {
-                    Operator::Add => a + b,
-                    Operator::Sub => a - b,
-                    Operator::Mul => a * b,
-                    Operator::Div => a.checked_div(b)?,
-                }
-            }
-        })
-    }
-
-    /// Removes the joints `used`, which are not part of the arm, from the list of locked joints.
-    pub(crate) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
-        for entry in entries.iter_mut() {
-            if let Entry::Lock(Some(locked)) = entry {
-                locked.retain(|locked| !used.iter().any(|name| name == locked.name.plain()));
-            }
-        }
-        entries.retain(|entry| !matches!(entry, Entry::Lock(Some(locked)) if locked.is_empty()));
-    }
-
-    fn format(file: &FileName, diagnostics: &Diagnostics) -> Option<Format> {
-        let format = Format::of(Path::new(&file.path));
-        if format.is_none() {
-            diagnostics.error(file.place, mistake::unknown_format(&file.path));
-        }
-        format
-    }
-
-    /// The file's text. A path starts at the folder of the crate's Cargo.toml.
-    fn text(
-        tracked: &mut Option<String>,
-        file: &FileName,
-        diagnostics: &Diagnostics,
-    ) -> Option<String> {
-        let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
-        let path = folder.unwrap_or_default().join(&file.path);
-        let unreadable = |error: std::io::Error| match error.kind() {
-            ErrorKind::NotFound => mistake::not_found(&file.path),
-            _ => mistake::unreadable(&file.path, &error),
-        };
-        let bytes = files::bytes(&path, MOST_BYTES);
-        let bytes = bytes.map_err(|error| diagnostics.error(file.place, unreadable(error)));
-        let bytes = bytes.ok()?;
-        *tracked = path.to_str().map(str::to_owned);
-        files::decoded(bytes)
-            .map_err(|(place, mistake)| diagnostics.error(place, mistake))
-            .ok()
-    }
+/// The file's text. A path starts at the folder of the crate's Cargo.toml.
+fn text(
+    tracked: &mut Option<String>,
+    file: &FileName,
+    diagnostics: &Diagnostics,
+) -> Option<String> {
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let path = folder.unwrap_or_default().join(&file.path);
+    let unreadable = |error: std::io::Error| match error.kind() {
+        ErrorKind::NotFound => mistake::not_found(&file.path),
+        _ => mistake::unreadable(&file.path, &error),
+    };
+    let bytes = bytes(&path, MOST_BYTES);
+    let bytes = bytes.map_err(|error| diagnostics.error(file.place, unreadable(error)));
+    let bytes = bytes.ok()?;
+    *tracked = path.to_str().map(str::to_owned);
+    decoded(bytes)
+        .map_err(|(place, mistake)| diagnostics.error(place, mistake))
+        .ok()
 }

@@ -1,39 +1,35 @@
 //! Files of robots: what the entry `file` of a call names, or another program reads.
 //!
 //! The formats are read by crates that keep the text and the place of every number, so that decimals stay exact
-//! and mistakes are reported with line and column. The result is a [`Table`], as that of a call.
-
-mod load;
-mod request;
+//! and mistakes are reported with line and column. The result is a [`Table`](crate::description::Table), as that of a
+//! call.
 
 #[cfg(feature = "files")]
 mod json;
+#[cfg(feature = "files")]
+mod load;
+#[cfg(feature = "files")]
+mod reading;
 #[cfg(feature = "files")]
 mod toml;
 #[cfg(feature = "files")]
 mod urdf;
 
-#[cfg(feature = "files")]
-pub use crate::limits::MOST_BYTES;
-pub(crate) use load::load;
-pub use request::Request;
-
-#[cfg(feature = "files")]
-use std::collections::BTreeSet;
-#[cfg(feature = "files")]
-use std::io::Read as _;
 use std::path::Path;
 
-#[cfg(feature = "files")]
-use crate::description::{Entry, Name, Place, Table};
-#[cfg(feature = "files")]
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+
+use crate::call::Call;
+use crate::description::{Entry, Name};
 use crate::diagnose::Diagnostics;
 #[cfg(feature = "files")]
-use crate::mistake::{Mistake, file as mistake};
+pub use crate::limits::MOST_BYTES;
+use crate::mistake::file as mistake;
 #[cfg(feature = "files")]
-use crate::tree::Language;
+use load::insert;
 #[cfg(feature = "files")]
-use crate::{Error, Model};
+pub use reading::*;
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,281 +56,51 @@ impl Format {
     }
 }
 
-/// The bytes of a file that has at most so many.
-///
-/// # Errors
-///
-/// What the system says of a file that cannot be read; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if it is longer,
-/// or a folder, a pipe or a device, of which no end may ever be read.
-#[cfg(feature = "files")]
-pub fn bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
-    // To open a pipe waits for somebody who writes into it.
-    let kind = std::fs::metadata(path)?;
-    if kind.is_dir() {
-        return Err(unread("it is a folder, expected a file".to_owned()));
-    }
-    if !kind.is_file() {
-        return Err(unread(format!(
-            "it is a pipe or a device and may be longer than {most} bytes, expected a file"
-        )));
-    }
-    bytes_of_any(path, most)
+/// What is asked of a URDF file.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The first and the last link of the arm.
+    pub chain: Option<[Name; 2]>,
+    /// Joints that are left out, with all that hangs on them. `rest`, where no joint has that name, is all joints
+    /// beside the chain that are not named, here and in `lock`.
+    pub ignore: Vec<Name>,
+    /// Joints that stand still, and where, or `rest`; no position is one that is not known here.
+    pub lock: Vec<(Name, Option<Value>)>,
+    /// How near an angle is to a multiple of a quarter turn that it is taken for, rad, and which share of an axis is zero.
+    pub round_angles: Option<Rational>,
+    /// Whether tensors that no body can have are accepted.
+    pub unphysical_inertia: bool,
+    /// Whether movable links without `<inertial>` are taken as massless.
+    pub no_inertia: bool,
+    /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
+    pub odd_angle: bool,
 }
 
-/// As [`bytes`], of a pipe or a device too: only so many are read of it.
-///
-/// # Errors
-///
-/// What the system says; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if there are more.
-#[cfg(feature = "files")]
-pub fn bytes_of_any(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path)?;
-    match file.take(most as u64 + 1).read_to_end(&mut bytes)? {
-        read if read > most => Err(unread(format!("it is longer than {most} bytes"))),
-        _ => Ok(bytes),
-    }
-}
+/// Entries that say something about a file, and mean nothing without one.
+const ABOUT_FILES: [&str; 3] = ["chain", "ignore", "round_angles"];
 
-/// The error of a file that is not read, or not whole.
-#[cfg(feature = "files")]
-fn unread(reason: String) -> std::io::Error {
-    std::io::Error::new(std::io::ErrorKind::InvalidInput, reason)
-}
-
-/// The text of a file's bytes.
-///
-/// # Errors
-///
-/// The first of them that is none of a text in UTF-8.
-#[cfg(feature = "files")]
-pub fn text(bytes: Vec<u8>) -> Result<String, Error> {
-    decoded(bytes).map_err(|(place, mistake)| Error {
-        place,
-        message: mistake.to_string(),
-    })
-}
-
-#[cfg(feature = "files")]
-fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
-    let is_utf_16 = match bytes[..] {
-        // The mark at its start; without one, a letter of which a byte is zero.
-        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
-        [first, second, ..] => (first == 0) != (second == 0),
-        _ => false,
-    };
-    let start = Place::File { line: 1, column: 1 };
-    if is_utf_16 {
-        return Err((start, mistake::utf_16()));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let (good, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
-        let good = String::from_utf8_lossy(good);
-        let last = good.rsplit('\n').next().unwrap_or_default();
-        let place = Place::File {
-            line: 1 + good.matches('\n').count(),
-            column: 1 + last.chars().count(),
-        };
-        (
-            place,
-            mistake::no_text(rest.first().copied().unwrap_or_default()),
-        )
-    })
-}
-
-/// Reads the text of a file: what it says of the robot `name`, or all that cannot be read. What a table
-/// says is judged by [`check`](crate::check); it need not have everything that a robot needs.
-#[cfg(feature = "files")]
-pub fn table(
-    name: &str,
-    text: &str,
-    format: Format,
-    request: &Request,
-) -> Result<Table, Vec<Error>> {
-    let diagnostics = Diagnostics::new();
-    let used = &mut Vec::new();
-    let table = read(text, format, request, used, &diagnostics).unwrap_or_default();
-    named(name, table, diagnostics)
-}
-
-/// The table of a robot of that name, unless there were mistakes.
-#[cfg(feature = "files")]
-fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
-    put_name(name, &mut table);
-    match diagnostics.is_empty() {
-        true => Ok(table),
-        false => Err(crate::errors(diagnostics, table.audience)),
-    }
-}
-
-#[cfg(feature = "files")]
-fn put_name(name: &str, table: &mut Table) {
-    let start = Place::File { line: 1, column: 1 };
-    table.name = Some(Name::new(name, start));
-    table.has_all_fields = true;
-}
-
-/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled and
-/// what is allowed add to the file's. Every other entry replaces the file's (a `let` replaces that of the same name);
-/// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
-/// passed over for a table. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
-#[cfg(feature = "files")]
-pub fn table_beside(
-    name: &str,
-    text: &str,
-    format: Format,
-    beside: Table,
-) -> Result<Table, Vec<Error>> {
-    let diagnostics = Diagnostics::new();
-    let table = put_beside(text, format, beside, &diagnostics);
-    named(name, table, diagnostics)
-}
-
-/// The model of a text with the entries of `beside`, as in [`table_beside`], or all mistakes: in what cannot be read, and
-/// in the rest of the robot.
-#[cfg(feature = "files")]
-pub fn model_beside(
-    name: &str,
-    text: &str,
-    format: Format,
-    beside: Table,
-) -> Result<Model, Vec<Error>> {
-    let diagnostics = Diagnostics::new();
-    let mut table = put_beside(text, format, beside, &diagnostics);
-    put_name(name, &mut table);
-    let model = crate::validate::model(&table, &diagnostics);
-    let errors = crate::errors(diagnostics, table.audience);
-    model.ok_or(errors)
-}
-
-/// Keys of entries that add to the same entries of a file.
-#[cfg(feature = "files")]
-const ADDING: [&str; 3] = ["lock", "couple", "allow"];
-
-/// Whether an entry has one of these keys.
-#[cfg(feature = "files")]
-fn adds(entry: &Entry) -> bool {
-    matches!(entry, Entry::Lock(_) | Entry::Couple(_) | Entry::Allow(_))
-}
-
-/// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of
-/// its entries.
-#[cfg(feature = "files")]
-fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagnostics) -> Table {
-    let request = load::request(&beside, diagnostics).unwrap_or_default();
-    let used = &mut Vec::new();
-    let unread = || Table {
-        entries: vec![Entry::File(None)],
-        ..Table::default()
-    };
-    let mut table = read(text, format, &request, used, diagnostics).unwrap_or_else(unread);
-    load::forget_locks(&mut beside.entries, used);
-    for (key, place) in &beside.keys {
-        if ["convention", "joint", "joints"].contains(key) {
-            diagnostics.error(*place, mistake::beside_a_file(key));
-        }
-    }
-    let (names, entries): (Vec<_>, Vec<_>) = beside
-        .entries
-        .into_iter()
-        .partition(|entry| matches!(entry, Entry::Let(..)));
-    bind_first(&mut table.entries, names);
-    for entry in entries {
-        if matches!(
-            entry,
-            Entry::Chain(_)
-                | Entry::Ignore(_)
-                | Entry::RoundAngles(_)
-                | Entry::Convention(_)
-                | Entry::Joints(..)
-        ) {
-            continue;
-        }
-        let same =
-            |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
-        table.entries.retain(|other| adds(&entry) || !same(other));
-        table.entries.push(entry);
-    }
-    table.keys.extend(beside.keys);
-    table.fields.extend(beside.fields);
-    table.audience = beside.audience;
-    table.needed = beside.needed;
-    table
-}
-
-/// Puts bindings of names before the entries, in the place of those that bind the same names.
-#[cfg(feature = "files")]
-fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
-    let name_of = |entry: &Entry| match entry {
-        Entry::Let(name, _) => Some(name.plain().to_owned()),
+/// Puts what the file of a call says beside what the call says.
+pub(crate) fn load(call: &mut Call, diagnostics: &Diagnostics) {
+    let file = call.table.entries.iter().find_map(|entry| match entry {
+        Entry::File(file) => Some(file.clone()),
         _ => None,
-    };
-    let bound: Vec<_> = bindings.iter().map(name_of).collect();
-    entries.retain(|entry| name_of(entry).is_none() || !bound.contains(&name_of(entry)));
-    entries.splice(0..0, bindings);
+    });
+    match file {
+        Some(Some(file)) => insert(call, &file, diagnostics),
+        Some(None) => {}
+        None => report_without_file(call, diagnostics),
+    }
 }
 
-/// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot
-/// be read.
-#[cfg(feature = "files")]
-pub fn joint_names(text: &str, format: Format) -> Vec<String> {
-    let diagnostics = Diagnostics::new();
-    let names = match format {
-        Format::Urdf => urdf::joint_names(text, &diagnostics),
-        _ => {
-            let used = &mut Vec::new();
-            let table = read(text, format, &Request::default(), used, &diagnostics);
-            let entries = table.into_iter().flat_map(|table| table.entries);
-            let rows = entries.filter_map(|entry| match entry {
-                Entry::Joints(_, joints) => Some(joints?.rows),
-                _ => None,
-            });
-            let names = rows.flatten().filter_map(|row| row.name);
-            names.map(|name| name.plain().to_owned()).collect()
+fn report_without_file(call: &Call, diagnostics: &Diagnostics) {
+    for (key, place) in &call.table.keys {
+        if ABOUT_FILES.contains(key) {
+            diagnostics.error(*place, mistake::only_with_urdf(key));
         }
-    };
-    diagnostics.forget();
-    names
+    }
 }
 
-/// The links of the text of a URDF file to which no joint leads, and those from which none does: where an arm may begin
-/// and end. None where it cannot be read.
-#[cfg(feature = "files")]
-pub fn ends(text: &str) -> Option<[Vec<String>; 2]> {
-    let diagnostics = Diagnostics::new();
-    let ends = urdf::ends(text, &diagnostics);
-    diagnostics.forget();
-    ends
-}
-
-/// The names in the values of the text of a table.
-#[cfg(feature = "files")]
-pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
-    let diagnostics = Diagnostics::new();
-    let table = read(
-        text,
-        format,
-        &Request::default(),
-        &mut Vec::new(),
-        &diagnostics,
-    );
-    diagnostics.forget();
-    table.map_or(BTreeSet::new(), |table| table.mentions)
-}
-
-/// The entries of a text; what cannot be read is reported. None of a text of another format.
-#[cfg(feature = "files")]
-fn read(
-    text: &str,
-    format: Format,
-    request: &Request,
-    used: &mut Vec<String>,
-    diagnostics: &Diagnostics,
-) -> Option<Table> {
-    let (root, language) = match format {
-        Format::Toml => (toml::document(text, diagnostics), Language::Toml),
-        Format::Json => (json::document(text, diagnostics), Language::Json),
-        Format::Urdf => return urdf::read(text, request, used, diagnostics),
-    };
-    root.map(|root| crate::read::table(&root, language, diagnostics))
+#[cfg(not(feature = "files"))]
+fn insert(_: &mut Call, file: &crate::description::FileName, diagnostics: &Diagnostics) {
+    diagnostics.error(file.place, mistake::switched_off());
 }

@@ -1,9 +1,9 @@
 //! Mistakes in joints that follow others.
 
-use super::Mistake;
+use super::{Mistake, hint};
 use crate::description::Name;
 use crate::limits::MOST_FOLLOWERS;
-use crate::words::{all, either, shortened};
+use crate::words::{all, quoted, shortened};
 
 mistakes! {
     none() "no joint follows another one: name one, `[follower = factor * leader + offset]`, or leave `couple` out";
@@ -26,25 +26,10 @@ mistakes! {
     too_many() "more joints follow others than an arm may have: at most {MOST_FOLLOWERS}";
     too_many_rows(most: usize)
         "too many joints for an arm in which some follow others: at most {most}, the followers included";
-}
-
-/// Joints that follow one another: the names, the first one again at the end.
-pub(crate) fn circle(names: &[&str]) -> Mistake {
-    let [first, others @ ..] = names else {
-        return Mistake::new("joints follow one another in a circle");
-    };
-    let chain: Vec<String> = others.iter().map(|name| format!("`{name}`")).collect();
-    Mistake::new(format!(
-        "`{first}` follows {}: one of them has to move by itself",
-        chain.join(", which follows ")
-    ))
-}
-
-/// A name in a position that is neither a joint nor a value.
-pub(crate) fn unknown_leader(word: &str, meant: Option<&str>, joints: &[&str]) -> Mistake {
-    let hint = match meant {
-        Some(right) => format!("did you mean `{right}`?"),
-        None => format!("the joints are {}", either(joints)),
-    };
-    Mistake::new(format!("unknown name `{}`: {hint}", shortened(word)))
+    /// Joints that follow one another: the names, the first one again at the end.
+    circle(names: &[&str]) {first: names[0], chain: quoted(&names[1..], ", which follows ")}
+        "`{first}` follows {chain}: one of them has to move by itself";
+    /// A name in a position that is neither a joint nor a value.
+    unknown_leader(word: &str => shortened, meant: Option<&str>, joints: &[&str])
+        {hint: hint(meant, joints, "the joints are")} "unknown name `{word}`: {hint}";
 }

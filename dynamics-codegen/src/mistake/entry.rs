@@ -3,9 +3,9 @@
 use std::fmt::Display;
 
 use super::Mistake;
-use crate::audience::{AT_THE_END, Audience};
+use crate::audience::AT_THE_END;
 use crate::description::Name;
-use crate::words::{either, number, shortened};
+use crate::words::{number, shortened};
 
 mistakes! {
     /// A word that is no convention.
@@ -61,70 +61,27 @@ mistakes! {
         "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m";
     tests_of_one_factor(function: &str, other: &str)
         "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, ask for both";
+    /// In a call, or in a file, of either format.
+    missing_convention(is_of_file: bool)
+        "missing `convention`: expected \"standard\" or \"modified\"" if is_of_file
+        else "missing `convention`: write `convention: standard` or `convention: modified`";
+    missing_gravity(is_of_file: bool) [example: gravity(is_of_file)]
+        "missing `gravity`, the acceleration of gravity in the axes of the world, those of the base frame where there \
+         is no `base`: {example}, for example";
+    missing_joints(is_of_file: bool)
+        "missing joints: expected a table for each, with `name`, `type` and its cells" if is_of_file
+        else "missing `joints`: write `joints: [name: revolute {{ ... }}, ...]`";
+    /// A joint that the file and the entries beside it lock at different positions.
+    locked_at_two(name: &str, one: Option<f64> => known, other: Option<f64> => known)
+        "`{name}` is locked at {one} in one place and at {other} in another: remove one of the two";
+    locked_out_of_limits(value: f64 => number, name: &str, lower: f64 => number, upper: f64 => number)
+        "{value} is outside of the limits of `{name}`, {lower} to {upper}";
+    /// 1 or more, in percent or not.
+    share_of_more_than_all(size: f64 => number, is_percent: bool)
+        "a share is below 100%" if is_percent else "a share is below 1: `{size}%` is {size} parts of a hundred";
 }
 
-/// In a call, or in a file, of either format.
-pub(crate) fn missing_convention(is_of_file: bool) -> Mistake {
-    Mistake::new(match is_of_file {
-        true => "missing `convention`: expected \"standard\" or \"modified\"",
-        false => "missing `convention`: write `convention: standard` or `convention: modified`",
-    })
-}
-
-pub(crate) fn missing_gravity(is_of_file: bool) -> Mistake {
-    Mistake::advice(|audience| {
-        let example = match (audience, is_of_file) {
-            (Audience::Call, false) => "write `gravity: [0, 0, -9.81]`",
-            (Audience::Call, true) | (Audience::File, _) => "expected [0, 0, -9.81]",
-            (Audience::Command, _) => "expected [0, 0, -9.81], or `--gravity 0,0,-9.81`",
-        };
-        format!(
-            "missing `gravity`, the acceleration of gravity in the axes of the world, those of the base frame \
-             where there is no `base`: {example}, for example"
-        )
-    })
-}
-
-pub(crate) fn missing_joints(is_of_file: bool) -> Mistake {
-    Mistake::new(match is_of_file {
-        true => "missing joints: expected a table for each, with `name`, `type` and its cells",
-        false => "missing `joints`: write `joints: [name: revolute { ... }, ...]`",
-    })
-}
-
-/// A joint that the file and the entries beside it lock at different positions; one that is no number is none here.
-pub(crate) fn locked_at_two(name: &str, positions: [Option<f64>; 2]) -> Mistake {
-    let shown =
-        |position: Option<f64>| position.map_or("the value of a formula".to_owned(), number);
-    let [one, other] = positions.map(shown);
-    Mistake::new(format!(
-        "`{name}` is locked at {one} in one place and at {other} in another: remove one of the two"
-    ))
-}
-
-/// A name that no joint has.
-pub(crate) fn unknown_joint(word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
-    let hint = match meant {
-        Some(right) => format!("did you mean `{right}`?"),
-        None => format!("expected {}", either(known)),
-    };
-    Mistake::new(format!("unknown joint `{}`: {hint}", shortened(word)))
-}
-
-pub(crate) fn locked_out_of_limits(value: f64, name: &str, [lower, upper]: [f64; 2]) -> Mistake {
-    let [value, lower, upper] = [value, lower, upper].map(number);
-    Mistake::new(format!(
-        "{value} is outside of the limits of `{name}`, {lower} to {upper}"
-    ))
-}
-
-/// 1 or more, in percent or not.
-pub(crate) fn share_of_more_than_all(size: f64, percent: bool) -> Mistake {
-    Mistake::new(match percent {
-        true => "a share is below 100%".to_owned(),
-        false => format!(
-            "a share is below 1: `{0}%` is {0} parts of a hundred",
-            number(size)
-        ),
-    })
+/// A position, if it is a number.
+fn known(position: Option<f64>) -> String {
+    position.map_or("the value of a formula".to_owned(), number)
 }

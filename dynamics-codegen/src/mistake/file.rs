@@ -41,43 +41,22 @@ mistakes! {
     only_with_urdf(word: &str) "`{word}` is about a URDF file: write it beside `file: \"robots/arm.urdf\"`";
     /// Another number of links.
     two_links() "a chain has two names, those of its first and its last link: `[\"base_link\", \"tool0\"]`";
-}
-
-/// `joint_1.0 = 0` in TOML, where a dot leads into a table.
-pub(crate) fn dotted_name(first: &str, second: &str) -> Mistake {
-    let name = shortened(&format!("{first}.{second}"));
-    Mistake::new(format!(
-        "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`"
-    ))
-}
-
-/// A key of the table in the row of a joint, behind whose line it stands.
-pub(crate) fn of_the_whole_table(word: &str, is_json: bool) -> Mistake {
-    let place = match is_json {
-        true => "beside `joints`",
-        false => "above the first line `[[joint]]`",
-    };
-    Mistake::new(format!(
-        "`{word}` belongs to the whole table and to no joint: write it {place}"
-    ))
-}
-
-pub(crate) fn typeless_joint(is_json: bool) -> Mistake {
-    let word = match is_json {
-        true => "\"type\":",
-        false => "type =",
-    };
-    Mistake::new(format!(
-        "this joint has no type: write `{word} \"revolute\"` or `{word} \"prismatic\"`"
-    ))
+    /// `joint_1.0 = 0` in TOML, where a dot leads into a table.
+    dotted_name(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
+        "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`";
+    /// A key of the table in the row of a joint, behind whose line it stands.
+    of_the_whole_table(word: &str, is_json: bool)
+        "`{word}` belongs to the whole table and to no joint: write it beside `joints`" if is_json
+        else "`{word}` belongs to the whole table and to no joint: write it above the first line `[[joint]]`";
+    typeless_joint(is_json: bool) {word: if is_json { "\"type\":" } else { "type =" }}
+        "this joint has no type: write `{word} \"revolute\"` or `{word} \"prismatic\"`";
 }
 
 /// The joints of a table.
 pub(crate) fn joints(is_json: bool) -> &'static str {
-    match is_json {
-        true => {
-            "a list of joints, `[{ \"name\": \"shoulder\", \"type\": \"revolute\" }]` for example"
-        }
-        false => "joints, each under a line `[[joint]]`",
+    if is_json {
+        "a list of joints, `[{ \"name\": \"shoulder\", \"type\": \"revolute\" }]` for example"
+    } else {
+        "joints, each under a line `[[joint]]`"
     }
 }

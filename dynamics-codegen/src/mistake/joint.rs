@@ -3,7 +3,6 @@
 use std::fmt::Display;
 
 use super::Mistake;
-use crate::audience::Audience;
 use crate::words::number;
 
 mistakes! {
@@ -96,31 +95,14 @@ mistakes! {
     position_of_many_turns(size: f64 => number)
         "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of `PI` for a joint \
          that turns so far";
-}
-
-/// `fixed`
-pub(crate) fn fixed(name: &impl Display) -> Mistake {
-    Mistake::advice(|audience| {
-        let lock = audience.lock(&name.to_string(), "0");
-        let place = match audience {
-            Audience::Call => " at the end of the table",
-            Audience::File | Audience::Command => "",
-        };
-        format!(
-            "a joint that stands still is `revolute` or `prismatic` and locked, {lock}{place}; a body fixed to the \
-             last link is the `tool`"
-        )
-    })
+    /// `fixed`
+    fixed(name: &impl Display) [lock: lock(&name.to_string(), "0"), place: end_of_table()]
+        "a joint that stands still is `revolute` or `prismatic` and locked, {lock}{place}; a body fixed to the last \
+         link is the `tool`";
+    /// As [`position_of_many_turns`], in the words of URDF, which has neither `deg` nor `PI`.
+    limit_in_degrees(radians: f64) {degrees: number(radians), right: radians.to_radians()}
+        "`<limit>` is in radians, and {degrees} rad are more than five turns: {degrees} degrees are {right:.4} rad, and \
+         a joint that turns so far is `continuous`";
 }
 
 const STRIBECK: &str = "stribeck: { static: 0.8, velocity: 0.01 }";
-
-/// As [`position_of_many_turns`], in the words of URDF, which has neither `deg` nor `PI`.
-pub(crate) fn limit_in_degrees(radians: f64) -> Mistake {
-    let degrees = number(radians);
-    Mistake::new(format!(
-        "`<limit>` is in radians, and {degrees} rad are more than five turns: {degrees} degrees are {:.4} rad, and a \
-         joint that turns so far is `continuous`",
-        radians.to_radians()
-    ))
-}

@@ -3,19 +3,26 @@
 //!
 //! A [`Mistake`] can be made in this module alone, and nothing else can be reported.
 
-/// Makes a function of each mistake: its name, what it is told (`=> shown` shows a value by that function), in brackets
-/// the words of the audience that it gives advice in, and the text.
+/// Makes a function of each mistake: its name, its arguments (`=> shown` shows one by that function), in braces what
+/// follows from them, in brackets the advice in words of the audience, and the text, or two texts and when to take the
+/// first of them.
 macro_rules! mistakes {
     ($(
         $(#[$about:meta])*
         $name:ident($($told:ident: $type:ty $(=> $shown:ident)?),*)
-            $([$($advice:ident: $say:ident($($word:expr),*)),*])? $text:literal;
+            $({$($part:ident: $value:expr),*})?
+            $([$($advice:ident: $say:ident($($word:expr),*)),*])?
+            $text:literal $(if $is_first:ident else $other:literal)?;
     )*) => {$(
         $(#[$about])*
         pub(crate) fn $name($($told: $type),*) -> Mistake {
             $($(let $told = $shown($told);)?)*
+            $($(let $part = $value;)*)?
             Mistake::advice(|_audience| {
                 $($(let $advice = _audience.$say($($word),*);)*)?
+                $(if !$is_first {
+                    return format!($other);
+                })?
                 format!($text)
             })
         }
@@ -88,6 +95,22 @@ impl fmt::Display for Mistake {
     }
 }
 
+mistakes! {
+    /// A key, cell or entry that stands there already.
+    given_twice(word: &str) "`{word}` is given twice";
+    /// An attribute on an item of the table.
+    attribute() "only doc comments are allowed here";
+    /// `#` and no attribute.
+    lonely_hash() "expected a name, found `#`";
+    /// Too much is neglected.
+    neglected_too_much(refused: &NotPositiveDefinite) "{refused}";
+    /// The engine could not prove a function.
+    not_proven(failure: &impl fmt::Display) "{failure}";
+    /// A word that is not known; `meant` is the known word that was probably meant.
+    unknown(what: &str, word: &str => shortened, meant: Option<&str>, known: &[&str])
+        {hint: hint(meant, known, "expected")} "unknown {what} `{word}`: {hint}";
+}
+
 /// Something else stands where `what` was expected; nothing does where the tokens end.
 pub(crate) fn instead(what: &expected::Expected, found: Option<&str>) -> Mistake {
     Mistake::new(match found {
@@ -96,36 +119,10 @@ pub(crate) fn instead(what: &expected::Expected, found: Option<&str>) -> Mistake
     })
 }
 
-/// A word that is not known; `meant` is the known word that was probably meant.
-pub(crate) fn unknown(what: &str, word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
-    let word = shortened(word);
-    Mistake::new(match meant {
-        Some(right) => format!("unknown {what} `{word}`: did you mean `{right}`?"),
-        None => format!("unknown {what} `{word}`: expected {}", either(known)),
-    })
-}
-
-/// A key, cell or entry that stands there already.
-pub(crate) fn given_twice(word: &str) -> Mistake {
-    Mistake::new(format!("`{word}` is given twice"))
-}
-
-/// An attribute on an item of the table.
-pub(crate) fn attribute() -> Mistake {
-    Mistake::new("only doc comments are allowed here")
-}
-
-/// `#` and no attribute.
-pub(crate) fn lonely_hash() -> Mistake {
-    Mistake::new("expected a name, found `#`")
-}
-
-/// Too much is neglected.
-pub(crate) fn neglected_too_much(refused: &NotPositiveDefinite) -> Mistake {
-    Mistake::new(refused.to_string())
-}
-
-/// The engine could not prove a function.
-pub(crate) fn not_proven(failure: &impl fmt::Display) -> Mistake {
-    Mistake::new(failure.to_string())
+/// What to write: the word that was probably meant, or one of those that are known.
+fn hint(meant: Option<&str>, known: &[&str], which: &str) -> String {
+    match meant {
+        Some(right) => format!("did you mean `{right}`?"),
+        None => format!("{which} {}", either(known)),
+    }
 }

@@ -24,19 +24,9 @@ mistakes! {
         "the values of this call have more than {MOST_TERMS_IN_ALL} terms in all, the `let`s in them written out";
     digits() "the exact value of this is a fraction of more than 1,200 digits: write a decimal number";
     digits_in_all() "the exact fractions of this table have more than 50,000 digits in all: write decimal numbers";
-}
-
-pub(crate) fn name(name: &str) -> Mistake {
-    let (start, letters) = (shortened(name), name.chars().count());
-    Mistake::new(format!(
-        "a name has at most {MOST_LETTERS} letters: `{start}` has {letters}"
-    ))
-}
-
-/// Tuples of functions with too many functions in all.
-pub(crate) fn parts(joints: usize) -> Mistake {
-    let most = MOST_PARTS / joints.max(1);
-    Mistake::new(format!(
-        "the tuples of one call have at most {most} functions in all with {joints} joints"
-    ))
+    name(name: &str) {start: shortened(name), letters: name.chars().count()}
+        "a name has at most {MOST_LETTERS} letters: `{start}` has {letters}";
+    /// Tuples of functions with too many functions in all.
+    parts(joints: usize) {most: MOST_PARTS / joints.max(1)}
+        "the tuples of one call have at most {most} functions in all with {joints} joints";
 }

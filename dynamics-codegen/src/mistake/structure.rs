@@ -15,13 +15,8 @@ mistakes! {
     field_with_default(name: &impl Display)
         "a field has no default: `{name}` gets its value where the struct is built";
     unused_field(name: &str) "no value uses the field `{name}`";
-}
-
-/// A keyword in place of a name. Some of them can be names all the same.
-pub(crate) fn keyword(what: &impl Display, word: &impl Display, can_be_raw: bool) -> Mistake {
-    let hint = match can_be_raw {
-        true => format!(": write `r#{word}`, or another name"),
-        false => String::new(),
-    };
-    Mistake::new(format!("expected {what}, found the keyword `{word}`{hint}"))
+    /// A keyword in place of a name. Some of them can be names all the same.
+    keyword(what: &impl Display, word: &impl Display, can_be_raw: bool)
+        "expected {what}, found the keyword `{word}`: write `r#{word}`, or another name" if can_be_raw
+        else "expected {what}, found the keyword `{word}`";
 }

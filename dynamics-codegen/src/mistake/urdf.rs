@@ -2,7 +2,7 @@
 
 use super::Mistake;
 use crate::audience::Audience;
-use crate::words::{all, either, number, shortened};
+use crate::words::{all, number, shortened};
 
 mistakes! {
     no_robot(found: &str => shortened) "expected `<robot>`, found `<{found}>` ({EXPANDED})";
@@ -38,58 +38,74 @@ mistakes! {
     lock_with_names(joint: &str => shortened)
         "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without \
          fields and `let`";
+    /// The same of all joints beside the chain.
+    rest_with_names()
+        "`rest` is all joints beside the chain: their position is a sum, product or quotient of numbers and `PI`, \
+         without fields and `let`";
     negative_mass() "a mass cannot be negative";
     no_body(reason: &str) [allow: allow("unphysical_inertia", "in the call")]
         "no body has this inertia tensor: {reason} (published data can be like that: {allow} accepts it)";
     round_angles() "expected an angle between 0 and 0.1 rad: `round_angles: 1e-4`, for example";
+    /// The second of two elements of which only one is read; `place` is that of the first.
+    repeated(element: &str, word: &str, place: (usize, usize)) {line: place.0, column: place.1}
+        "a second `<{word}>` in one `<{element}>`, the first stands in line {line}, column {column}: remove one of them";
+    /// A joint whose parent or child is no link.
+    unknown_link_of(joint: &str => shortened, link: &str => shortened, meant: Option<&str>)
+        {hint: meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"))}
+        "the joint `{joint}` names the link `{link}`, which is not there{hint}";
+    /// `chain` left out. `first` are the links to which no joint leads, and `last` those from which none does.
+    chain_missing(first: &[&str], last: &[&str])
+        {from: first.first().unwrap_or(&"base_link"), to: last.first().unwrap_or(&"tool0"), others: other_ends(last)}
+        [chain: chain(from, to)]
+        "missing `chain`, the arm's first and last link: write {chain}, for example{others}";
+    /// `<mimic>` of a joint that cannot lead, and why it cannot.
+    no_leader(joint: Still, is_beside: bool, leader: &str => shortened, why: &str)
+        {name: shortened(joint.joint)} [lock: lock_still(joint), way_out: lock_or_leave_out(joint)]
+        "the joint `{name}` follows `{leader}`, {why}: {way_out}" if is_beside
+        else "the joint `{name}` follows `{leader}`, {why}: lock it where it stands still, {lock}, or take the `<mimic>` \
+              away for a joint of its own";
+    /// A joint on the chain that follows one beside it, which moves.
+    leader_off_chain(joint: Still, leader: Still)
+        {name: shortened(joint.joint), leader_name: shortened(leader.joint)}
+        [one: lock_still(leader), other: lock_still(joint)]
+        "the joint `{name}` follows `{leader_name}` (`<mimic>`), which is not on the chain: lock that where it stands \
+         still, {one}, or lock this one, {other}, or take the `<mimic>` away for a joint of its own";
+    /// A joint beside the chain that follows one on it.
+    follower_off_chain(joint: Still, leader: &str => shortened)
+        {name: shortened(joint.joint)} [way_out: lock_or_leave_out(joint)]
+        "the joint `{name}` follows `{leader}` (`<mimic>`), which moves, and is not on the chain itself: {way_out}";
+    /// A movable joint that is not on the chain.
+    off_chain(joint: Still) {name: shortened(joint.joint)} [way_out: lock_or_leave_out(joint)]
+        "the joint `{name}` moves, and is not on the chain: {way_out}";
+    /// A joint that stands still beside the chain, by its own lock, as one of the rest, or because it follows another one.
+    still_out_of_limits(joint: Still, position: f64 => number, limits: [f64; 2])
+        {name: shortened(joint.joint), lower: number(limits[0]), upper: number(limits[1])} [lock: lock_still(joint)]
+        "`{name}` would stand still at {position}, outside of its limits, {lower} to {upper}: {lock} is within them";
+    /// A link of which functions have to know the mass. `joint` is that which moves it, where nothing beyond has a mass.
+    no_inertial(link: &str => shortened, joint: Option<&str>) {singular: joint.map_or(String::new(), singular)}
+        [allow: allow("no_inertia", "in the call"), functions: functions("forward_kinematics", "jacobian")]
+        "the link `{link}` moves and has no `<inertial>`, nor has anything that is fixed to it: {allow} takes it as \
+         massless{singular}; functions of the geometry alone need none, {functions}";
+}
+
+/// The links at the ends of the tree, if there are several.
+fn other_ends(last: &[&str]) -> String {
+    match last {
+        [] | [_] => String::new(),
+        _ => format!(" (the links at the ends of the tree are {})", all(last)),
+    }
+}
+
+fn singular(joint: &str) -> String {
+    let joint = shortened(joint);
+    format!(
+        " (no mass moves with `{joint}` then, and `forward_dynamics` returns an error unless the `tool` has one)"
+    )
 }
 
 /// How a file in the language that URDF is written by becomes one in URDF.
 const EXPANDED: &str = "a file in xacro is expanded first: `xacro arm.urdf.xacro > arm.urdf`, \
                         after `pip install xacro` where there is no ROS";
-
-/// The second of two elements of which only one is read.
-pub(crate) fn repeated(element: &str, word: &str, (line, column): (usize, usize)) -> Mistake {
-    Mistake::new(format!(
-        "a second `<{word}>` in one `<{element}>`, the first stands in line {line}, column {column}: remove one of them"
-    ))
-}
-
-/// A joint whose parent or child is no link.
-pub(crate) fn unknown_link_of(joint: &str, link: &str, meant: Option<&str>) -> Mistake {
-    let hint = meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"));
-    Mistake::new(format!(
-        "the joint `{}` names the link `{}`, which is not there{hint}",
-        shortened(joint),
-        shortened(link)
-    ))
-}
-
-/// `chain` left out.
-///
-/// `first` are the links to which no joint leads, and `last` those from which none does.
-pub(crate) fn chain_missing(first: &[&str], last: &[&str]) -> Mistake {
-    let from = first.first().unwrap_or(&"base_link");
-    let to = last.first().unwrap_or(&"tool0");
-    Mistake::advice(|audience| {
-        let chain = audience.chain(from, to);
-        let others = match last {
-            [] | [_] => String::new(),
-            _ => format!(" (the links at the ends of the tree are {})", all(last)),
-        };
-        format!(
-            "missing `chain`, the arm's first and last link: write {chain}, for example{others}"
-        )
-    })
-}
-
-pub(crate) fn unknown_link(word: &str, meant: Option<&str>, known: &[&str]) -> Mistake {
-    let hint = match meant {
-        Some(right) => format!("did you mean `{right}`?"),
-        None => format!("expected {}", either(known)),
-    };
-    Mistake::new(format!("unknown link `{}`: {hint}", shortened(word)))
-}
 
 /// A joint that may be made to stand still.
 #[derive(Clone, Copy)]
@@ -99,11 +115,20 @@ pub(crate) struct Still<'a> {
     pub(crate) limits: Option<[f64; 2]>,
 }
 
-impl Still<'_> {
-    /// How it is locked: at zero, or at the limit that is nearest to it.
-    fn lock(self, audience: Audience) -> String {
-        let [lower, upper] = self.limits.unwrap_or([0.0, 0.0]);
-        audience.lock(self.joint, &number(0.0_f64.clamp(lower, upper)))
+impl Audience {
+    /// How a joint is locked: at zero, or at the limit that is nearest to it.
+    fn lock_still(self, Still { joint, limits }: Still) -> String {
+        let [lower, upper] = limits.unwrap_or([0.0, 0.0]);
+        self.lock(joint, &number(0.0_f64.clamp(lower, upper)))
+    }
+
+    /// What can be done about a joint beside the chain.
+    fn lock_or_leave_out(self, joint: Still) -> String {
+        let (lock, ignore) = (self.lock_still(joint), self.ignore(joint.joint));
+        format!(
+            "lock it where it stands still, {lock}, or leave it out with all that hangs on it, {ignore} (`rest` as a \
+             name is all such joints)"
+        )
     }
 }
 
@@ -116,102 +141,3 @@ pub(crate) fn unknown_leader(meant: Option<&str>) -> String {
 /// `<mimic>` of a joint that has no position.
 pub(crate) const WITHOUT_POSITION: &str =
     "which has no position (it is neither revolute nor prismatic)";
-
-/// `<mimic>` of a joint that cannot lead, and why it cannot.
-pub(crate) fn no_leader(joint: Still, is_beside: bool, leader: &str, why: &str) -> Mistake {
-    Mistake::advice(|audience| {
-        let way_out = match is_beside {
-            true => locked_or_left_out(joint, audience),
-            false => format!(
-                "lock it where it stands still, {}, or take the `<mimic>` away for a joint of its own",
-                joint.lock(audience)
-            ),
-        };
-        format!(
-            "the joint `{}` follows `{}`, {why}: {way_out}",
-            shortened(joint.joint),
-            shortened(leader)
-        )
-    })
-}
-
-/// A joint on the chain that follows one beside it, which moves.
-pub(crate) fn leader_off_chain(joint: Still, leader: Still) -> Mistake {
-    Mistake::advice(|audience| {
-        format!(
-            "the joint `{}` follows `{}` (`<mimic>`), which is not on the chain: lock that where it stands still, {}, \
-             or lock this one, {}, or take the `<mimic>` away for a joint of its own",
-            shortened(joint.joint),
-            shortened(leader.joint),
-            leader.lock(audience),
-            joint.lock(audience),
-        )
-    })
-}
-
-/// A joint beside the chain that follows one on it.
-pub(crate) fn follower_off_chain(joint: Still, leader: &str) -> Mistake {
-    Mistake::advice(|audience| {
-        format!(
-            "the joint `{}` follows `{}` (`<mimic>`), which moves, and is not on the chain itself: {}",
-            shortened(joint.joint),
-            shortened(leader),
-            locked_or_left_out(joint, audience)
-        )
-    })
-}
-
-/// A movable joint that is not on the chain.
-pub(crate) fn off_chain(joint: Still) -> Mistake {
-    Mistake::advice(|audience| {
-        format!(
-            "the joint `{}` moves, and is not on the chain: {}",
-            shortened(joint.joint),
-            locked_or_left_out(joint, audience)
-        )
-    })
-}
-
-/// What can be done about a joint beside the chain.
-fn locked_or_left_out(joint: Still, audience: Audience) -> String {
-    let (lock, ignore) = (joint.lock(audience), audience.ignore(joint.joint));
-    format!(
-        "lock it where it stands still, {lock}, or leave it out with all that hangs on it, {ignore} (`rest` as a name is \
-         all such joints)"
-    )
-}
-
-/// A joint that stands still beside the chain, by its own lock, as one of the rest, or because it follows another one.
-pub(crate) fn still_out_of_limits(
-    joint: Still,
-    position: f64,
-    [lower, upper]: [f64; 2],
-) -> Mistake {
-    let [position, lower, upper] = [position, lower, upper].map(number);
-    Mistake::advice(|audience| {
-        format!(
-            "`{}` would stand still at {position}, outside of its limits, {lower} to {upper}: {} is within them",
-            shortened(joint.joint),
-            joint.lock(audience)
-        )
-    })
-}
-
-/// A link of which functions have to know the mass. `joint` is that which moves it, where nothing beyond has a mass.
-pub(crate) fn no_inertial(link: &str, joint: Option<&str>) -> Mistake {
-    Mistake::advice(|audience| {
-        let allow = audience.allow("no_inertia", "in the call");
-        let singular = joint.map_or(String::new(), |joint| {
-            let joint = shortened(joint);
-            format!(
-                " (no mass moves with `{joint}` then, and `forward_dynamics` returns an error unless the `tool` has one)"
-            )
-        });
-        format!(
-            "the link `{}` moves and has no `<inertial>`, nor has anything that is fixed to it: {allow} takes it as \
-             massless{singular}; functions of the geometry alone need none, {}",
-            shortened(link),
-            audience.functions("forward_kinematics", "jacobian")
-        )
-    })
-}

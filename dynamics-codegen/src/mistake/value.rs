@@ -38,38 +38,29 @@ mistakes! {
     field_twice(name: &str) "there is a field `{name}` already";
     let_twice(name: &str) "there is a `let {name}` already";
     let_mut() "no `mut` here: the value of a `let` does not change";
+    /// A path to a constant of that name.
+    constant_by_path(name: &impl Display)
+        {is_finite: !["NAN", "INFINITY", "NEG_INFINITY"].contains(&name.to_string().as_str())}
+        "constants of Rust cannot be read here: write its value, `let {name} = ...;` at the top of the table, or make \
+         it a field of the struct" if is_finite else "{FINITE}";
+    other_function(name: &str)
+        {is_angle: ["degree", "degrees", "radians", "to_radians", "deg2rad"].contains(&name)}
+        "`{name}(...)` is not known: write `deg(90)` for an angle in degrees; an angle in rad is a number" if is_angle
+        else "`{name}(...)` is not known: the functions are `deg(x)`, `sqrt(x)`, `sin(x)` and `cos(x)`";
+    /// A list of the wrong length.
+    other_count(shown: &str, found: usize => values) "expected `{shown}`, found {found}";
+    /// A Rust constant in place of a `let`.
+    constant(name: &impl Display, value: Option<&str>) {value: value.unwrap_or("...")}
+        "a value is named by `let`: write `let {name} = {value};`";
 }
 
-/// A path to a constant of that name.
-pub(crate) fn constant_by_path(name: &impl Display) -> Mistake {
-    if ["NAN", "INFINITY", "NEG_INFINITY"].contains(&name.to_string().as_str()) {
-        return Mistake::new(FINITE);
-    }
-    Mistake::new(format!(
-        "constants of Rust cannot be read here: write its value, \
-         `let {name} = ...;` at the top of the table, or make it a field of the struct"
-    ))
-}
-
-pub(crate) fn other_function(name: &str) -> Mistake {
-    if ["degree", "degrees", "radians", "to_radians", "deg2rad"].contains(&name) {
-        return Mistake::new(format!(
-            "`{name}(...)` is not known: write `deg(90)` for an angle in degrees; an angle in rad is a number"
-        ));
-    }
-    Mistake::new(format!(
-        "`{name}(...)` is not known: the functions are `deg(x)`, `sqrt(x)`, `sin(x)` and `cos(x)`"
-    ))
-}
-
-/// A list of the wrong length.
-pub(crate) fn other_count(shown: &str, found: usize) -> Mistake {
-    let found = match found {
+/// So many values.
+fn values(count: usize) -> String {
+    match count {
         0 => "no value".to_owned(),
         1 => "1 value".to_owned(),
         n => format!("{n} values"),
-    };
-    Mistake::new(format!("expected `{shown}`, found {found}"))
+    }
 }
 
 /// A name that means nothing. `variable` is the cell to which the joint's own variable is added, which
@@ -122,12 +113,4 @@ const FINITE: &str = "every number of a table is finite";
 fn is_constant(name: &str) -> bool {
     let is_upper = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
     name.len() > 1 && name.chars().all(is_upper) && name.starts_with(|c| c != '_')
-}
-
-/// A Rust constant in place of a `let`.
-pub(crate) fn constant(name: &impl Display, value: Option<&str>) -> Mistake {
-    let value = value.unwrap_or("...");
-    Mistake::new(format!(
-        "a value is named by `let`: write `let {name} = {value};`"
-    ))
 }

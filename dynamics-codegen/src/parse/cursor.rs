@@ -14,16 +14,17 @@ use crate::words::{LONGEST, shortened};
 /// A position in the tokens of one group.
 ///
 /// Groups without delimiters, in which `macro_rules!` wraps some of its fragments, are looked through:
-/// looking does not open them. What a *value* is made of must ask [`Cursor::at_fragment`] first, for
-/// there a fragment is one operand, whatever it holds.
+/// looking does not open them. A reader of operands must ask [`Cursor::at_fragment`] first, because there a fragment is
+/// one operand, whatever it holds.
 #[derive(Clone)]
 pub(crate) struct Cursor<'t> {
     rest: buffer::Cursor<'t>,
     /// The token read last, or what came before the first.
-    last: Place,
-    taken: usize,
-    /// The number that was read last, where nothing was read behind it.
-    number: Option<Literal>,
+    pub(crate) last: Place,
+    /// How many tokens were taken, by which progress is seen.
+    pub(crate) taken: usize,
+    /// Where the number is that was read last, unless something was read behind it.
+    number: Option<buffer::Cursor<'t>>,
     diagnostics: &'t Diagnostics,
 }
 
@@ -31,20 +32,10 @@ pub(crate) struct Cursor<'t> {
 #[derive(Clone, Copy)]
 pub(crate) struct Group<'t> {
     inside: buffer::Cursor<'t>,
-    delimiter: Delimiter,
-    span: Span,
-}
-
-impl Group<'_> {
     /// The place of the group, delimiters included.
-    pub(crate) fn span(&self) -> Span {
-        self.span
-    }
-
+    pub(crate) span: Span,
     /// Whether it is a fragment of another macro.
-    pub(crate) fn is_fragment(&self) -> bool {
-        self.delimiter == Delimiter::None
-    }
+    pub(crate) is_fragment: bool,
 }
 
 impl<'t> Cursor<'t> {
@@ -70,7 +61,7 @@ impl<'t> Cursor<'t> {
             last: group.span.into(),
             taken: 0,
             number: None,
-            diagnostics: self.diagnostics,
+            ..*self
         }
     }
 
@@ -132,16 +123,6 @@ impl<'t> Cursor<'t> {
         self.start().0
     }
 
-    /// The token that was read last.
-    pub(crate) fn last(&self) -> Place {
-        self.last
-    }
-
-    /// How many tokens were taken: what tells whether there was progress.
-    pub(crate) fn taken(&self) -> usize {
-        self.taken
-    }
-
     /// Whether no token is left.
     pub(crate) fn at_end(&self) -> bool {
         self.peek().is_none()
@@ -154,15 +135,12 @@ impl<'t> Cursor<'t> {
 
     /// The next token; none where there are errors enough.
     pub(crate) fn peek(&self) -> Option<TokenTree> {
-        self.next().map(|(token, _)| token)
+        next(self.open()?).map(|(token, _)| token)
     }
 
-    /// The next token and what follows it.
-    fn next(&self) -> Option<(TokenTree, buffer::Cursor<'t>)> {
-        match self.diagnostics.is_full() {
-            true => None,
-            false => next(self.rest),
-        }
+    /// The tokens that are left; none where there are errors enough.
+    fn open(&self) -> Option<buffer::Cursor<'t>> {
+        (!self.diagnostics.is_full()).then_some(self.rest)
     }
 
     /// Goes to `rest`, behind the token or fragment at `last`.
@@ -175,18 +153,17 @@ impl<'t> Cursor<'t> {
 
     /// Takes the next token.
     pub(crate) fn take(&mut self) -> Option<TokenTree> {
-        let (token, rest) = self.next()?;
+        let start = self.open()?;
+        let (token, rest) = next(start)?;
         self.advance(rest, token.span());
-        if let TokenTree::Literal(literal) = &token {
-            self.number = Some(literal.clone());
-        }
+        self.number = matches!(token, TokenTree::Literal(_)).then_some(start);
         Some(token)
     }
 
     /// Takes the `,4` behind the `0` of `0,4` where an item starts otherwise, and reports it.
     pub(crate) fn take_decimal_comma(&mut self, at_item: impl Fn(&Self) -> bool) {
         let mut ahead = self.clone();
-        if let Some(whole) = self.number.clone()
+        if let Some((TokenTree::Literal(whole), _)) = self.number.and_then(next)
             && ahead.take_char(',').is_some()
             && let Some(TokenTree::Literal(fraction)) = ahead.peek()
             && [&whole, &fraction].into_iter().all(is_digits)
@@ -206,22 +183,30 @@ impl<'t> Cursor<'t> {
 
     /// Takes the next fragment of another macro that holds something.
     pub(crate) fn take_fragment(&mut self) -> Option<Group<'t>> {
-        let mut rest = self.rest;
-        while !self.diagnostics.is_full()
-            && let Some((inside, span, behind)) = rest.group(Delimiter::None)
-        {
+        let mut rest = self.open()?;
+        loop {
+            let (inside, span, behind) = rest.group(Delimiter::None)?;
             rest = behind;
             if next(inside).is_some() {
-                let span = span.join();
-                self.advance(rest, span);
-                return Some(Group {
-                    inside,
-                    delimiter: Delimiter::None,
-                    span,
-                });
+                return Some(self.enter(inside, span.join(), rest, true));
             }
         }
-        None
+    }
+
+    /// The group with that content, behind which `rest` is.
+    fn enter(
+        &mut self,
+        inside: buffer::Cursor<'t>,
+        span: Span,
+        rest: buffer::Cursor<'t>,
+        is_fragment: bool,
+    ) -> Group<'t> {
+        self.advance(rest, span);
+        Group {
+            inside,
+            span,
+            is_fragment,
+        }
     }
 
     /// Takes the tokens in front of the next of these characters, or all that are left.
@@ -251,16 +236,13 @@ impl<'t> Cursor<'t> {
 
     /// The next token where it is an identifier or a keyword.
     pub(crate) fn peek_ident(&self) -> Option<Ident> {
-        match self.peek() {
-            Some(TokenTree::Ident(ident)) => Some(ident),
-            _ => None,
-        }
+        self.open()?.ident().map(|(ident, _)| ident)
     }
 
     /// Takes the next token where it is an identifier or a keyword.
     pub(crate) fn take_ident(&mut self) -> Option<Ident> {
-        let ident = self.peek_ident()?;
-        self.take();
+        let (ident, rest) = self.open()?.ident()?;
+        self.advance(rest, ident.span());
         Some(ident)
     }
 
@@ -274,30 +256,29 @@ impl<'t> Cursor<'t> {
         self.at_word(word).then(|| self.take_ident())?
     }
 
+    /// The next token where it is this character, and what follows it.
+    fn next_char(&self, character: char) -> Option<(Punct, buffer::Cursor<'t>)> {
+        self.open()?
+            .punct()
+            .filter(|(punct, _)| punct.as_char() == character)
+    }
+
     /// Whether the next token is this character.
     pub(crate) fn at(&self, character: char) -> bool {
-        matches!(self.peek(), Some(TokenTree::Punct(punct)) if punct.as_char() == character)
+        self.next_char(character).is_some()
     }
 
     /// Takes the next token where it is this character.
     pub(crate) fn take_char(&mut self, character: char) -> Option<Span> {
-        self.at(character)
-            .then(|| self.take().map(|token| token.span()))?
+        let (punct, rest) = self.next_char(character)?;
+        self.advance(rest, punct.span());
+        Some(punct.span())
     }
 
     /// Takes the next token where it is a group of that kind.
     pub(crate) fn take_group(&mut self, delimiter: Delimiter) -> Option<Group<'t>> {
-        if self.diagnostics.is_full() {
-            return None;
-        }
-        let (inside, span, rest) = self.rest.group(delimiter)?;
-        let span = span.join();
-        self.advance(rest, span);
-        Some(Group {
-            inside,
-            delimiter,
-            span,
-        })
+        let (inside, span, rest) = self.open()?.group(delimiter)?;
+        Some(self.enter(inside, span.join(), rest, false))
     }
 
     /// Takes the next token where it is a group with delimiters; where they are not
@@ -335,37 +316,21 @@ impl<'t> Cursor<'t> {
 
     /// Whether `name:` comes next, the start of a keyed item.
     pub(crate) fn at_key(&self) -> bool {
-        let colon = |rest| next_char(rest, ':');
-        match self.behind_name().and_then(colon) {
-            Some(behind) => colon(behind).is_none(),
-            None => false,
-        }
+        let mut ahead = self.clone();
+        ahead.take_ident().is_some() && ahead.take_char(':').is_some() && !ahead.at(':')
     }
 
     /// Whether a name and that character come next.
     pub(crate) fn at_name_before(&self, character: char) -> bool {
-        let behind = self.behind_name();
-        behind.is_some_and(|rest| next_char(rest, character).is_some())
-    }
-
-    /// What follows the name that comes next.
-    fn behind_name(&self) -> Option<buffer::Cursor<'t>> {
-        match self.next()? {
-            (TokenTree::Ident(_), rest) => Some(rest),
-            _ => None,
-        }
+        let mut ahead = self.clone();
+        ahead.take_ident().is_some() && ahead.at(character)
     }
 
     /// Whether `::` comes next.
     pub(crate) fn at_path_separator(&self) -> bool {
-        match self.next() {
-            Some((TokenTree::Punct(punct), rest)) => {
-                punct.as_char() == ':'
-                    && punct.spacing() == Spacing::Joint
-                    && next_char(rest, ':').is_some()
-            }
-            _ => false,
-        }
+        let mut ahead = self.clone();
+        let is_joint = |(colon, _): (Punct, _)| colon.spacing() == Spacing::Joint;
+        self.next_char(':').is_some_and(is_joint) && ahead.take_char(':').is_some() && ahead.at(':')
     }
 
     /// After an error in an item: skips what is left of it, to behind the next `,` or
@@ -398,36 +363,28 @@ fn next(rest: buffer::Cursor) -> Option<(TokenTree, buffer::Cursor)> {
 
 /// The next token where a fragment comes next, and what follows it, in the fragment or behind it.
 fn next_in_fragment(rest: buffer::Cursor) -> Option<(TokenTree, buffer::Cursor)> {
-    if let Some((ident, rest)) = rest.ident() {
-        return Some((ident.into(), rest));
-    }
-    if let Some((punct, rest)) = rest.punct() {
-        return Some((punct.into(), rest));
-    }
-    if let Some((literal, rest)) = rest.literal() {
-        return Some((literal.into(), rest));
-    }
     if let Some((lifetime, rest)) = rest.lifetime() {
         let mut quote = Punct::new('\'', Spacing::Joint);
         quote.set_span(lifetime.span());
         return Some((quote.into(), rest));
     }
-    DELIMITERS.into_iter().find_map(|delimiter| {
-        let (inside, span, rest) = rest.group(delimiter)?;
-        let mut group = proc_macro2::Group::new(delimiter, inside.token_stream());
-        group.set_span(span.join());
-        Some((group.into(), rest))
-    })
+    let group = || {
+        DELIMITERS.into_iter().find_map(|delimiter| {
+            let (inside, span, rest) = rest.group(delimiter)?;
+            let mut group = proc_macro2::Group::new(delimiter, inside.token_stream());
+            group.set_span(span.join());
+            Some((group.into(), rest))
+        })
+    };
+    let ident = rest.ident().map(|(ident, rest)| (ident.into(), rest));
+    ident
+        .or_else(|| rest.punct().map(|(punct, rest)| (punct.into(), rest)))
+        .or_else(|| rest.literal().map(|(literal, rest)| (literal.into(), rest)))
+        .or_else(group)
 }
 
 /// The delimiters that can be seen.
 const DELIMITERS: [Delimiter; 3] = [Delimiter::Parenthesis, Delimiter::Bracket, Delimiter::Brace];
-
-/// What follows that character where it comes next.
-fn next_char(rest: buffer::Cursor, character: char) -> Option<buffer::Cursor> {
-    let (punct, rest) = rest.punct()?;
-    (punct.as_char() == character).then_some(rest)
-}
 
 fn is_digits(literal: &Literal) -> bool {
     literal.to_string().chars().all(|c| c.is_ascii_digit())

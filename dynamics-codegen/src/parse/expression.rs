@@ -74,13 +74,13 @@ fn at_sign(cursor: &Cursor, sign: char) -> bool {
 
 /// Reports the power `left ** right`, at its second `*`.
 fn power(cursor: &mut Cursor, left: &Expr) -> Reported {
-    let start = cursor.last();
+    let start = cursor.last;
     cursor.take();
     let base = match &left.kind {
         ExprKind::Name(name) => name,
         _ => "x",
     };
-    cursor.error(start.to(cursor.last()), mistake::power(base))
+    cursor.error(start.to(cursor.last), mistake::power(base))
 }
 
 /// Reads an operand with its signs.
@@ -170,7 +170,7 @@ fn name(cursor: &mut Cursor, ident: Ident, limits: &mut Limits) -> Result<Expr, 
         let argument = within(cursor, &arguments, limits)?;
         return Ok(Expr {
             kind: of(Box::new(argument)),
-            place: place.to(arguments.span()),
+            place: place.to(arguments.span),
         });
     }
     word_alone(&word, place).map_err(|mistake| cursor.error(place, mistake))
@@ -228,7 +228,7 @@ fn path(cursor: &mut Cursor, start: Place) -> Reported {
         cursor.take();
         last = cursor.take_ident().or(last);
     }
-    let place = start.to(cursor.last());
+    let place = start.to(cursor.last);
     let Some(last) = last.filter(|_| !cursor.at('!')) else {
         return cursor.error(place, mistake::foreign("a path"));
     };
@@ -250,21 +250,21 @@ fn within<'t>(
 ) -> Result<Expr, Reported> {
     let mut inside = cursor.inside(group);
     if inside.at_end() {
-        return Err(cursor.error(group.span(), mistake::empty_parentheses()));
+        return Err(cursor.error(group.span, mistake::empty_parentheses()));
     }
     let expr = sum(&mut inside, limits)?;
     no_other_operator(&mut inside)?;
     if !inside.at_end() {
         return Err(inside.expected(expected::end_of_parentheses()));
     }
-    let place = match group.is_fragment() {
-        // The tokens of the fragment say more than its place in the other macro.
-        true => expr.place,
-        false => group.span().into(),
-    };
-    Ok(Expr {
-        kind: expr.kind,
-        place,
+    // The tokens of a fragment say more than its place in the other macro.
+    Ok(if group.is_fragment {
+        expr
+    } else {
+        Expr {
+            kind: expr.kind,
+            place: group.span.into(),
+        }
     })
 }
 

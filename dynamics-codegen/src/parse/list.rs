@@ -8,26 +8,22 @@ use crate::mistake::{self, expected};
 use crate::place::Place;
 use crate::tree::{Key, Node};
 
-/// An item: a value, alone or with its key.
-pub(super) trait Item {
-    fn node(&mut self) -> &mut Node;
-}
-
-impl Item for Node {
-    fn node(&mut self) -> &mut Node {
+// An item is a value, alone or with its key.
+impl AsMut<Node> for Node {
+    fn as_mut(&mut self) -> &mut Node {
         self
     }
 }
 
-impl Item for (Key, Node) {
-    fn node(&mut self) -> &mut Node {
+impl AsMut<Node> for (Key, Node) {
+    fn as_mut(&mut self) -> &mut Node {
         &mut self.1
     }
 }
 
 /// Reads items between commas, a comma after the last one allowed. `item` returns
 /// what it read and how a message names it; `at_item` tells whether an item starts here.
-pub(super) fn comma_separated<'t, T: Item>(
+pub(super) fn comma_separated<'t, T: AsMut<Node>>(
     mut cursor: Cursor<'t>,
     at_item: impl Fn(&Cursor<'t>) -> bool,
     mut item: impl FnMut(&mut Cursor<'t>) -> (T, String),
@@ -45,15 +41,15 @@ pub(super) fn comma_separated<'t, T: Item>(
 
 /// Reads an item, its documentation in front and its separator behind. Where the end of the item
 /// is not known, reading goes on at the next one.
-pub(super) fn one<'t, T: Item>(
+pub(super) fn one<'t, T: AsMut<Node>>(
     cursor: &mut Cursor<'t>,
     at_item: impl Fn(&Cursor<'t>) -> bool,
     item: impl FnOnce(&mut Cursor<'t>) -> (T, char, String),
 ) -> T {
-    let (start, errors) = (cursor.taken(), cursor.errors());
+    let (start, errors) = (cursor.taken, cursor.errors());
     skip_docs(cursor);
     let (mut item, separator, what) = item(cursor);
-    let node = item.node();
+    let node = item.as_mut();
     node.faults.splice(0..0, cursor.take_errors(errors));
     if node.has_end() {
         end_item(cursor, separator, &what, at_item);
@@ -81,7 +77,7 @@ fn end_item<'t>(
         return;
     }
     if !at_item(cursor) {
-        cursor.recover(cursor.taken());
+        cursor.recover(cursor.taken);
     }
 }
 
@@ -93,7 +89,7 @@ fn skip_docs(cursor: &mut Cursor) {
             return;
         };
         if !cursor.inside(&group).at_word("doc") {
-            let place = Place::from(hash).to(group.span());
+            let place = Place::from(hash).to(group.span);
             cursor.error(place, mistake::attribute());
         }
     }

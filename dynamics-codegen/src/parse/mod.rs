@@ -41,26 +41,15 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> (Call, Opti
     // The mistakes of the entries stand in their tree.
     let of_entries = Diagnostics::new();
     let mut cursor = Cursor::new(&tokens, Span::call_site(), diagnostics);
-    let path = path(&mut cursor);
-    let structure = structure::structure(&mut cursor);
-    if structure
-        .as_ref()
-        .is_none_or(|structure| !structure.complete)
-    {
+    let mut call = head(&mut cursor);
+    if !call.table.has_all_fields {
         entry::skip_to_entry(&mut cursor);
     }
-    let mentions = names(cursor.rest());
+    // Names are looked for where a field may be unused.
+    if !call.table.fields.is_empty() {
+        call.table.mentions = names(cursor.rest());
+    }
     let root = entry::entries(&mut cursor.reporting_to(&of_entries));
-    let call = Call {
-        path,
-        table: Table {
-            mentions,
-            ..table(structure.as_ref())
-        },
-        tracked: None,
-        structure,
-        is_refused: false,
-    };
     (call, Some(root))
 }
 
@@ -68,20 +57,24 @@ pub(crate) fn call(input: TokenStream, diagnostics: &Diagnostics) -> (Call, Opti
 fn refused(start: TokenStream) -> Call {
     let unread = Diagnostics::new();
     let tokens = TokenBuffer::new2(start);
-    let mut cursor = Cursor::new(&tokens, Span::call_site(), &unread);
-    let path = path(&mut cursor);
-    let structure = structure::structure(&mut cursor);
-    let is_good = unread.is_empty();
+    let mut call = head(&mut Cursor::new(&tokens, Span::call_site(), &unread));
+    call.is_refused = true;
+    call.table.entries.push(Entry::Functions(None));
+    if !unread.is_empty() {
+        call.structure = None;
+    }
     unread.forget();
+    call
+}
+
+/// Reads what stands in front of the entries.
+fn head(cursor: &mut Cursor) -> Call {
+    let path = path(cursor);
+    let structure = structure::structure(cursor);
     Call {
-        path,
-        structure: structure.filter(|_| is_good),
-        table: Table {
-            entries: vec![Entry::Functions(None)],
-            ..Table::default()
-        },
-        tracked: None,
-        is_refused: true,
+        table: table(structure.as_ref()),
+        structure,
+        ..Call::new(path)
     }
 }
 

@@ -2,7 +2,6 @@
 
 use dynamics_symbolic::exact::Rational;
 use proc_macro2::Literal;
-use syn::Lit;
 
 use crate::limits::MOST_DIGITS;
 use crate::mistake::{Mistake, number as mistake};
@@ -11,65 +10,75 @@ use crate::mistake::{Mistake, number as mistake};
 /// carry the suffix `f64`, and a sign where another macro made it. The error says what is wrong.
 pub(super) fn number(literal: &Literal) -> Result<Rational, Mistake> {
     let text = literal.to_string();
-    let unsigned = text.strip_prefix('-').unwrap_or(&text);
-    if ["0x", "0o", "0b"]
-        .iter()
-        .any(|radix| unsigned.starts_with(radix))
-    {
+    let Decimal {
+        is_negative,
+        mantissa,
+        exponent,
+        suffix,
+    } = Decimal::new(&text);
+    if mantissa == "0" && suffix.starts_with(['x', 'o', 'b']) {
         return Err(mistake::not_decimal());
     }
-    let whole = unsigned.find(|c: char| !c.is_ascii_digit() && c != '_');
-    if whole.unwrap_or(unsigned.len()) > MOST_WHOLE_DIGITS {
-        return Err(mistake::too_many_digits());
+    if mantissa.is_empty() {
+        return Err(mistake::other_literal(&text));
     }
-    let (digits, suffix) = match Lit::new(literal.clone()) {
-        Lit::Int(literal) => (
-            literal.base10_digits().to_owned(),
-            literal.suffix().to_owned(),
-        ),
-        Lit::Float(literal) => (
-            literal.base10_digits().to_owned(),
-            literal.suffix().to_owned(),
-        ),
-        _ => return Err(mistake::other_literal(&text)),
-    };
-    let unsigned = digits.strip_prefix('-').unwrap_or(&digits);
-    let (mantissa, exponent) = unsigned.split_once('e').unwrap_or((unsigned, ""));
-    no_suffix(mantissa, &suffix)?;
-    let value = value(mantissa, exponent_value(exponent))?;
-    Ok(if unsigned == digits { value } else { -value })
+    let [mantissa, exponent] = [mantissa, exponent].map(|digits| digits.replace('_', ""));
+    no_suffix(&mantissa, suffix)?;
+    value(is_negative, &mantissa, &exponent)
 }
 
 /// The exact value of a decimal in a file, such as `.5`, `-1.e-3` or `+1E05`. The error says what is wrong.
 #[cfg(feature = "files")]
 pub(crate) fn in_file(text: &str) -> Result<Rational, Mistake> {
-    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
-    let (mantissa, exponent) = match unsigned.split_once(['e', 'E']) {
-        Some((mantissa, exponent)) => (mantissa, Some(exponent)),
-        None => (unsigned, None),
-    };
-    let is_whole = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let decimal = Decimal::new(text);
+    let (whole, fraction) = decimal
+        .mantissa
+        .split_once('.')
+        .unwrap_or((decimal.mantissa, ""));
     let has_digits = !whole.is_empty() || !fraction.is_empty();
-    let good_exponent = exponent.is_none_or(|exponent| {
-        let digits = exponent.strip_prefix(['-', '+']).unwrap_or(exponent);
-        !digits.is_empty() && is_whole(digits)
-    });
-    if !(has_digits && is_whole(whole) && is_whole(fraction) && good_exponent) {
+    if !has_digits || fraction.contains('.') || !decimal.suffix.is_empty() || text.contains('_') {
         return Err(mistake::other_literal(text));
     }
-    let value = value(mantissa, exponent_value(exponent.unwrap_or("")))?;
-    Ok(match text.starts_with('-') {
-        true => -value,
-        false => value,
-    })
+    value(decimal.is_negative, decimal.mantissa, decimal.exponent)
 }
 
-/// Digits of a whole number, leading zeros included: syn reads them in a time that grows with their square.
-const MOST_WHOLE_DIGITS: usize = 1_000;
+/// The parts of a number as it is written.
+struct Decimal<'t> {
+    is_negative: bool,
+    /// Digits, `.` and `_`.
+    mantissa: &'t str,
+    exponent: &'t str,
+    suffix: &'t str,
+}
+
+impl Decimal<'_> {
+    fn new(text: &str) -> Decimal<'_> {
+        let is_digit = |c: char| c.is_ascii_digit() || c == '_';
+        let split = |text: &'_ str, is_inside: &dyn Fn(char) -> bool| {
+            let end = text.find(|c| !is_inside(c));
+            end.unwrap_or(text.len())
+        };
+        let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+        let (mantissa, rest) = unsigned.split_at(split(unsigned, &|c| is_digit(c) || c == '.'));
+        let power = rest.strip_prefix(['e', 'E']).unwrap_or("");
+        let digits = power.trim_start_matches(['-', '+']);
+        let sign = power.len() - digits.len();
+        let (exponent, suffix) = if sign < 2 && digits.starts_with(is_digit) {
+            power.split_at(sign + split(digits, &is_digit))
+        } else {
+            ("", rest)
+        };
+        Decimal {
+            is_negative: text.starts_with('-'),
+            mantissa,
+            exponent,
+            suffix,
+        }
+    }
+}
 
 /// The mantissa times ten to the power of the exponent, where a double can hold it.
-fn value(mantissa: &str, exponent: i64) -> Result<Rational, Mistake> {
+fn value(is_negative: bool, mantissa: &str, exponent: &str) -> Result<Rational, Mistake> {
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     let digits = format!("{whole}{fraction}");
     let digits = digits.trim_start_matches('0');
@@ -79,12 +88,12 @@ fn value(mantissa: &str, exponent: i64) -> Result<Rational, Mistake> {
     if digits.len() > MOST_DIGITS {
         return Err(mistake::too_many_digits());
     }
-    let scale = exponent.saturating_sub(fraction.len() as i64);
+    let scale = exponent_value(exponent).saturating_sub(fraction.len() as i64);
     let value = decimal(digits, scale)?;
     match value.to_f64().value() {
         infinite if infinite.is_infinite() => Err(mistake::too_large()),
         0.0 => Err(mistake::too_small()),
-        _ => Ok(value),
+        _ => Ok(if is_negative { -value } else { value }),
     }
 }
 
@@ -100,18 +109,12 @@ fn no_suffix(mantissa: &str, suffix: &str) -> Result<(), Mistake> {
 
 /// The exponent; one that is too long for a machine word saturates.
 fn exponent_value(text: &str) -> i64 {
-    let (negative, digits) = match text.strip_prefix('-') {
-        Some(digits) => (true, digits),
-        None => (false, text.trim_start_matches('+')),
-    };
-    if digits.is_empty() {
-        return 0;
-    }
-    match (digits.parse(), negative) {
-        (Ok(value), false) => value,
-        (Ok(value), true) => -value,
-        (Err(_), false) => i64::MAX,
-        (Err(_), true) => i64::MIN,
+    let is_negative = text.starts_with('-');
+    match text.parse() {
+        Ok(value) => value,
+        Err(_) if text.is_empty() => 0,
+        Err(_) if is_negative => i64::MIN,
+        Err(_) => i64::MAX,
     }
 }
 

@@ -68,7 +68,7 @@ impl Row {
             return Err(cursor.expected(expected::joint()));
         };
         if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
-            let place = Place::from(&name).to(group.span());
+            let place = Place::from(&name).to(group.span);
             return Err(cursor.error(place, mistake::joint::in_parentheses()));
         }
         let name = behind_extra_word(cursor, name);

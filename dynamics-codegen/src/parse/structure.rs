@@ -18,28 +18,21 @@ use crate::words;
 pub(super) fn structure(cursor: &mut Cursor) -> Option<Structure> {
     let attributes = attributes(cursor);
     let visibility = visibility(cursor);
-    let (name, body) = match item(cursor).ok()? {
-        Item::Struct(name) => {
-            let generic = generics(cursor);
-            let body = body(cursor, &name, generic);
-            (name, body)
-        }
-        Item::Other(name) => {
-            skip_body(cursor);
-            (name, Body::unreadable(Shape::Unit))
-        }
-    };
-    Some(Structure {
+    let (name, is_struct) = item(cursor).ok()?;
+    let mut structure = Structure {
         attributes: attributes.all,
         cfgs: attributes.cfgs,
         has_derive: attributes.has_derive,
         visibility,
-        name,
-        shape: body.shape,
-        fields: body.fields,
-        complete: body.complete,
-        is_alone: false,
-    })
+        ..Structure::new(name)
+    };
+    if is_struct {
+        let is_generic = skip_generics(cursor);
+        read_body(cursor, &mut structure, is_generic);
+    } else {
+        skip_body(cursor);
+    }
+    Some(structure)
 }
 
 #[derive(Default)]
@@ -99,9 +92,10 @@ impl Attributes {
 
 /// The arguments of `cfg_attr`: a condition, which may be `true` or `false`, and attributes.
 fn under_condition(input: ParseStream) -> syn::Result<(TokenStream, Punctuated<Meta, Token![,]>)> {
-    let condition = match input.peek(LitBool) {
-        true => input.parse::<LitBool>()?.to_token_stream(),
-        false => input.parse::<Meta>()?.to_token_stream(),
+    let condition = if input.peek(LitBool) {
+        input.parse::<LitBool>()?.to_token_stream()
+    } else {
+        input.parse::<Meta>()?.to_token_stream()
     };
     input.parse::<Token![,]>()?;
     let conditional = Punctuated::parse_terminated(input)?;
@@ -130,39 +124,31 @@ fn restricts(public: TokenStream) -> bool {
     read.parse2(public).unwrap_or(false)
 }
 
-/// The kind of item, and its name.
-enum Item {
-    Struct(Ident),
-    /// Reported; its name is what the user's code knows.
-    Other(Ident),
-}
-
-/// Takes `struct Name`. Where another word stands in place of `struct`, or none, that is
-/// reported and the name is read all the same.
-fn item(cursor: &mut Cursor) -> Result<Item, Reported> {
+/// Takes `struct Name`: the name, and whether that is the name of a struct. Where another word stands in place of
+/// `struct`, or none, that is reported and the name, which the user's code knows, is read all the same.
+fn item(cursor: &mut Cursor) -> Result<(Ident, bool), Reported> {
     if cursor.take_word("struct").is_some() {
-        return name(cursor, expected::struct_name()).map(Item::Struct);
-    }
-    // The table starts here: the struct was forgotten.
-    if cursor.at_key() || cursor.peek_ident().is_none() || cursor.at_word("let") {
-        return Err(cursor.expected(expected::structure()));
+        return Ok((name(cursor, expected::struct_name())?, true));
     }
     let reported = cursor.expected(expected::structure());
+    // The table starts here: the struct was forgotten.
+    if cursor.at_key() || cursor.at_word("let") {
+        return Err(reported);
+    }
     let word = cursor.take_ident().ok_or(reported)?;
     // The slip was in what stands in front of it, `pub` perhaps.
     if cursor.take_word("struct").is_some() {
-        return name(cursor, expected::struct_name()).map(Item::Struct);
+        return Ok((name(cursor, expected::struct_name())?, true));
     }
     let is_slip = words::nearest(&word.to_string(), &["struct"]).is_some();
-    let item = match cursor.take_ident() {
-        Some(name) if is_slip => Item::Struct(name),
-        Some(name) => Item::Other(name),
-        None => Item::Struct(word),
+    let (name, is_struct) = match cursor.take_ident() {
+        Some(name) => (name, is_slip),
+        None => (word, true),
     };
-    match &item {
-        Item::Struct(name) | Item::Other(name) if words::is_keyword(name) => Err(reported),
-        _ => Ok(item),
+    if words::is_keyword(&name) {
+        return Err(reported);
     }
+    Ok((name, is_struct))
 }
 
 /// Takes a name that stands in the generated code, where a keyword would be no name.
@@ -180,7 +166,7 @@ pub(super) fn name(cursor: &mut Cursor, what: Expected) -> Result<Ident, Reporte
 
 /// Generic parameters and `where` clauses are refused and skipped. Returns whether
 /// there were any.
-fn generics(cursor: &mut Cursor) -> bool {
+fn skip_generics(cursor: &mut Cursor) -> bool {
     if !cursor.at('<') && !cursor.at_word("where") {
         return false;
     }
@@ -188,7 +174,7 @@ fn generics(cursor: &mut Cursor) -> bool {
     while !cursor.at_end() && !cursor.at(';') && !at_body(cursor) {
         cursor.take();
     }
-    cursor.error(start.to(cursor.last()), mistake::generic());
+    cursor.error(start.to(cursor.last), mistake::generic());
     true
 }
 
@@ -207,53 +193,24 @@ fn at_body(cursor: &Cursor) -> bool {
     matches!(cursor.peek(), Some(TokenTree::Group(group)) if group.delimiter() != Delimiter::Bracket)
 }
 
-/// What follows the name.
-struct Body {
-    shape: Shape,
-    fields: Vec<Field>,
-    complete: bool,
-}
-
-impl Body {
-    fn unreadable(shape: Shape) -> Body {
-        Body {
-            shape,
-            fields: Vec::new(),
-            complete: false,
-        }
-    }
-}
-
 /// Takes what follows the name. The types in a generic struct were refused before.
-fn body(cursor: &mut Cursor, name: &Ident, generic: bool) -> Body {
+fn read_body(cursor: &mut Cursor, structure: &mut Structure, is_generic: bool) {
     if cursor.take_char(';').is_some() {
-        return Body {
-            complete: true,
-            ..Body::unreadable(Shape::Unit)
-        };
-    }
-    if let Some(group) = cursor.take_group(Delimiter::Brace) {
-        let (fields, complete) = fields(cursor.inside(&group), |c| named_field(c, generic));
-        return Body {
-            shape: Shape::Named,
-            fields,
-            complete,
-        };
-    }
-    if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
-        cursor.error(group.span(), mistake::tuple());
+        structure.complete = true;
+    } else if let Some(group) = cursor.take_group(Delimiter::Brace) {
+        structure.shape = Shape::Named;
+        (structure.fields, structure.complete) = fields(cursor.inside(&group), |cursor| {
+            named_field(cursor, is_generic)
+        });
+    } else if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
+        cursor.error(group.span, mistake::tuple());
         cursor.take_char(';');
-        let (fields, _) = fields(cursor.inside(&group), tuple_field);
-        return Body {
-            fields,
-            ..Body::unreadable(Shape::Tuple)
-        };
+        structure.shape = Shape::Tuple;
+        (structure.fields, _) = fields(cursor.inside(&group), tuple_field);
+    } else {
+        cursor.expected(expected::struct_body(&structure.name));
+        cursor.take_char(',');
     }
-    cursor.expected(expected::struct_body(name));
-    if cursor.at(',') {
-        cursor.take();
-    }
-    Body::unreadable(Shape::Unit)
 }
 
 /// Reads the fields, and whether all of them could be read.
@@ -264,7 +221,7 @@ fn fields(
     let mut fields = Vec::new();
     let mut complete = true;
     while !cursor.at_end() {
-        let start = cursor.taken();
+        let start = cursor.taken;
         match field(&mut cursor) {
             Ok(field) => fields.push(field),
             Err(_) => {
@@ -276,21 +233,20 @@ fn fields(
     (fields, complete)
 }
 
-fn named_field(cursor: &mut Cursor, generic: bool) -> Result<Field, Reported> {
+fn named_field(cursor: &mut Cursor, is_generic: bool) -> Result<Field, Reported> {
     let attributes = field_attributes(cursor);
     let visibility = visibility(cursor);
     let name = name(cursor, expected::field())?;
-    let written = match cursor.take_char(':') {
-        None if cursor.at_end() || cursor.at(',') => {
-            cursor.error(&name, mistake::field_without_type(&name));
-            cursor.take_char(',');
-            TokenStream::new()
-        }
-        None => {
+    let has_colon = cursor.take_char(':').is_some();
+    let written = if !has_colon && (cursor.at_end() || cursor.at(',')) {
+        cursor.error(&name, mistake::field_without_type(&name));
+        cursor.take_char(',');
+        TokenStream::new()
+    } else {
+        if !has_colon {
             cursor.expected(expected::colon_after(&name));
-            field_type(cursor, &name, generic)
         }
-        Some(_) => field_type(cursor, &name, generic),
+        field_type(cursor, &name, is_generic)
     };
     Ok(Field {
         attributes,
@@ -327,17 +283,17 @@ fn field_attributes(cursor: &mut Cursor) -> TokenStream {
 }
 
 /// Takes the type and the comma behind it. Only `f64` is accepted.
-fn field_type(cursor: &mut Cursor, name: &Ident, generic: bool) -> TokenStream {
+fn field_type(cursor: &mut Cursor, name: &Ident, is_generic: bool) -> TokenStream {
     let (written, place) = type_tokens(cursor);
     let is_f64 = written.to_string() == "f64";
     if written.is_empty() {
         cursor.expected(expected::field_type(name));
-    } else if !is_f64 && !generic {
+    } else if !is_f64 && !is_generic {
         cursor.error(place, mistake::field_of_other_type(name));
     } else if is_f64 && cursor.at('=') {
         let start = cursor.here();
         cursor.take_until(&[',']);
-        cursor.error(start.to(cursor.last()), mistake::field_with_default(name));
+        cursor.error(start.to(cursor.last), mistake::field_with_default(name));
     } else if is_f64 && !cursor.at_end() && !cursor.at(',') {
         cursor.expected(expected::comma_after_field(name));
         cursor.take_char(';');
@@ -366,7 +322,7 @@ fn type_tokens(cursor: &mut Cursor) -> (TokenStream, Place) {
         }
         tokens.extend([token]);
     }
-    (tokens, start.to(cursor.last()))
+    (tokens, start.to(cursor.last))
 }
 
 fn at_separator(cursor: &Cursor) -> bool {

@@ -79,12 +79,15 @@ fn arguments(cursor: &mut Cursor) -> Option<Node> {
     if cursor.at_fragment() {
         return None;
     }
-    let start = absent(cursor);
-    if let Some(group) = cursor.take_group(Delimiter::Parenthesis) {
-        let kind = Kind::List(list(cursor.inside(&group)));
-        return Some(Node { kind, ..start });
-    }
-    cursor.take_any_group().map(|_| start)
+    let before = cursor.clone();
+    let kind = match cursor.take_group(Delimiter::Parenthesis) {
+        Some(group) => Kind::List(list(cursor.inside(&group))),
+        None => cursor.take_any_group().map(|_| Kind::Absent)?,
+    };
+    Some(Node {
+        kind,
+        ..absent(&before)
+    })
 }
 
 /// Reads values between commas.

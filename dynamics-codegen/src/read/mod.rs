@@ -3,6 +3,7 @@
 
 mod reader;
 mod row;
+mod unknown;
 
 use std::collections::BTreeSet;
 
@@ -17,7 +18,8 @@ use crate::keys::{ALLOWANCES_OF_BODY, BASE, CALL, DEFAULT, FILE, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
-use reader::{Item, Read, Reader, put, unknown};
+use reader::{Item, Read, Reader, put};
+use unknown::unknown;
 
 /// What a tree says of the robot, in the order in which it stands there.
 pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) -> Table {

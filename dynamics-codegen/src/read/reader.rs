@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use super::unknown::{unknown, unknown_key};
 use crate::description::{Allow, Expr, Given, Name, Part as Values};
 use crate::diagnose::{Diagnostics, Reported};
 use crate::keys::Part;
@@ -31,21 +32,6 @@ pub(super) struct Item<'n> {
     /// The word that is written.
     pub(super) key: &'n Key,
     pub(super) node: &'n Node,
-}
-
-/// The mistake of an unknown word, and the word that was probably meant.
-pub(super) struct Unknown {
-    pub(super) mistake: Mistake,
-    pub(super) meant: Option<&'static str>,
-}
-
-/// A word that is not in `known`: the message names the nearest known word if one is near, otherwise all of them.
-pub(super) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Unknown {
-    let meant = words::meant(word, known);
-    Unknown {
-        mistake: mistake::unknown(what, word, meant, known),
-        meant,
-    }
 }
 
 /// Puts what was read into its cell.
@@ -124,17 +110,6 @@ impl<'d> Reader<'d> {
         &mut self,
         node: &Node,
         part: &Part,
-        read: impl FnMut(&mut Self, &Item) -> Read<()>,
-    ) -> Read<bool> {
-        self.table_but(node, part, |word| unknown(part.item, word, part.keys), read)
-    }
-
-    /// The same; `unknown` says what is wrong with another key.
-    pub(super) fn table_but(
-        &mut self,
-        node: &Node,
-        part: &Part,
-        unknown: impl Fn(&str) -> Unknown,
         mut read: impl FnMut(&mut Self, &Item) -> Read<()>,
     ) -> Read<bool> {
         let Kind::Table(items) = &node.kind else {
@@ -145,7 +120,7 @@ impl<'d> Reader<'d> {
         let mut seen = BTreeSet::new();
         let mut incomplete = false;
         for (key, node) in self.until_full(items) {
-            let Some(name) = self.key(key, node, part, &unknown) else {
+            let Some(name) = self.key(key, node, part) else {
                 incomplete = true;
                 continue;
             };
@@ -168,13 +143,7 @@ impl<'d> Reader<'d> {
     }
 
     /// The key that stands there, or was meant.
-    fn key(
-        &self,
-        key: &Key,
-        node: &Node,
-        part: &Part,
-        unknown: impl Fn(&str) -> Unknown,
-    ) -> Option<&'static str> {
+    fn key(&self, key: &Key, node: &Node, part: &Part) -> Option<&'static str> {
         match key.kind {
             KeyKind::Let => return Some("let"),
             KeyKind::Stray => {
@@ -188,7 +157,7 @@ impl<'d> Reader<'d> {
         }
         let right = part.keys.iter().find(|name| **name == key.word);
         right.copied().or_else(|| {
-            let unknown = unknown(&key.word);
+            let unknown = unknown_key(part, &key.word, self.language);
             self.error(key.place, unknown.mistake);
             unknown.meant
         })
@@ -196,18 +165,8 @@ impl<'d> Reader<'d> {
 
     /// The values for the keys of a part, in their order.
     pub(super) fn values<const N: usize>(&mut self, node: &Node, part: &Part) -> Read<Values<N>> {
-        self.values_but(node, part, |word| unknown(part.item, word, part.keys))
-    }
-
-    /// The same; `unknown` says what is wrong with another key.
-    pub(super) fn values_but<const N: usize>(
-        &mut self,
-        node: &Node,
-        part: &Part,
-        unknown: impl Fn(&str) -> Unknown,
-    ) -> Read<Values<N>> {
         let mut values = [(); N].map(|()| Given::Absent);
-        let incomplete = self.table_but(node, part, unknown, |reader, item| {
+        let incomplete = self.table(node, part, |reader, item| {
             let index = part.keys.iter().position(|key| *key == item.name);
             put(&mut values[index.unwrap_or(0)], reader.value(item.node))
         })?;
@@ -222,9 +181,10 @@ impl<'d> Reader<'d> {
 
     /// A name that expressions or generated code have.
     pub(super) fn rust_name(&self, what: &str, key: &Key) -> Read<Name> {
-        match self.is_call() || words::is_name(&key.word) {
-            true => self.name(&key.word, key.place),
-            false => Err(self.error(key.place, mistake::file::no_name(what, &key.word))),
+        if self.is_call() || words::is_name(&key.word) {
+            self.name(&key.word, key.place)
+        } else {
+            Err(self.error(key.place, mistake::file::no_name(what, &key.word)))
         }
     }
 
@@ -232,10 +192,10 @@ impl<'d> Reader<'d> {
         if word.chars().any(char::is_control) {
             return Err(self.error(place, mistake::file::control_in_name(word)));
         }
-        match word.len() > MOST_LETTERS {
-            true => Err(self.error(place, mistake::size::name(word))),
-            false => Ok(Name::new(word, place)),
+        if word.len() > MOST_LETTERS {
+            return Err(self.error(place, mistake::size::name(word)));
         }
+        Ok(Name::new(word, place))
     }
 
     /// What a text of a file says in the words of a call; anything else says it by itself.
@@ -369,9 +329,12 @@ impl<'d> Reader<'d> {
     pub(super) fn allow(&mut self, node: &Node, known: &[&'static str]) -> Read<Allow> {
         let what = self.either(expected::allowances(known), "`[\"odd_angle\"]`");
         let mut allow = Allow::default();
-        let unknown = |word: &str| match Allow::WORDS.contains(&word) {
-            true => mistake::entry::allowed_for_the_table(word),
-            false => unknown("allowance", word, known).mistake,
+        let unknown = |word: &str| {
+            if Allow::WORDS.contains(&word) {
+                mistake::entry::allowed_for_the_table(word)
+            } else {
+                unknown("allowance", word, known).mistake
+            }
         };
         self.list(node, &what, |reader, node| {
             allow.note(reader.choice_but(node, known, unknown)?);

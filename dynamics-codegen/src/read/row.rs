@@ -2,19 +2,17 @@
 
 use dynamics_symbolic::robot::JointType;
 
-use super::reader::{Item, Read, Reader, Unknown, put, unknown};
+use super::reader::{Item, Read, Reader, put};
+use super::unknown::unknown;
 use crate::description::{
     Axis, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
-    ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, KEYS_OF_FILES, MOTOR, Part, SPRING,
-    STRIBECK, TENSOR, word_list,
+    ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, Part, SPRING, STRIBECK, TENSOR,
+    word_list,
 };
 use crate::mistake::{self, expected, file as wrong};
 use crate::tree::{Key, Kind, Language, Node};
-
-/// Cells of a published table that stand in parts of a row here.
-const PUBLISHED: [&str; 4] = ["motor_inertia", "gear_ratio", "viscous", "coulomb"];
 
 /// The solids and their arguments.
 const SOLIDS: [(&str, Solid, &[&str]); 4] = [
@@ -118,10 +116,8 @@ impl Reader<'_> {
             }
             _ => (node, ROW),
         };
-        let language = self.language;
-        let unknown = |word: &str| unknown_cell(word, language);
         let (mut has_name, mut has_type) = (self.is_call(), self.is_call());
-        let incomplete = self.table_but(cells, &part, unknown, |reader, item| {
+        let incomplete = self.table(cells, &part, |reader, item| {
             has_name |= item.name == "name";
             has_type |= item.name == "type";
             match item.name {
@@ -159,10 +155,10 @@ impl Reader<'_> {
             return Err(self.error(node.place, wrong::number_as_name(number)));
         }
         let word = self.word(node, &expected::thing("the joint's name"))?;
-        match word.trim().is_empty() || word == "_" {
-            true => Err(self.error(node.place, wrong::nameless_joint())),
-            false => self.name(word, node.place),
+        if word.trim().is_empty() || word == "_" {
+            return Err(self.error(node.place, wrong::nameless_joint()));
         }
+        self.name(word, node.place)
     }
 
     fn joint_type(&self, node: &Node, joint: Option<&Name>) -> Read<JointType> {
@@ -193,7 +189,7 @@ impl Reader<'_> {
 
     /// A table of entries of a tensor.
     pub(super) fn tensor(&mut self, node: &Node) -> Read<Tensor> {
-        self.values_but(node, &TENSOR, unknown_entry).map(Box::new)
+        self.values(node, &TENSOR).map(Box::new)
     }
 
     /// `cuboid(x, y, z)` and the like.
@@ -274,50 +270,4 @@ impl Reader<'_> {
 /// A solid with its arguments, as a message shows it.
 fn shown((name, _, arguments): &(&str, Solid, &[&str])) -> String {
     format!("{name}({})", arguments.join(", "))
-}
-
-/// The mistake of a key that is no cell of a row. Published tables have keys of their own.
-fn unknown_cell(word: &str, language: Language) -> Unknown {
-    let certain = |mistake| Unknown {
-        mistake,
-        meant: None,
-    };
-    let is_json = language == Language::Json;
-    if language != Language::Call && KEYS_OF_FILES.contains(&word) {
-        return certain(wrong::of_the_whole_table(word, is_json));
-    }
-    let published = unknown("cell", word, &PUBLISHED);
-    if is_json && published.meant.is_some() {
-        return certain(published.mistake);
-    }
-    let parts = [
-        ("motor", &MOTOR),
-        ("friction", &FRICTION),
-        ("spring", &SPRING),
-        ("inertia", &TENSOR),
-    ];
-    let is_home = |(_, part): &&(&str, &Part)| part.keys.contains(&word);
-    match parts.iter().find(is_home) {
-        Some((cell, _)) => certain(mistake::joint::cell_elsewhere(word, cell)),
-        None => unknown(CELLS.item, word, CELLS.keys),
-    }
-}
-
-/// The mistake of a word that is no entry of a tensor: `Ixx` and the like, below the diagonal, or a slip.
-fn unknown_entry(word: &str) -> Unknown {
-    let lower = word.to_lowercase();
-    let axes = lower.trim_start_matches('i').trim_start_matches('_');
-    let meant = |meant: &'static str, mistake| Unknown {
-        mistake,
-        meant: Some(meant),
-    };
-    if let Some(entry) = TENSOR.keys.iter().find(|entry| **entry == axes) {
-        let mistake = mistake::unknown(TENSOR.item, word, Some(entry), TENSOR.keys);
-        return meant(entry, mistake);
-    }
-    let mirrored = |entry: &&&str| entry.chars().rev().eq(axes.chars());
-    match TENSOR.keys.iter().find(mirrored) {
-        Some(entry) => meant(entry, mistake::joint::mirrored_entry(word, entry)),
-        None => unknown(TENSOR.item, word, TENSOR.keys),
-    }
 }

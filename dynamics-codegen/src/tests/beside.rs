@@ -1,6 +1,6 @@
 //! Entries beside a file: which add to the file's, which take their place, and which are mistakes.
 
-use crate::description::{Entry, Table};
+use crate::description::{Entry, Name, Place, Table};
 use crate::files::{Format, Request, model_beside, table};
 use crate::{Error, Model};
 
@@ -90,4 +90,51 @@ fn entries_that_add_stand_beside_those_of_the_file() {
     let count = |is: fn(&Entry) -> bool| joined.entries.iter().filter(|entry| is(entry)).count();
     assert_eq!(count(|entry| matches!(entry, Entry::Lock(_))), 2);
     assert_eq!(count(|entry| matches!(entry, Entry::Functions(_))), 1);
+}
+
+/// Messages about a file of two joints and a finger beside them, with entries beside it.
+fn messages_of_chain(entries: &str) -> Vec<String> {
+    let joint = |name: &str, parent: &str, child: &str, limit: &str| {
+        format!(
+            "<joint name='{name}' type='revolute'><parent link='{parent}'/><child link='{child}'/>{limit}</joint>\
+             <link name='{child}'/>"
+        )
+    };
+    let swapped = joint("one", "base", "arm", "<limit lower='1' upper='-1'/>");
+    let other = joint("two", "arm", "tip", "<limit lower='-1' upper='1'/>");
+    let fingers = ["left", "right"].map(|name| joint(name, "arm", &format!("{name}_link"), ""));
+    let text = format!(
+        "<robot name='r'><link name='base'/>{swapped}{other}{}</robot>",
+        fingers.concat()
+    );
+    let entries = format!("gravity = [0, 0, -9.81]\n{entries}");
+    let mut beside = table("beside", &entries, Format::Toml, &Request::default()).expect("entries");
+    let link = |name| Name::new(name, Place::File { line: 1, column: 1 });
+    let chain = Entry::Chain(Some([link("base"), link("tip")]));
+    beside.entries.push(chain);
+    let errors = model_beside("r", &text, Format::Urdf, beside).expect_err("a mistake");
+    errors.into_iter().map(|error| error.message).collect()
+}
+
+#[test]
+fn limits_the_wrong_way_round_are_told_beside_links_without_inertia() {
+    let messages = messages_of_chain("lock = { left = 0, right = 0 }");
+    let count = |part: &str| messages.iter().filter(|text| text.contains(part)).count();
+    let counts = [
+        count("has no `<inertial>`"),
+        count("`lower` is above `upper`"),
+    ];
+    assert_eq!((counts, messages.len()), ([2, 1], 3), "{messages:#?}");
+}
+
+#[test]
+fn a_position_of_the_rest_that_is_no_number_is_told_once() {
+    let messages = messages_of_chain("lock = { rest = \"nan\" }\nallow = [\"no_inertia\"]");
+    let [message] = &messages[..] else {
+        panic!("{messages:#?}");
+    };
+    assert!(
+        message.starts_with("`rest` is all joints beside the chain"),
+        "{message}"
+    );
 }

@@ -80,6 +80,15 @@ fn a_thousand_rows() {
 }
 
 #[test]
+fn a_thousand_rows_of_which_one_is_locked() {
+    let call = with_rows(&rows(1_000, "a: 1, mass: 1"));
+    let messages = refusal(&format!(
+        "{call} lock: [joint1 = 0.5], couple: [joint2 = joint3]"
+    ));
+    assert_eq!(messages, [format!("more than {MOST_JOINTS} joints")]);
+}
+
+#[test]
 fn a_thousand_rows_with_one_name() {
     let rows = rows(1_000, "").replace("joint1", "joint");
     assert_eq!(refusal(&with_rows(&rows)).len(), 1);

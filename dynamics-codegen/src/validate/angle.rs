@@ -6,7 +6,6 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use super::measured::Measured;
 use crate::mistake::{Mistake, joint as mistake};
 use dynamics_symbolic::robot::Value;
 
@@ -28,20 +27,20 @@ pub(super) enum Odd {
     ManyTurns(f64, bool),
 }
 
-/// What is odd about the angle.
-pub(super) fn odd(angle: &Measured) -> Option<Odd> {
-    if !angle.value.is_number() {
+/// What is odd about an angle; `is_computed` says whether several values were put together in it.
+pub(super) fn odd(angle: &Value, is_computed: bool) -> Option<Odd> {
+    if !angle.is_number() {
         return None;
     }
-    let radians = angle.value.to_f64(&[]);
-    let is_decimal = angle.value.as_rational().is_some();
-    if (is_decimal || !angle.is_computed)
+    let radians = angle.to_f64(&[]);
+    let is_decimal = angle.as_rational().is_some();
+    if (is_decimal || !is_computed)
         && let Some((right, distance)) = right_angle(radians)
         && distance > EXACT
     {
         return Some(Odd::NearlyRight(right));
     }
-    let is_long = !angle.is_computed && radians.abs() > TAU + EXACT;
+    let is_long = !is_computed && radians.abs() > TAU + EXACT;
     is_long.then_some(Odd::ManyTurns(radians, is_decimal))
 }
 
@@ -77,8 +76,8 @@ impl Odd {
 }
 
 /// What is wrong with `deg(angle)` of what was in radians already; `place` is where it can be allowed.
-pub(super) fn degrees_of_radians(angle: &Measured, place: &str) -> Option<Mistake> {
-    match &angle.value {
+pub(super) fn degrees_of_radians(angle: &Value, place: &str) -> Option<Mistake> {
+    match angle {
         value if !value.is_number() => None,
         Value::Rational(number) => right_angle(number.to_f64().value())
             .map(|(right, _)| mistake::degrees_of_right_angle(right, place)),

@@ -22,7 +22,7 @@ pub(super) struct Body<'a> {
 /// Mass, centre of mass and inertia tensor; `None` where one of them is in error.
 pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<(Value, [Value; 3], [Value; 6])> {
     let mass = scope.not_negative(body.mass, "a mass");
-    let com = all(scope.given_vector(body.com));
+    let com = scope.given_vector(body.com);
     report_massless(body, com.as_ref(), scope);
     let inertia = match (body.inertia, body.inertia_at_origin) {
         (inertia, Given::Absent) => inertia_about_com(inertia, body, mass.as_ref(), scope),
@@ -69,22 +69,20 @@ fn inertia_about_com(
     mass: Option<&Value>,
     scope: &mut Scope,
 ) -> Option<[Value; 6]> {
-    match inertia {
-        Given::Absent => Some([0; 6].map(Value::integer)),
-        Given::Unreadable => None,
-        Given::As(Inertia::Solid(place, solid, sizes)) => {
+    inertia.read([0; 6].map(Value::integer), |inertia| match inertia {
+        Inertia::Solid(place, solid, sizes) => {
             if body.mass.is_absent() {
                 scope.error(*place, mistake::solid_without_mass(body.place));
             }
             self::solid(*solid, sizes, mass, scope)
         }
-        Given::As(Inertia::Tensor(tensor)) => {
+        Inertia::Tensor(tensor) => {
             let entries = &tensor.values;
             let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
             possible(known(entries, &values), tensor.place, body, scope)?;
             Some(values)
         }
-    }
+    })
 }
 
 /// The tensor about the centre of mass, from one about the frame's origin.
@@ -99,8 +97,7 @@ fn moved(
         ("com", body.com.is_absent()),
     ] {
         if is_absent {
-            scope.error(tensor.place, mistake::cannot_be_moved(word, body.place));
-            return None;
+            return scope.refused(tensor.place, mistake::cannot_be_moved(word, body.place));
         }
     }
     let values = all(tensor.values.each_ref().map(|entry| scope.given(entry)))?;
@@ -131,15 +128,9 @@ fn possible(
     body: &Body,
     scope: &Scope,
 ) -> Option<()> {
-    if scope.allowed().unphysical_inertia {
-        return Some(());
-    }
-    match refusal(&entries) {
+    match refusal(&entries).filter(|_| !scope.allowed().unphysical_inertia) {
         None => Some(()),
-        Some(reason) => {
-            scope.error(place, mistake::no_body(reason, body.place));
-            None
-        }
+        Some(reason) => scope.refused(place, mistake::no_body(reason, body.place)),
     }
 }
 
@@ -166,19 +157,9 @@ fn solid(
 /// of a planar arm's link or of the link next to the base: then the other two are
 /// taken as not known. Elsewhere what is left out is zero.
 fn known(entries: &[Given<Expr>; 6], values: &[Value; 6]) -> [Option<Rational>; 6] {
-    let diagonal = entries[..3]
-        .iter()
-        .filter(|entry| !entry.is_absent())
-        .count();
-    let mut known = values.each_ref().map(number);
-    if diagonal == 1 {
-        for (entry, known) in entries[..3].iter().zip(&mut known) {
-            if entry.is_absent() {
-                *known = None;
-            }
-        }
-    }
-    known
+    let is_absent = |i: usize| i < 3 && entries[i].is_absent();
+    let is_one_moment = (0..3).filter(|i| is_absent(*i)).count() == 2;
+    core::array::from_fn(|i| number(&values[i]).filter(|_| !(is_one_moment && is_absent(i))))
 }
 
 /// The value where it is a number; one with pi in it to double precision.
@@ -263,8 +244,9 @@ fn slack() -> Rational {
 }
 
 fn magnitude(x: &Rational) -> Rational {
-    match *x < Rational::ZERO {
-        true => -x.clone(),
-        false => x.clone(),
+    if *x < Rational::ZERO {
+        -x.clone()
+    } else {
+        x.clone()
     }
 }

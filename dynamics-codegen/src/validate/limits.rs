@@ -2,8 +2,8 @@
 
 use dynamics_symbolic::robot::{JointType, Value};
 
-use super::scope::Scope;
-use crate::description::{self, Expr, Given};
+use super::scope::{Scope, all};
+use crate::description::{self, Expr};
 use crate::mistake::{Mistake, joint as mistake};
 
 /// A revolute joint does not turn so far, in rad, unless its position is written in terms of PI: five
@@ -12,21 +12,15 @@ const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
 
 /// Both limits. Outer `None`: in error; inner `None`: not written.
 pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
-    let limits = match &row.limits {
-        Given::Absent => return Some(None),
-        Given::Unreadable => return None,
-        Given::As(limits) => limits,
-    };
-    let [lower, upper] = limits.each_ref().map(|limit| {
-        limit
-            .as_ref()
-            .and_then(|limit| self::limit(limit, row, scope))
-    });
-    let (lower, upper) = (lower?, upper?);
-    let [Some(first), Some(last)] = limits else {
-        return None;
-    };
-    if lower.to_f64(&[]) >= upper.to_f64(&[]) {
+    row.limits.read(None, |limits| {
+        let value = |limit: &Option<Expr>| self::limit(limit.as_ref()?, row, scope);
+        let [lower, upper] = all(limits.each_ref().map(value))?;
+        let [Some(first), Some(last)] = limits else {
+            return None;
+        };
+        if lower.to_f64(&[]) < upper.to_f64(&[]) {
+            return Some(Some([lower, upper]));
+        }
         if scope.allowed().odd_limits {
             return Some(None);
         }
@@ -34,24 +28,20 @@ pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option
             Some(_) => mistake::limits_of_a_file_swapped(),
             None => mistake::limits_swapped(),
         };
-        scope.error(first.place.to(last.place), mistake);
-        return None;
-    }
-    Some(Some([lower, upper]))
+        scope.refused(first.place.to(last.place), mistake)
+    })
 }
 
 /// One limit, a number.
 fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Value> {
     let value = scope.value(limit)?;
     if !value.is_number() {
-        scope.error(limit.place, mistake::limit_with_field());
-        return None;
+        return scope.refused(limit.place, mistake::limit_with_field());
     }
-    if let Some(mistake) = many_turns(&value, row) {
-        scope.error(limit.place, mistake);
-        return None;
+    match many_turns(&value, row) {
+        Some(mistake) => scope.refused(limit.place, mistake),
+        None => Some(value),
     }
-    Some(value)
 }
 
 /// What is wrong with a position of the row's joint that was hardly meant in rad.

@@ -1,13 +1,14 @@
 //! Joints that are locked at a position.
 
+use std::collections::BTreeSet;
+
 use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::angle::Odd;
 use super::scope::{Scope, number};
 use crate::description::{self, Name};
-use crate::mistake::{Mistake, entry as mistake};
+use crate::mistake::entry as mistake;
 use crate::place::Place;
-use crate::words;
 
 /// A joint and the position at which it is locked; `None` where that is in error.
 pub(super) struct Lock {
@@ -52,7 +53,7 @@ pub(super) fn join(locks: &mut Vec<Lock>, list: Vec<Lock>, scope: &Scope) {
         if let (Some(one), Some(other)) = (&known.position, &lock.position) {
             let [a, b] = [&one.value, &other.value].map(number);
             if one.value != other.value && (a.is_none() || a != b) {
-                scope.error(&lock.name, mistake::locked_at_two(word, [a, b]));
+                scope.error(&lock.name, mistake::locked_at_two(word, a, b));
             }
         }
     }
@@ -66,29 +67,20 @@ pub(super) fn lock(
     written: &[description::Row],
     scope: &Scope,
 ) {
-    let name = |row: &description::Row| {
-        row.name
-            .as_ref()
-            .map_or(String::new(), |name| name.plain().to_owned())
-    };
-    let names: Vec<String> = written.iter().map(name).collect();
-    let mut locked = vec![false; names.len()];
+    let mut locked = BTreeSet::new();
     for lock in locks {
-        let word = lock.name.plain();
-        let Some(index) = names.iter().position(|name| name == word) else {
-            scope.error(&lock.name, unknown(word, &names));
+        let Some(index) = scope.row_of(&lock.name, written) else {
             return;
         };
-        if locked[index] {
-            scope.error(&lock.name, mistake::locked_twice(word));
+        if !locked.insert(index) {
+            scope.error(&lock.name, mistake::locked_twice(lock.name.plain()));
         }
-        locked[index] = true;
         if let (Some(row), Some(position)) = (&mut rows[index], &lock.position) {
             report_position(row, position, scope);
             row.locked = Some(position.value.clone());
         }
     }
-    if locked.iter().all(|locked| *locked) {
+    if locked.len() == written.len() {
         report_all(locks, scope);
     }
 }
@@ -114,12 +106,6 @@ fn report_all(locks: &[Lock], scope: &Scope) {
     }
 }
 
-fn unknown(word: &str, names: &[String]) -> Mistake {
-    let known = names.iter().map(String::as_str);
-    let known: Vec<&str> = known.filter(|name| !name.is_empty()).collect();
-    mistake::unknown_joint(word, words::nearest(word, &known), &known)
-}
-
 /// Reports a position beyond the limits of a joint that stands still there; whether it did.
 pub(super) fn report_out_of_limits(
     row: &Row,
@@ -127,16 +113,13 @@ pub(super) fn report_out_of_limits(
     place: Place,
     scope: &Scope,
 ) -> bool {
-    let limits = row
-        .limits
-        .as_ref()
-        .map(|limits| limits.each_ref().map(|limit| limit.to_f64(&[])));
-    let (Some(number), Some([lower, upper])) = (number(position), limits) else {
+    let (Some(number), Some(limits)) = (number(position), &row.limits) else {
         return false;
     };
+    let [lower, upper] = limits.each_ref().map(|limit| limit.to_f64(&[]));
     let is_outside = !(lower..=upper).contains(&number);
     if is_outside {
-        let mistake = mistake::locked_out_of_limits(number, &row.name, [lower, upper]);
+        let mistake = mistake::locked_out_of_limits(number, &row.name, lower, upper);
         scope.error(place, mistake);
     }
     is_outside
@@ -145,16 +128,10 @@ pub(super) fn report_out_of_limits(
 /// Reports a position beyond the joint's limits, and an angle that was hardly meant. One of many turns is
 /// good where the limits say so.
 fn report_position(row: &Row, position: &Position, scope: &Scope) {
-    if report_out_of_limits(row, &position.value, position.place, scope) {
-        return;
-    }
-    let odd = match &position.odd {
-        Some(Odd::ManyTurns(..)) if row.limits.is_some() => None,
-        odd => odd
-            .as_ref()
-            .filter(|_| row.joint_type == JointType::Revolute),
-    };
-    if let Some(odd) = odd.filter(|_| !scope.allowed().odd_angle) {
-        scope.error(position.place, odd.mistake(scope.place_of_allow()));
+    let is_outside = report_out_of_limits(row, &position.value, position.place, scope);
+    if let (Some(odd), JointType::Revolute, false) = (&position.odd, row.joint_type, is_outside)
+        && (row.limits.is_none() || !matches!(odd, Odd::ManyTurns(..)))
+    {
+        scope.report_odd(odd, position.place);
     }
 }

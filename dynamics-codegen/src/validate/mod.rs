@@ -8,11 +8,8 @@ mod angle;
 mod body;
 mod couple;
 mod elementary;
-mod fields;
 mod frames;
-mod friction;
 pub(crate) mod functions;
-mod gravity;
 mod limits;
 mod lock;
 mod measured;
@@ -25,16 +22,18 @@ mod solid;
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value, mounted};
 
-use crate::description::{self, Allow, Asked, Entry, Given, Joints, Name, Table};
+#[cfg(feature = "files")]
+use crate::description::Expr;
+use crate::description::{Allow, Asked, Entry, Given, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
-use crate::mistake::{entry, joint, size};
+use crate::mistake::{Mistake, entry, joint, size, structure};
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use body::refusal;
 use couple::Couple;
 use lock::Lock;
-use scope::{Scope, all};
+use scope::Scope;
 
 /// What is to be generated.
 #[derive(Debug)]
@@ -59,27 +58,50 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         if !parts.has_unread_file {
             parts.report_missing(name, diagnostics);
         }
-        parts.lock(table, &scope);
-        parts.couple(table, &scope);
+        parts.lock_and_couple(table, &scope);
         reach::report(&parts, table, &scope);
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
         if parts.have_values() {
-            fields::report_unused(table, &scope, diagnostics);
+            report_unused(table, &scope);
         }
     }
-    match diagnostics.is_empty() {
-        true => parts
-            .model(table)
-            .filter(|model| functions::have_mass(&model.requests, &model.robot, diagnostics))
-            .filter(|model| functions::have_inertia(&model.robot, table, diagnostics))
-            .map(|mut model| {
-                let massless = functions::note_on_massless(&model.robot, &model.requests);
-                let massless = massless.filter(|_| table.allow().no_inertia);
-                model.notes.extend(massless);
-                model
-            }),
-        false => None,
+    if !diagnostics.is_empty() {
+        return None;
+    }
+    let mut model = parts.model(table)?;
+    let is_good = functions::have_mass(&model.requests, &model.robot, diagnostics)
+        && functions::have_inertia(&model.robot, table, diagnostics);
+    if table.allow().no_inertia {
+        let note = functions::note_on_massless(&model.robot, &model.requests);
+        model.notes.extend(note);
+    }
+    is_good.then_some(model)
+}
+
+/// The value of an expression without fields and `let`.
+#[cfg(feature = "files")]
+pub(crate) fn constant(expr: &Expr) -> Option<Value> {
+    let diagnostics = Diagnostics::new();
+    let table = Table {
+        entries: vec![Entry::Allow(Some(Allow::EVERYTHING))],
+        ..Table::default()
+    };
+    let value = Scope::new(&table, &diagnostics).value(expr);
+    diagnostics.forget();
+    value
+}
+
+/// Reports the fields that no value uses. Where there are errors, the value that uses
+/// one may be unreadable: then only a field that the table never names is reported.
+fn report_unused(table: &Table, scope: &Scope) {
+    let is_good = scope.is_good();
+    for (index, name) in table.fields.iter().enumerate() {
+        let word = name.plain();
+        let is_named = !is_good && table.mentions.contains(word);
+        if !scope.is_used(index) && !is_named {
+            scope.error(name, structure::unused_field(word));
+        }
     }
 }
 
@@ -87,7 +109,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
 #[derive(Default)]
 struct Parts {
     convention: Option<Option<Convention>>,
-    gravity: Option<[Option<Value>; 3]>,
+    gravity: Option<Option<[Value; 3]>>,
     base: Option<Option<Placement>>,
     rows: Option<Vec<Option<Row>>>,
     tool: Option<Option<Tool>>,
@@ -107,13 +129,13 @@ impl Parts {
     /// in which `let` binds names.
     fn read(table: &Table, scope: &mut Scope) -> Parts {
         let mut parts = Parts::default();
-        let joints = joint_names(table);
         for entry in &table.entries {
             match entry {
                 Entry::Let(name, value) => scope.bind(name, value.as_ref()),
                 Entry::Convention(convention) => parts.convention = Some(*convention),
                 Entry::Gravity(gravity) => {
-                    parts.gravity = Some(gravity::gravity(gravity.as_ref(), scope));
+                    let gravity = gravity.as_ref();
+                    parts.gravity = Some(gravity.and_then(|g| frames::gravity(g, scope)));
                 }
                 Entry::Base(base) => {
                     let base = base.as_ref();
@@ -144,8 +166,9 @@ impl Parts {
                     lock::join(&mut parts.lock, list, scope);
                 }
                 Entry::Couple(coupled) => {
-                    let couplings = couple::couplings(coupled.as_deref(), &joints, scope);
-                    parts.couple.extend(couplings);
+                    parts
+                        .couple
+                        .extend(couple::couplings(coupled.as_deref(), scope));
                 }
                 Entry::Neglect(share) => parts.neglect = neglect::share(share.as_ref(), scope),
                 Entry::Tests(place, tests) => {
@@ -156,10 +179,10 @@ impl Parts {
                 Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) | Entry::Allow(_) => {}
             }
         }
-        if let (Some(functions), Some(rows)) = (&parts.functions, &parts.rows) {
-            functions::report_long(functions, rows.len(), scope);
-        }
         if let Some(functions) = &parts.functions {
+            if let Some(rows) = &parts.rows {
+                functions::report_long(functions, rows.len(), scope);
+            }
             functions::report(functions, table, scope);
         }
         parts
@@ -172,52 +195,45 @@ impl Parts {
 
     fn report_missing(&self, name: &Name, diagnostics: &Diagnostics) {
         let is_of_file = matches!(Place::from(name), Place::File { .. });
-        if self.convention.is_none() {
-            diagnostics.error(name, entry::missing_convention(is_of_file));
-        }
-        if self.gravity.is_none() {
-            diagnostics.error(name, entry::missing_gravity(is_of_file));
-        }
-        if self.rows.is_none() {
-            diagnostics.error(name, entry::missing_joints(is_of_file));
+        let missing: [(bool, fn(bool) -> Mistake); 3] = [
+            (self.convention.is_none(), entry::missing_convention),
+            (self.gravity.is_none(), entry::missing_gravity),
+            (self.rows.is_none(), entry::missing_joints),
+        ];
+        for (_, mistake) in missing.into_iter().filter(|(is_missing, _)| *is_missing) {
+            diagnostics.error(name, mistake(is_of_file));
         }
     }
 
     /// A test that would compare nothing: a product is compared, and takes both factors.
     fn report_incomparable(&self, diagnostics: &Diagnostics) {
-        let (Some(tests), Some(functions)) = (self.tests, &self.functions) else {
-            return;
-        };
-        let [Asked::One(function, _)] = functions[..] else {
-            return;
-        };
-        let Some(other) = function.row().compared_with else {
-            return;
-        };
-        let mistake = entry::tests_of_one_factor(function.name(), other.name());
-        diagnostics.error(tests, mistake);
-    }
-
-    /// Locks the joints that are to be locked.
-    fn lock(&mut self, table: &Table, scope: &Scope) {
-        let known = rows(table).is_some_and(|joints| joints.complete);
-        if let (Some(rows), true) = (&mut self.rows, known) {
-            lock::lock(rows, &self.lock, rows_of(table), scope);
+        if let (Some(tests), Some([Asked::One(function, _)])) =
+            (self.tests, self.functions.as_deref())
+            && let Some(other) = function.row().compared_with
+        {
+            let mistake = entry::tests_of_one_factor(function.name(), other.name());
+            diagnostics.error(tests, mistake);
         }
     }
 
-    /// Couples the joints that follow others. One at least must be left that moves by itself.
-    fn couple(&mut self, table: &Table, scope: &Scope) {
-        let known = rows(table).is_some_and(|joints| joints.complete);
-        let (Some(rows), true) = (&mut self.rows, known) else {
+    /// Locks the joints that are to be locked, and couples those that follow others. One at least must be left that
+    /// moves by itself.
+    fn lock_and_couple(&mut self, table: &Table, scope: &Scope) {
+        let is_known = table.joints().is_some_and(|joints| joints.complete);
+        let written = table.rows();
+        let Some(rows) = self
+            .rows
+            .as_mut()
+            .filter(|rows| is_known && rows.len() == written.len())
+        else {
             return;
         };
-        if self.couple.is_empty() {
-            return;
+        lock::lock(rows, &self.lock, written, scope);
+        if !self.couple.is_empty() {
+            let is_good = scope.is_good();
+            couple::couple(rows, &self.couple, written, scope);
+            lock::report_all_locked(rows, &self.lock, is_good, scope);
         }
-        let is_good = scope.is_good();
-        couple::couple(rows, &self.couple, rows_of(table), scope);
-        lock::report_all_locked(rows, &self.lock, is_good, scope);
     }
 
     fn model(self, table: &Table) -> Option<Model> {
@@ -225,11 +241,11 @@ impl Parts {
             name: table.name.as_ref()?.plain().to_owned(),
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
-            gravity: all(self.gravity?)?,
+            gravity: self.gravity??,
             rows: mounted(self.rows?.into_iter().collect::<Option<_>>()?, self.tip),
             neglected: None,
-            base: given(self.base)?,
-            tool: given(self.tool)?,
+            base: self.base.map_or(Some(None), |base| base.map(Some))?,
+            tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,
         };
         Some(Model {
             requests: functions::requests(self.functions.as_deref(), &robot),
@@ -239,25 +255,6 @@ impl Parts {
             notes: table.notes.clone(),
         })
     }
-}
-
-/// The table as it was written, where it could be read.
-fn rows(table: &Table) -> Option<&Joints> {
-    table.entries.iter().find_map(|entry| match entry {
-        Entry::Joints(_, joints) => joints.as_ref(),
-        _ => None,
-    })
-}
-
-/// The names of all joints.
-fn joint_names(table: &Table) -> Vec<String> {
-    let names = rows_of(table).iter().filter_map(|row| row.name.as_ref());
-    names.map(|name| name.plain().to_owned()).collect()
-}
-
-/// Its rows.
-fn rows_of(table: &Table) -> &[description::Row] {
-    rows(table).map_or(&[], |joints| &joints.rows)
 }
 
 fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
@@ -270,12 +267,4 @@ fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
     let place = row.name.as_ref().map_or(place, Place::from);
     scope.error(place, size::joints());
     false
-}
-
-/// An entry that may be left out; `None` where it is in error.
-fn given<T>(entry: Option<Option<T>>) -> Option<Option<T>> {
-    match entry {
-        None => Some(None),
-        Some(value) => value.map(Some),
-    }
 }

@@ -4,7 +4,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
-use super::{Parts, functions, rows_of};
+use super::{Parts, functions};
 use crate::description::{Share, Table};
 use crate::diagnose::Diagnostics;
 use crate::mistake::entry as mistake;
@@ -15,21 +15,18 @@ pub(super) fn share(share: Option<&Share>, scope: &mut Scope) -> Option<(Value, 
     let share = share?;
     let mut value = scope.value(&share.number)?;
     if !value.is_number() {
-        scope.error(share.place, mistake::share_with_field());
-        return None;
+        return scope.refused(share.place, mistake::share_with_field());
     }
     if share.percent {
         value = value.checked_div(Value::Rational(Rational::from(100)))?;
     }
     let size = value.to_f64(&[]);
     if size <= 0.0 {
-        scope.error(share.place, mistake::share_of_nothing());
-        return None;
+        return scope.refused(share.place, mistake::share_of_nothing());
     }
     if size >= 1.0 {
         let mistake = mistake::share_of_more_than_all(size, share.percent);
-        scope.error(share.place, mistake);
-        return None;
+        return scope.refused(share.place, mistake);
     }
     Some((value, share.place))
 }
@@ -51,7 +48,7 @@ pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
     if let Some(name) = table.fields.first() {
         diagnostics.error(*place, mistake::neglect_and_field(name));
     }
-    let rows = parts.rows.iter().flatten().zip(rows_of(table));
+    let rows = parts.rows.iter().flatten().zip(table.rows());
     for (row, written) in rows {
         let (Some(row), Some(name)) = (row, &written.name) else {
             continue;

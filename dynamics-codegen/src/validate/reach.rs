@@ -1,9 +1,9 @@
 //! Centres of mass that are far from their links: millimetres, or a point of another frame.
 
-use dynamics_symbolic::robot::{JointType, Placement, Row, Value};
+use dynamics_symbolic::robot::{JointType, Row, Value};
 
+use super::Parts;
 use super::scope::{Scope, norm, number};
-use super::{Parts, rows_of};
 use crate::description::{Allow, Given, Table, Vector};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
@@ -18,7 +18,7 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
         return;
     };
     let far = |com: &[Value; 3], written: &Given<Vector>, allow: &Given<Allow>, place| {
-        let distance = norm(com.each_ref().map(Some));
+        let distance = norm(com);
         if let (Some(distance), Some([Some(first), _, Some(last)])) = (distance, written.value())
             && distance > FARTHEST * longest
             && !scope.with(allow).odd_com
@@ -27,7 +27,7 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
             scope.error(place_of_com, mistake::far_com(distance, longest, place));
         }
     };
-    for (row, written) in parts.rows.iter().flatten().zip(rows_of(table)) {
+    for (row, written) in parts.rows.iter().flatten().zip(table.rows()) {
         if let Some(row) = row {
             far(&row.com, &written.com, &written.allow, "row");
         }
@@ -46,7 +46,7 @@ fn longest(parts: &Parts) -> Option<f64> {
     }
     match &parts.tool {
         None => Some(longest),
-        Some(tool) => Some(longest.max(distance(&tool.as_ref()?.placement)?)),
+        Some(tool) => Some(longest.max(norm(&tool.as_ref()?.placement.xyz)?)),
     }
 }
 
@@ -62,8 +62,4 @@ fn length(row: &Row) -> Option<f64> {
         .try_fold(0.0_f64, |longest, length| {
             Some(longest.max(number(length)?.abs()))
         })
-}
-
-fn distance(placement: &Placement) -> Option<f64> {
-    norm(placement.xyz.each_ref().map(Some))
 }

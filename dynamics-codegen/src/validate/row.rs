@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{JointType, Mount, Row, Spring, Value};
+use dynamics_symbolic::robot::{JointType, Mount, Row, Spring, Stribeck, Value};
 
 use super::body::Body;
-use super::scope::Scope;
-use super::{body, frames, friction, limits};
-use crate::description::{self, Given, Part};
+use super::scope::{Scope, all, number};
+use super::{body, frames, limits};
+use crate::description::{self, Coulomb, Given, Part};
 use crate::mistake::joint as mistake;
 
 /// The meaning of each row; `None` where it is in error.
@@ -33,7 +33,7 @@ fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
 fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
-    let alpha = scope.angle(&row.alpha, None);
+    let alpha = scope.angle(&row.alpha);
     let body = body::body(
         &Body {
             mass: &row.mass,
@@ -44,12 +44,20 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         },
         scope,
     );
-    let (motor_inertia, gear_ratio) = motor(&row.motor, scope);
-    let friction = friction::friction(&row.friction, scope);
+    let motor = motor(&row.motor, scope);
+    let zero = (Value::zero(), [0; 2].map(Value::integer), None);
+    let friction = row.friction.read(zero, |friction| {
+        let viscous = scope.not_negative(&friction.viscous, "a friction coefficient");
+        let coulomb = coulomb(&friction.coulomb, scope);
+        let stribeck = stribeck(&friction.stribeck, coulomb.as_ref(), scope);
+        Some((viscous?, coulomb?, stribeck?))
+    });
     let spring = spring(row, scope);
     let limits = limits::limits(row, scope);
     let mount = mount(row, scope);
     let (mass, com, inertia) = body?;
+    let [motor_inertia, gear_ratio] = motor?;
+    let (viscous, coulomb, stribeck) = friction?;
     Some(Row {
         name: row.name.as_ref()?.plain().to_owned(),
         joint_type: row.joint_type?,
@@ -60,11 +68,11 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         mass,
         com,
         inertia,
-        motor_inertia: motor_inertia?,
-        gear_ratio: gear_ratio?,
-        viscous: friction.viscous?,
-        coulomb: friction.coulomb?,
-        stribeck: friction.stribeck?,
+        motor_inertia,
+        gear_ratio,
+        viscous,
+        coulomb,
+        stribeck,
         spring: spring?,
         limits: limits?,
         locked: None,
@@ -92,56 +100,110 @@ fn mount(row: &description::Row, scope: &mut Scope) -> Option<Option<Mount>> {
 
 /// `d` and `theta`: the joint's variable is added to one of them.
 fn offsets(row: &description::Row, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
-    match row.joint_type {
-        Some(JointType::Prismatic) => (
-            scope.given_beside_variable(&row.d, "d"),
-            scope.angle(&row.theta, None),
-        ),
-        Some(JointType::Revolute) => (scope.given(&row.d), scope.angle(&row.theta, Some("theta"))),
-        None => (scope.given(&row.d), scope.angle(&row.theta, None)),
-    }
+    let [d, theta] = match row.joint_type {
+        Some(JointType::Prismatic) => [Some("d"), None],
+        Some(JointType::Revolute) => [None, Some("theta")],
+        None => [None, None],
+    };
+    (
+        scope.beside_variable(d, |scope| scope.given(&row.d)),
+        scope.beside_variable(theta, |scope| scope.angle(&row.theta)),
+    )
 }
 
 /// Outer `None`: in error; inner `None`: no spring.
 fn spring(row: &description::Row, scope: &mut Scope) -> Option<Option<Spring>> {
-    let spring = match &row.spring {
-        Given::Absent => return Some(None),
-        Given::Unreadable => return None,
-        Given::As(spring) => spring,
-    };
-    let [stiffness, slack] = &spring.values;
-    if stiffness.is_absent() {
-        scope.error(spring.place, mistake::stiffness_missing());
-    }
-    let stiffness = scope.not_negative(stiffness, "a spring's stiffness");
-    let rest = scope.given(slack);
-    if let (Given::As(written), Some(rest)) = (slack, &rest)
-        && let Some(mistake) = limits::many_turns(rest, row)
-    {
-        scope.error(written.place, mistake);
-    }
-    Some(Some(Spring {
-        stiffness: stiffness?,
-        rest: rest?,
-    }))
+    row.spring.read(None, |spring| {
+        let [stiffness, slack] = &spring.values;
+        if stiffness.is_absent() {
+            scope.error(spring.place, mistake::stiffness_missing());
+        }
+        let stiffness = scope.not_negative(stiffness, "a spring's stiffness");
+        let rest = scope.given(slack);
+        if let (Given::As(written), Some(rest)) = (slack, &rest)
+            && let Some(mistake) = limits::many_turns(rest, row)
+        {
+            scope.error(written.place, mistake);
+        }
+        Some(Some(Spring {
+            stiffness: stiffness?,
+            rest: rest?,
+        }))
+    })
 }
 
 /// The motor's inertia and its gear ratio.
-fn motor(cell: &Given<Part<2>>, scope: &mut Scope) -> (Option<Value>, Option<Value>) {
-    let motor = match cell {
-        Given::Absent => return (Some(Value::zero()), Some(Value::zero())),
-        Given::Unreadable => return (None, None),
-        Given::As(motor) => motor,
-    };
-    let [inertia, written] = &motor.values;
-    let inertia = scope.not_negative(inertia, "a motor's inertia");
-    let gear_ratio = scope.given(written);
-    let stands_still = gear_ratio.as_ref().is_some_and(Value::is_zero);
-    if stands_still && inertia.as_ref().is_some_and(|value| !value.is_zero()) {
-        match written.value() {
-            Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
-            None => scope.error(motor.place, mistake::gear_ratio_missing()),
+fn motor(cell: &Given<Part<2>>, scope: &mut Scope) -> Option<[Value; 2]> {
+    cell.read([0; 2].map(Value::integer), |motor| {
+        let [inertia, written] = &motor.values;
+        let inertia = scope.not_negative(inertia, "a motor's inertia");
+        let gear_ratio = scope.given(written);
+        let stands_still = gear_ratio.as_ref().is_some_and(Value::is_zero);
+        if stands_still && inertia.as_ref().is_some_and(|value| !value.is_zero()) {
+            match written.value() {
+                Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
+                None => scope.error(motor.place, mistake::gear_ratio_missing()),
+            }
         }
-    }
-    (inertia, gear_ratio)
+        Some([inertia?, gear_ratio?])
+    })
+}
+
+/// How a message names Coulomb friction and static friction.
+const DRY: &str = "a friction torque or force";
+
+/// Coulomb friction by the direction of motion.
+fn coulomb(cell: &Given<Coulomb>, scope: &mut Scope) -> Option<[Value; 2]> {
+    cell.read([0; 2].map(Value::integer), |coulomb| match coulomb {
+        Coulomb::Both(value) => {
+            let value = scope.not_negative(value, DRY)?;
+            Some([value.clone(), value])
+        }
+        Coulomb::ByDirection(part) => {
+            let [positive, negative] = &part.values;
+            all(
+                [("positive", positive), ("negative", negative)].map(|(word, cell)| {
+                    if cell.is_absent() {
+                        scope.error(part.place, mistake::direction_missing(word));
+                    }
+                    scope.not_negative(cell, DRY)
+                }),
+            )
+        }
+    })
+}
+
+/// Outer `None`: in error; inner `None`: friction does not fall with the velocity.
+fn stribeck(
+    cell: &Given<Part<2>>,
+    coulomb: Option<&[Value; 2]>,
+    scope: &mut Scope,
+) -> Option<Option<Stribeck>> {
+    cell.read(None, |part| {
+        let [at_rest, falling] = &part.values;
+        if at_rest.is_absent() {
+            scope.error(part.place, mistake::static_missing());
+        }
+        if falling.is_absent() {
+            scope.error(part.place, mistake::stribeck_velocity_missing());
+        }
+        let friction = scope.not_negative(at_rest, DRY);
+        let velocity = scope.given(falling);
+        if let (Some(value), Some(expr)) = (&velocity, falling.value())
+            && number(value).is_some_and(|v| v <= 0.0)
+        {
+            scope.error(expr.place, mistake::stribeck_velocity_not_positive());
+        }
+        if let (Some(value), Some(expr)) = (&friction, at_rest.value()) {
+            let coulomb = coulomb.into_iter().flatten().filter_map(number);
+            let greatest = coulomb.fold(0.0, f64::max);
+            if number(value).is_some_and(|s| s < greatest) {
+                scope.error(expr.place, mistake::static_below_coulomb(greatest));
+            }
+        }
+        Some(Some(Stribeck {
+            friction: friction?,
+            velocity: velocity?,
+        }))
+    })
 }

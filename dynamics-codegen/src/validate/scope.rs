@@ -5,15 +5,15 @@ use std::collections::BTreeMap;
 use dynamics_symbolic::exact::{Residue, SplitMix64, bit_length};
 use dynamics_symbolic::robot::Value;
 
-use super::measured::Measured;
+use super::measured::{self, Measured};
 use super::{angle, elementary};
 use crate::audience::AT_THE_END;
 use crate::description::{
-    Allow, Elementary, Entry, Expr, ExprKind, Given, Name, Operator, Table, Vector,
+    Allow, Elementary, Entry, Expr, ExprKind, Given, Name, Operator, Row, Table, Vector,
 };
 use crate::diagnose::Diagnostics;
 use crate::limits::{MOST_BITS, MOST_BITS_IN_ALL, MOST_TERMS, MOST_TERMS_IN_ALL};
-use crate::mistake::{Mistake, joint, size, value as mistake};
+use crate::mistake::{Mistake, couple, joint, size, value as mistake};
 use crate::place::Place;
 use crate::words;
 
@@ -33,6 +33,12 @@ pub(super) struct Scope<'d> {
     everywhere: Allow,
     /// What is allowed besides in what is read, and what messages call that.
     body: Option<(Allow, &'static str)>,
+    /// The cell that is read, where the joint's variable is added to it.
+    variable: Option<&'static str>,
+    /// The joint that follows another one, where its position is read.
+    follower: Option<String>,
+    /// The names of all joints.
+    joints: Vec<String>,
 }
 
 /// The size of values.
@@ -51,6 +57,7 @@ enum Binding {
 impl<'d> Scope<'d> {
     /// The fields alone.
     pub(super) fn new(table: &Table, diagnostics: &'d Diagnostics) -> Scope<'d> {
+        let joints = table.rows().iter().filter_map(|row| row.name.as_ref());
         let mut scope = Scope {
             diagnostics,
             names: BTreeMap::new(),
@@ -60,6 +67,9 @@ impl<'d> Scope<'d> {
             total: Total::default(),
             everywhere: table.allow(),
             body: None,
+            variable: None,
+            follower: None,
+            joints: joints.map(|name| name.plain().to_owned()).collect(),
         };
         for name in &table.fields {
             let index = scope.used.len();
@@ -118,7 +128,7 @@ impl<'d> Scope<'d> {
 
     /// Binds the name to the value.
     pub(super) fn bind(&mut self, name: &Name, value: Option<&Expr>) {
-        let value = value.and_then(|value| self.counted(value, None));
+        let value = value.and_then(|value| self.counted(value));
         self.insert(name, "`let`", Binding::Let(value));
     }
 
@@ -141,20 +151,9 @@ impl<'d> Scope<'d> {
         false
     }
 
-    /// Whether the name is that of a value, or may be.
-    pub(super) fn has(&self, name: &str) -> bool {
-        let is_bound = self.lets.iter().any(|bound| bound == name);
-        name == "PI" || is_bound || self.names.contains_key(name) || !self.complete
-    }
-
     /// Whether no error was reported.
     pub(super) fn is_good(&self) -> bool {
         self.diagnostics.is_empty()
-    }
-
-    /// The names of fields and values that are bound.
-    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
-        self.names.keys().map(String::as_str)
     }
 
     /// Whether the field of that index was used in a value.
@@ -162,204 +161,220 @@ impl<'d> Scope<'d> {
         self.used.get(field).copied().unwrap_or(true)
     }
 
+    /// Reads the cell of that name, to which the joint's variable is added.
+    pub(super) fn beside_variable<T>(
+        &mut self,
+        cell: Option<&'static str>,
+        read: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        self.variable = cell;
+        let value = read(self);
+        self.variable = None;
+        value
+    }
+
+    /// The position of a follower, a linear function of one joint of the table.
+    pub(super) fn position_of(&mut self, follower: &Name, position: &Expr) -> Option<Measured> {
+        self.follower = Some(follower.plain().to_owned());
+        let position = self.measured_cell(position);
+        self.follower = None;
+        position
+    }
+
     /// The value of an expression, or `None` where it is in error.
     pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
-        self.cell(expr, None)
+        Some(self.measured_cell(expr)?.value)
     }
 
     /// The value of an angle and what is odd about it, of which nothing is said.
     pub(super) fn unjudged_angle(&mut self, expr: &Expr) -> Option<(Value, Option<angle::Odd>)> {
-        let angle = self.measured_cell(expr, None)?;
-        let odd = angle::odd(&angle);
-        Some((angle.value, odd))
+        let Measured {
+            value, is_computed, ..
+        } = self.measured_cell(expr)?;
+        let odd = angle::odd(&value, is_computed);
+        Some((value, odd))
     }
 
-    /// The value of an angle; left out, it is zero. One that was hardly meant is reported. `variable` is
-    /// the cell's name where the joint's variable is added to it.
-    pub(super) fn angle(
-        &mut self,
-        cell: &Given<Expr>,
-        variable: Option<&'static str>,
-    ) -> Option<Value> {
-        match cell {
-            Given::As(expr) => self.written_angle(expr, variable),
-            other => self.given(other),
+    /// The value of an angle. One that was hardly meant is reported.
+    fn written_angle(&mut self, expr: &Expr) -> Option<Value> {
+        let (value, odd) = self.unjudged_angle(expr)?;
+        odd.iter().for_each(|odd| self.report_odd(odd, expr.place));
+        Some(value)
+    }
+
+    /// Reports what is odd about an angle, where that is not allowed.
+    pub(super) fn report_odd(&self, odd: &angle::Odd, place: Place) {
+        if !self.allowed().odd_angle {
+            self.error(place, odd.mistake(self.place_of_allow()));
         }
     }
 
-    /// Reports what is odd about the angle, where that is not allowed.
-    fn report_odd(&self, expr: &Expr, angle: &Measured) {
-        if let Some(odd) = angle::odd(angle)
-            && !self.allowed().odd_angle
-        {
-            self.error(expr.place, odd.mistake(self.place_of_allow()));
+    /// The row of the joint of that name; reports that there is none.
+    pub(super) fn row_of(&self, name: &Name, rows: &[Row]) -> Option<usize> {
+        let row = rows.iter().position(|row| row.word() == name.plain());
+        if row.is_none() {
+            let known: Vec<&str> = self.joints.iter().map(String::as_str).collect();
+            let meant = words::nearest(name.plain(), &known);
+            self.error(
+                name,
+                crate::mistake::unknown("joint", name.plain(), meant, &known),
+            );
         }
+        row
     }
 
-    /// Reports `deg(angle)` of what was in radians already; returns whether it was.
-    fn report_radians(&self, expr: &Expr, angle: &Measured) -> bool {
-        let is_judged = !self.allowed().odd_angle;
-        let mistake = angle::degrees_of_radians(angle, self.place_of_allow());
-        let mistake = mistake.filter(|_| is_judged);
-        let is_wrong = mistake.is_some();
-        if let Some(mistake) = mistake {
-            self.error(expr.place, mistake);
-        }
-        is_wrong
-    }
-
-    fn written_angle(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
-        let angle = self.measured_cell(expr, variable)?;
-        self.report_odd(expr, &angle);
-        Some(angle.value)
+    /// The value of an angle; left out, it is zero.
+    pub(super) fn angle(&mut self, cell: &Given<Expr>) -> Option<Value> {
+        cell.read(Value::zero(), |expr| self.written_angle(expr))
     }
 
     /// Three angles; left out, they are zero.
-    pub(super) fn angles(&mut self, angles: &Given<Vector>) -> [Option<Value>; 3] {
-        match angles {
-            Given::As(angles) => angles
+    pub(super) fn angles(&mut self, angles: &Given<Vector>) -> Option<[Value; 3]> {
+        let zero = [0; 3].map(Value::integer);
+        angles.read(zero, |angles| {
+            all(angles
                 .each_ref()
-                .map(|expr| self.written_angle(expr.as_ref()?, None)),
-            other => self.given_vector(other),
-        }
+                .map(|expr| self.written_angle(expr.as_ref()?)))
+        })
     }
 
     /// The value of a cell; left out, it is zero.
     pub(super) fn given(&mut self, cell: &Given<Expr>) -> Option<Value> {
-        match cell {
-            Given::Absent => Some(Value::zero()),
-            Given::Unreadable => None,
-            Given::As(expr) => self.value(expr),
-        }
-    }
-
-    /// The value of the cell to which the joint's variable is added.
-    pub(super) fn given_beside_variable(
-        &mut self,
-        cell: &Given<Expr>,
-        name: &'static str,
-    ) -> Option<Value> {
-        match cell {
-            Given::As(expr) => self.cell(expr, Some(name)),
-            other => self.given(other),
-        }
+        cell.read(Value::zero(), |expr| self.value(expr))
     }
 
     /// A cell that is refused where it is known to be negative.
     pub(super) fn not_negative(&mut self, cell: &Given<Expr>, what: &str) -> Option<Value> {
-        let value = self.given(cell)?;
-        match cell.value() {
-            Some(expr) if value.is_negative() => {
-                self.error(expr.place, joint::negative(what));
-                None
-            }
-            _ => Some(value),
-        }
+        cell.read(Value::zero(), |expr| match self.value(expr)? {
+            value if value.is_negative() => self.refused(expr.place, joint::negative(what)),
+            value => Some(value),
+        })
     }
 
     /// Three values; left out, they are zero.
-    pub(super) fn given_vector(&mut self, vector: &Given<Vector>) -> [Option<Value>; 3] {
-        match vector {
-            Given::Absent => std::array::from_fn(|_| Some(Value::zero())),
-            vector => self.vector(vector.value()),
-        }
+    pub(super) fn given_vector(&mut self, vector: &Given<Vector>) -> Option<[Value; 3]> {
+        vector.read([0; 3].map(Value::integer), |vector| self.vector(vector))
     }
 
     /// The values of three expressions.
-    pub(super) fn vector(&mut self, vector: Option<&Vector>) -> [Option<Value>; 3] {
-        match vector {
-            Some(vector) => vector.each_ref().map(|expr| self.value(expr.as_ref()?)),
-            None => [None, None, None],
-        }
+    pub(super) fn vector(&mut self, vector: &Vector) -> Option<[Value; 3]> {
+        all(vector.each_ref().map(|expr| self.value(expr.as_ref()?)))
     }
 
-    fn cell(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Value> {
-        Some(self.measured_cell(expr, variable)?.value)
-    }
-
-    fn measured_cell(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
-        let measured = self.counted(expr, variable)?;
+    fn measured_cell(&mut self, expr: &Expr) -> Option<Measured> {
+        let measured = self.counted(expr)?;
         let value = &measured.value;
         self.total.bits += bits(value);
         if self.total.bits > MOST_BITS_IN_ALL {
             // Said once: the table would have to be as long again.
             self.total.bits = 0;
-            self.error(expr.place, size::digits_in_all());
-            return None;
+            return self.refused(expr.place, size::digits_in_all());
         }
         if value.is_number() && !value.to_f64(&[]).is_finite() {
-            self.error(expr.place, mistake::too_large());
-            return None;
+            return self.refused(expr.place, mistake::too_large());
         }
         Some(measured)
     }
 
     /// The value, added to what there is in all.
-    fn counted(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
+    fn counted(&mut self, expr: &Expr) -> Option<Measured> {
         if self.total.terms > MOST_TERMS_IN_ALL || self.diagnostics.is_full() {
             return None;
         }
-        let measured = self.measured(expr, variable)?;
+        let measured = self.measured(expr)?;
         self.total.terms += measured.terms;
         if self.total.terms > MOST_TERMS_IN_ALL {
-            self.error(expr.place, size::terms_in_all());
-            return None;
+            return self.refused(expr.place, size::terms_in_all());
         }
         Some(measured)
     }
 
-    fn measured(&mut self, expr: &Expr, variable: Option<&'static str>) -> Option<Measured> {
+    /// Reports why there is no value.
+    pub(super) fn refused<T>(&self, place: Place, mistake: Mistake) -> Option<T> {
+        self.error(place, mistake);
+        None
+    }
+
+    fn measured(&mut self, expr: &Expr) -> Option<Measured> {
+        // From the first operand on: a sum of hundreds of terms is nested as deep.
+        let mut chain = Vec::new();
+        let mut first = expr;
+        while let ExprKind::Binary(operator, left, right) = &first.kind {
+            chain.push((*operator, [left.as_ref(), right.as_ref()], first.place));
+            first = left;
+        }
+        let mut measured = self.operand(first);
+        for (operator, sides, place) in chain.into_iter().rev() {
+            measured = self.binary(operator, measured, sides, place);
+        }
+        measured
+    }
+
+    /// A value that is no result of an operator of two.
+    fn operand(&mut self, expr: &Expr) -> Option<Measured> {
         let measured = match &expr.kind {
-            ExprKind::Number(number) => Measured::of(Value::Rational(number.clone())),
-            ExprKind::Name(name) => return self.lookup(name, expr.place, variable),
-            ExprKind::Degrees(angle) => {
-                let angle = self.measured(angle, variable)?;
-                if self.report_radians(expr, &angle) {
-                    return None;
-                }
-                // The quotient first: deg(90) is PI/2, with no rounding of 90 PI.
-                let turns = angle.value.checked_div(Value::integer(180))?;
-                Measured {
-                    value: turns * Value::Pi,
-                    terms: angle.terms + 2,
-                    is_computed: angle.is_computed,
-                }
-            }
+            ExprKind::Number(number) => Measured::new(Value::Rational(number.clone())),
+            ExprKind::Name(name) => return self.lookup(name, expr.place),
+            ExprKind::Degrees(angle) => self.degrees(angle, expr.place)?,
             ExprKind::Function(function, argument) => {
-                self.function(*function, argument, expr.place, variable)?
+                self.function(*function, argument, expr.place)?
             }
-            ExprKind::Minus(value) => {
-                let value = self.measured(value, variable)?;
-                Measured {
-                    value: -value.value,
-                    ..value
-                }
-            }
-            ExprKind::Binary(operator, left, right) => {
-                // Both sides before either `?`: there may be errors in both.
-                let a = self.measured(left, variable);
-                let b = self.measured(right, variable)?;
-                if *operator == Operator::Div && is_identically_zero(&b.value) {
-                    self.error(right.place, mistake::division_by_zero());
-                    return None;
-                }
-                let a = a?;
-                let terms = a.terms + b.terms;
-                self.limit(terms, expr.place)?;
-                Measured {
-                    value: apply(*operator, a.value, b.value)?,
-                    terms,
-                    is_computed: true,
-                }
-            }
+            ExprKind::Minus(value) => self.measured(value)?.negated(),
+            ExprKind::Binary(..) => self.measured(expr)?,
         };
+        self.held(measured, expr.place)
+    }
+
+    /// The value unless it is too large, or takes too many digits.
+    fn held(&self, measured: Measured, place: Place) -> Option<Measured> {
         let rational = measured.value.as_rational();
         if rational.is_some_and(|r| r.to_f64().value().is_infinite()) {
-            self.error(expr.place, mistake::too_large());
-            return None;
+            return self.refused(place, mistake::too_large());
         }
-        self.limit_digits(&measured.value, expr.place)?;
+        self.limit_digits(&measured.value, place)?;
+        if let Some(leader) = &measured.leader {
+            self.limit_digits(&leader.factor, place)?;
+        }
         Some(measured)
+    }
+
+    fn degrees(&mut self, angle: &Expr, place: Place) -> Option<Measured> {
+        let angle = self.measured(angle)?;
+        let mistake = angle::degrees_of_radians(&angle.value, self.place_of_allow());
+        let is_judged = angle.leader.is_none() && !self.allowed().odd_angle;
+        match mistake.filter(|_| is_judged) {
+            Some(mistake) => self.refused(place, mistake),
+            None => angle.degrees(),
+        }
+    }
+
+    fn binary(
+        &mut self,
+        operator: Operator,
+        a: Option<Measured>,
+        [left, right]: [&Expr; 2],
+        place: Place,
+    ) -> Option<Measured> {
+        // The right side before the first `?`: there may be errors in both.
+        let b = self.measured(right)?;
+        if operator == Operator::Div && b.leader.is_none() && is_identically_zero(&b.value) {
+            return self.refused(right.place, mistake::division_by_zero());
+        }
+        let a = a?;
+        let terms = a.terms + b.terms;
+        self.limit(terms, place)?;
+        let follower = self.follower.as_deref().unwrap_or_default();
+        let leader = measured::leader(operator, [&a, &b], [left.place, right.place], follower);
+        let measured = Measured {
+            leader: match leader {
+                Ok(leader) => leader,
+                Err((place, mistake)) => return self.refused(place, mistake),
+            },
+            value: apply(operator, a.value, b.value)?,
+            terms,
+            is_computed: true,
+        };
+        self.held(measured, place)
     }
 
     /// A value that was put together of values that are good, or `None` where it is longer than a value may be.
@@ -370,14 +385,10 @@ impl<'d> Scope<'d> {
     }
 
     fn limit_digits(&self, value: &Value, place: Place) -> Option<()> {
-        if value
-            .as_rational()
-            .is_none_or(|r| bit_length(r) <= MOST_BITS)
-        {
-            return Some(());
+        match value.as_rational() {
+            Some(r) if bit_length(r) > MOST_BITS => self.refused(place, size::digits()),
+            _ => Some(()),
         }
-        self.error(place, size::digits());
-        None
     }
 
     /// A function of a number.
@@ -386,72 +397,75 @@ impl<'d> Scope<'d> {
         function: Elementary,
         argument: &Expr,
         place: Place,
-        variable: Option<&'static str>,
     ) -> Option<Measured> {
-        let x = self.measured(argument, variable)?;
+        let x = self.measured(argument)?;
+        if let (Some(leader), Some(follower)) = (&x.leader, &self.follower) {
+            return self.refused(place, couple::not_linear(follower, &leader.name));
+        }
         if function != Elementary::Sqrt {
-            self.report_odd(argument, &x);
+            let odd = angle::odd(&x.value, x.is_computed);
+            odd.iter()
+                .for_each(|odd| self.report_odd(odd, argument.place));
         }
         match elementary::value(function, &x.value) {
             Ok(value) => Some(Measured {
-                value: Value::Rational(value),
                 terms: x.terms,
                 is_computed: true,
+                ..Measured::new(Value::Rational(value))
             }),
-            Err(mistake) => {
-                self.error(place, mistake);
-                None
-            }
+            Err(mistake) => self.refused(place, mistake),
         }
     }
 
     fn limit(&self, terms: usize, place: Place) -> Option<()> {
-        if terms <= MOST_TERMS {
-            return Some(());
+        if terms > MOST_TERMS {
+            return self.refused(place, size::terms());
         }
-        self.error(place, size::terms());
-        None
+        Some(())
     }
 
-    fn lookup(
-        &mut self,
-        name: &str,
-        place: Place,
-        variable: Option<&'static str>,
-    ) -> Option<Measured> {
-        if name == "PI" {
-            return Some(Measured::of(Value::Pi));
+    fn lookup(&mut self, name: &str, place: Place) -> Option<Measured> {
+        let word = name.strip_prefix("r#").unwrap_or(name);
+        if self.follower.is_some() && self.joints.iter().any(|joint| joint == word) {
+            return Some(Measured::position_of(word, place));
         }
-        match self.names.get(name.strip_prefix("r#").unwrap_or(name)) {
+        if name == "PI" {
+            return Some(Measured::new(Value::Pi));
+        }
+        match self.names.get(word) {
             Some(Binding::Field(index)) => {
                 self.used[*index] = true;
-                Some(Measured::of(Value::field(*index)))
+                Some(Measured::new(Value::field(*index)))
             }
             Some(Binding::Let(value)) => value.clone(),
-            None => {
-                if self.complete && !self.diagnostics.is_full() {
-                    let mistake = self.unknown(name, variable);
-                    self.error(place, mistake);
-                }
-                None
+            None if self.complete && !self.diagnostics.is_full() => {
+                let mistake = self.unknown(name);
+                self.refused(place, mistake)
             }
+            None => None,
         }
     }
 
     /// What to say about a name that is not in scope. A field that was meant is used.
-    fn unknown(&mut self, name: &str, variable: Option<&'static str>) -> Mistake {
+    fn unknown(&mut self, name: &str) -> Mistake {
         if self.lets.iter().any(|bound| bound == name) {
             return mistake::bound_below(name);
+        }
+        let names: Vec<&str> = self.names.keys().map(String::as_str).collect();
+        if let Some(follower) = &self.follower {
+            let joints: Vec<&str> = self.joints.iter().map(String::as_str).collect();
+            let others = joints.iter().filter(|joint| *joint != follower);
+            let known: Vec<&str> = others.chain(&names).copied().collect();
+            return couple::unknown_leader(name, words::nearest(name, &known), &joints);
         }
         if let Some(ours) = words::constant_of_std(name) {
             return mistake::constant_of_std(name, ours);
         }
-        let names: Vec<&str> = self.names.keys().map(String::as_str).collect();
         let meant = words::nearest(name, &[names.as_slice(), &["PI"]].concat());
         if let Some(Binding::Field(index)) = meant.and_then(|meant| self.names.get(meant)) {
             self.used[*index] = true;
         }
-        mistake::unknown_name(name, meant, &names, variable)
+        mistake::unknown_name(name, meant, &names, self.variable)
     }
 }
 
@@ -490,8 +504,10 @@ pub(super) fn number(value: &Value) -> Option<f64> {
 }
 
 /// The length of a vector, where its components are known numbers.
-pub(super) fn norm(vector: [Option<&Value>; 3]) -> Option<f64> {
-    let [x, y, z] = vector.map(|component| Some(number(component?)?.powi(2)));
+pub(super) fn norm(vector: &[Value; 3]) -> Option<f64> {
+    let [x, y, z] = vector
+        .each_ref()
+        .map(|component| Some(number(component)?.powi(2)));
     Some((x? + y? + z?).sqrt())
 }
 

@@ -17,7 +17,8 @@ mod signature;
 
 pub use languages::{CSource, c_source, description, javascript_module, snake_case};
 pub use signature::{
-    base_parameter_constants, function_type, method_name, stub, stub_of_function, stub_of_trait,
+    base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
+    stub_of_trait,
 };
 use signature::{
     call, call_of_function, function_items, leading_matrix, provided, signature, without_parameters,

@@ -150,6 +150,19 @@ pub(super) fn without_parameters(joints: usize) -> Sizes {
     }
 }
 
+/// A method of a trait, without its own documentation, that calls the struct's method of the same name.
+pub fn handed_on(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
+    let request = Request::One(function);
+    let signature = Types::new(without_parameters(dof), path).signature(&request, None);
+    let (name, names) = (method_name(&request), names(&request));
+    quote! {
+        #[inline]
+        #signature {
+            Self::#name(self #(, #names)*)
+        }
+    }
+}
+
 /// The items of the runtime's trait for the function, if there is one. With `dof` zero the
 /// implementation is generic over the number of joints.
 pub(super) fn provided(
@@ -167,18 +180,14 @@ pub(super) fn provided(
     }
     let request = Request::One(function);
     let types = Types::new(without_parameters(dof), path);
-    let signature = types.signature(&request, None);
     let (arguments, output) = (types.arguments(&request), types.output(&request));
-    let (name, names) = (method_name(&request), names(&request));
-    let [at, sines] = [&format!("{name}_at"), "sines"].map(ident);
+    let method = handed_on(function, dof, path);
+    let [at, sines] = [&format!("{}_at", function.name()), "sines"].map(ident);
     let work = Literal::u32_unsuffixed(work);
     Some(quote! {
         const WORK: u32 = #work;
 
-        #[inline]
-        #signature {
-            Self::#name(self #(, #names)*)
-        }
+        #method
 
         #[inline(always)]
         fn #at<T: #path::Scalar>(

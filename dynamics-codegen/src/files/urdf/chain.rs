@@ -47,6 +47,8 @@ pub(super) fn entries<'a>(
         return None;
     }
     let joints = chain.rows(&ends[0]);
+    // What is wrong with the rest of the rows is said beside links without inertia.
+    let is_readable = diagnostics.is_empty();
     chain.report_without_inertia();
     let start = Place::File { line: 1, column: 1 };
     let mut entries = vec![
@@ -59,7 +61,7 @@ pub(super) fn entries<'a>(
     if !chain.coupled.is_empty() {
         entries.push(Entry::Couple(Some(chain.coupled)));
     }
-    diagnostics.is_empty().then_some(entries)
+    is_readable.then_some(entries)
 }
 
 pub(super) struct Chain<'a> {
@@ -118,8 +120,11 @@ impl<'a> Chain<'a> {
     /// Names in `ignore` that no joint has, and `rest` in both lists.
     fn report_names(&mut self) {
         let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
-        if let Some((name, _)) = self.rest_locked() {
+        if let Some((name, position)) = self.rest_locked() {
             self.used.push(REST.to_owned());
+            if position.is_none() {
+                self.error(name, mistake::rest_with_names());
+            }
             if self.is_rest_ignored() {
                 self.error(name, mistake::rest_twice());
             }
@@ -127,7 +132,7 @@ impl<'a> Chain<'a> {
         for name in &self.request.ignore {
             if !known.contains(&name.plain()) && name.plain() != REST {
                 let meant = words::nearest(name.plain(), &known);
-                let mistake = crate::mistake::entry::unknown_joint(name.plain(), meant, &known);
+                let mistake = crate::mistake::unknown("joint", name.plain(), meant, &known);
                 self.error(name, mistake);
             }
         }
@@ -149,7 +154,10 @@ impl<'a> Chain<'a> {
         for end in [first, last] {
             if !known.contains(&end.plain()) {
                 let meant = words::nearest(end.plain(), &known);
-                self.error(end, mistake::unknown_link(end.plain(), meant, &known));
+                self.error(
+                    end,
+                    crate::mistake::unknown("link", end.plain(), meant, &known),
+                );
                 good = false;
             }
         }

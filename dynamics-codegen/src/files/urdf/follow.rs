@@ -165,7 +165,8 @@ impl<'a> Chain<'a> {
         if !self.is_on_chain(joint) {
             self.used.push(joint.name.clone());
         }
-        if position.is_none() {
+        // That of the rest is said once, with its name.
+        if position.is_none() && name.plain() == joint.name {
             self.error(name, mistake::lock_with_names(&joint.name));
         }
         position.clone()

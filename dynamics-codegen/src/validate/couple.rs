@@ -1,19 +1,17 @@
 //! Joints that follow others.
 
-mod law;
-
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Coupling, JointType, Row};
+use dynamics_symbolic::robot::{Coupling, JointType, Row, Value};
 
+use super::angle::Odd;
 use super::lock::report_out_of_limits;
-use super::scope::Scope;
+use super::measured::Measured;
+use super::scope::{Scope, is_identically_zero};
 use crate::description::{self, Given, Name, Positioned};
 use crate::limits::{MOST_FOLLOWERS, MOST_JOINTS_OF_COUPLED};
-use crate::mistake::{couple as mistake, entry};
+use crate::mistake::couple as mistake;
 use crate::place::Place;
-use crate::words;
-use law::{Law, law};
 
 /// A joint that follows another one.
 pub(super) struct Couple {
@@ -22,24 +20,48 @@ pub(super) struct Couple {
     law: Option<Law>,
 }
 
+/// factor * leader + offset
+struct Law {
+    leader: String,
+    factor: Value,
+    offset: Value,
+    /// What is odd about the offset, where it is an angle.
+    odd: Option<(Odd, Place)>,
+}
+
 /// The index of the row that leads a row, and the law by which it does; `None` of a row that follows none.
 type Lead<'c> = Option<(usize, &'c Law)>;
 
-/// The couplings, in the scope of the place where they are written; `joints` are the names of all joints.
-pub(super) fn couplings(
-    coupled: Option<&[Positioned]>,
-    joints: &[String],
-    scope: &mut Scope,
-) -> Vec<Couple> {
-    let coupled = coupled.unwrap_or_default();
+/// The couplings, in the scope of the place where they are written.
+pub(super) fn couplings(coupled: Option<&[Positioned]>, scope: &mut Scope) -> Vec<Couple> {
     let couple = |coupled: &Positioned| Couple {
         name: coupled.name.clone(),
-        law: coupled
-            .position
-            .as_ref()
-            .and_then(|position| law(position, &coupled.name, joints, scope)),
+        law: law(coupled, scope),
     };
-    coupled.iter().map(couple).collect()
+    coupled.unwrap_or_default().iter().map(couple).collect()
+}
+
+/// Reads the law of a follower.
+fn law(coupled: &Positioned, scope: &mut Scope) -> Option<Law> {
+    let (name, position) = (coupled.name.plain(), coupled.position.as_ref()?);
+    let Measured { value, leader, .. } = scope.position_of(&coupled.name, position)?;
+    let (place, mistake) = match leader {
+        None => (position.place, mistake::no_leader(name)),
+        Some(leader) if leader.name == name => (leader.place, mistake::itself(name)),
+        Some(leader) if is_identically_zero(&leader.factor) => {
+            (position.place, mistake::factor_zero(name, &leader.name))
+        }
+        Some(leader) => {
+            return Some(Law {
+                leader: leader.name,
+                factor: leader.factor,
+                offset: value,
+                odd: leader.odd,
+            });
+        }
+    };
+    scope.error(place, mistake);
+    None
 }
 
 /// Couples the rows' joints. A row that is in error (`None`) is known by its name alone. What follows a
@@ -50,15 +72,14 @@ pub(super) fn couple(
     written: &[description::Row],
     scope: &Scope,
 ) {
-    let names: Vec<String> = written.iter().map(name_of).collect();
-    if report_too_many(couples, names.len(), scope) {
+    if report_too_many(couples, written.len(), scope) {
         return;
     }
-    let laws = laws_of_rows(rows, couples, written, &names, scope);
-    if report_circles(&laws, couples, &names, scope) {
+    let laws = laws_of_rows(rows, couples, written, scope);
+    if report_circles(&laws, couples, written, scope) {
         return;
     }
-    for (row, name) in names.iter().enumerate() {
+    for (row, name) in written.iter().map(description::Row::word).enumerate() {
         let couple = couples.iter().find(|couple| couple.name.plain() == name);
         let Some(place) = couple.map(|couple| Place::from(&couple.name)) else {
             continue;
@@ -71,38 +92,32 @@ pub(super) fn couple(
 
 /// Reports more followers, or more rows beside followers, than there may be; whether it did.
 fn report_too_many(couples: &[Couple], rows: usize, scope: &Scope) -> bool {
-    if let Some(first_too_many) = couples.get(MOST_FOLLOWERS) {
-        scope.error(&first_too_many.name, mistake::too_many());
-        return true;
-    }
-    if let Some(couple) = couples.first()
-        && rows > MOST_JOINTS_OF_COUPLED
-    {
-        let mistake = mistake::too_many_rows(MOST_JOINTS_OF_COUPLED);
-        scope.error(&couple.name, mistake);
-        return true;
-    }
-    false
+    let (couple, mistake) = match couples {
+        [_, ..] if couples.len() > MOST_FOLLOWERS => {
+            (&couples[MOST_FOLLOWERS], mistake::too_many())
+        }
+        [couple, ..] if rows > MOST_JOINTS_OF_COUPLED => {
+            (couple, mistake::too_many_rows(MOST_JOINTS_OF_COUPLED))
+        }
+        _ => return false,
+    };
+    scope.error(&couple.name, mistake);
+    true
 }
 
-/// How each row is led. Reports names that are no
-/// joints, joints that follow twice, and what their rows say that a follower's cannot.
+/// How each row is led. Reports names that are no joints, joints that follow twice, and what their rows say that a
+/// follower's cannot.
 fn laws_of_rows<'c>(
     rows: &[Option<Row>],
     couples: &'c [Couple],
     written: &[description::Row],
-    names: &[String],
     scope: &Scope,
 ) -> Vec<Lead<'c>> {
-    let position = |word: &str| names.iter().position(|name| name == word);
-    let mut laws: Vec<Lead> = names.iter().map(|_| None).collect();
+    let mut laws: Vec<Lead> = written.iter().map(|_| None).collect();
     let mut seen = BTreeSet::new();
     for couple in couples {
         let word = couple.name.plain();
-        let Some(row) = position(word) else {
-            let known: Vec<&str> = names.iter().map(String::as_str).collect();
-            let mistake = entry::unknown_joint(word, words::nearest(word, &known), &known);
-            scope.error(&couple.name, mistake);
+        let Some(row) = scope.row_of(&couple.name, written) else {
             continue;
         };
         if !seen.insert(row) {
@@ -121,7 +136,8 @@ fn laws_of_rows<'c>(
             report_limits(&written[row], &law.leader, scope);
             report_offset(rows[row].as_ref(), law, scope);
         }
-        laws[row] = position(&law.leader).map(|leader| (leader, law));
+        let leader = written.iter().position(|row| row.word() == law.leader);
+        laws[row] = leader.map(|leader| (leader, law));
     }
     laws
 }
@@ -145,49 +161,45 @@ fn follow(rows: &mut [Option<Row>], row: usize, coupling: Coupling, place: Place
     row.limits = None;
 }
 
-fn name_of(row: &description::Row) -> String {
-    row.name
-        .as_ref()
-        .map_or(String::new(), |name| name.plain().to_owned())
-}
-
 fn report_limits(row: &description::Row, leader: &str, scope: &Scope) {
-    let Given::As([Some(lower), Some(upper)]) = &row.limits else {
-        return;
-    };
-    let mistake = mistake::limits(&name_of(row), leader);
-    scope.error(lower.place.to(upper.place), mistake);
+    if let Given::As([Some(lower), Some(upper)]) = &row.limits {
+        let mistake = mistake::limits(row.word(), leader);
+        scope.error(lower.place.to(upper.place), mistake);
+    }
 }
 
 /// Reports an offset that was hardly meant as an angle.
 fn report_offset(row: Option<&Row>, law: &Law, scope: &Scope) {
     let is_angle = row.is_some_and(|row| row.joint_type == JointType::Revolute);
-    if let Some((odd, place)) = &law.odd
-        && is_angle
-        && !scope.allowed().odd_angle
-    {
-        scope.error(*place, odd.mistake(scope.place_of_allow()));
+    if let Some((odd, place)) = law.odd.as_ref().filter(|_| is_angle) {
+        scope.report_odd(odd, *place);
     }
 }
 
 /// Reports every circle of followers, once; whether there is one.
-fn report_circles(laws: &[Lead], couples: &[Couple], names: &[String], scope: &Scope) -> bool {
+fn report_circles(
+    laws: &[Lead],
+    couples: &[Couple],
+    written: &[description::Row],
+    scope: &Scope,
+) -> bool {
     let mut in_circles: BTreeSet<usize> = BTreeSet::new();
     for couple in couples {
-        let start = names.iter().position(|name| name == couple.name.plain());
+        let start = written
+            .iter()
+            .position(|row| row.word() == couple.name.plain());
         let Some(start) = start.filter(|start| !in_circles.contains(start)) else {
             continue;
         };
         let mut chain = vec![start];
-        while let Some((leader, _)) = chain.last().and_then(|&row| laws[row]) {
+        while chain.len() <= laws.len()
+            && let Some((leader, _)) = chain.last().and_then(|&row| laws[row])
+        {
             chain.push(leader);
             if leader == start {
-                let names: Vec<&str> = chain.iter().map(|&row| names[row].as_str()).collect();
+                let names: Vec<&str> = chain.iter().map(|&row| written[row].word()).collect();
                 scope.error(&couple.name, mistake::circle(&names));
                 in_circles.extend(&chain);
-                break;
-            }
-            if chain.len() > laws.len() {
                 break;
             }
         }

@@ -1,0 +1,273 @@
+//! The text of a file, and what it says of a robot.
+
+use std::collections::BTreeSet;
+use std::io::Read as _;
+use std::path::Path;
+
+use super::{Format, Request, json, load, toml, urdf};
+use crate::description::{Entry, Name, Place, Table};
+use crate::diagnose::Diagnostics;
+use crate::mistake::{Mistake, file as mistake};
+use crate::tree::Language;
+use crate::{Error, Model};
+
+/// The bytes of a file that has at most so many.
+///
+/// # Errors
+///
+/// What the system says of a file that cannot be read; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if it is longer,
+/// or a folder, a pipe or a device, of which no end may ever be read.
+pub fn bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
+    // To open a pipe waits for somebody who writes into it.
+    let kind = std::fs::metadata(path)?;
+    if kind.is_dir() {
+        return Err(unread("it is a folder, expected a file".to_owned()));
+    }
+    if !kind.is_file() {
+        return Err(unread(format!(
+            "it is a pipe or a device and may be longer than {most} bytes, expected a file"
+        )));
+    }
+    bytes_of_any(path, most)
+}
+
+/// As [`bytes`], of a pipe or a device too: only so many are read of it.
+///
+/// # Errors
+///
+/// What the system says; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if there are more.
+pub fn bytes_of_any(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path)?;
+    match file.take(most as u64 + 1).read_to_end(&mut bytes)? {
+        read if read > most => Err(unread(format!("it is longer than {most} bytes"))),
+        _ => Ok(bytes),
+    }
+}
+
+/// The error of a file that is not read, or not whole.
+fn unread(reason: String) -> std::io::Error {
+    std::io::Error::new(std::io::ErrorKind::InvalidInput, reason)
+}
+
+/// The text of a file's bytes.
+///
+/// # Errors
+///
+/// The first of them that is none of a text in UTF-8.
+pub fn text(bytes: Vec<u8>) -> Result<String, Error> {
+    decoded(bytes).map_err(|(place, mistake)| Error {
+        place,
+        message: mistake.to_string(),
+    })
+}
+
+pub(super) fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
+    let is_utf_16 = match bytes[..] {
+        // The mark at its start; without one, a letter of which a byte is zero.
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
+        [first, second, ..] => (first == 0) != (second == 0),
+        _ => false,
+    };
+    let start = Place::File { line: 1, column: 1 };
+    if is_utf_16 {
+        return Err((start, mistake::utf_16()));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let (good, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
+        let good = String::from_utf8_lossy(good);
+        let last = good.rsplit('\n').next().unwrap_or_default();
+        let place = Place::File {
+            line: 1 + good.matches('\n').count(),
+            column: 1 + last.chars().count(),
+        };
+        (
+            place,
+            mistake::no_text(rest.first().copied().unwrap_or_default()),
+        )
+    })
+}
+
+/// Reads the text of a file: what it says of the robot `name`, or all that cannot be read. What a table
+/// says is judged by [`check`](crate::check); it need not have everything that a robot needs.
+pub fn table(
+    name: &str,
+    text: &str,
+    format: Format,
+    request: &Request,
+) -> Result<Table, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let used = &mut Vec::new();
+    let table = read(text, format, request, used, &diagnostics).unwrap_or_default();
+    named(name, table, diagnostics)
+}
+
+/// The table of a robot of that name, unless there were mistakes.
+fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
+    put_name(name, &mut table);
+    match diagnostics.is_empty() {
+        true => Ok(table),
+        false => Err(crate::errors(diagnostics, table.audience)),
+    }
+}
+
+fn put_name(name: &str, table: &mut Table) {
+    let start = Place::File { line: 1, column: 1 };
+    table.name = Some(Name::new(name, start));
+    table.has_all_fields = true;
+}
+
+/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled and
+/// what is allowed add to the file's. Every other entry replaces the file's (a `let` replaces that of the same name);
+/// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
+/// passed over for a table. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
+pub fn table_beside(
+    name: &str,
+    text: &str,
+    format: Format,
+    beside: Table,
+) -> Result<Table, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let table = put_beside(text, format, beside, &diagnostics);
+    named(name, table, diagnostics)
+}
+
+/// The model of a text with the entries of `beside`, as in [`table_beside`], or all mistakes: in what cannot be read, and
+/// in the rest of the robot.
+pub fn model_beside(
+    name: &str,
+    text: &str,
+    format: Format,
+    beside: Table,
+) -> Result<Model, Vec<Error>> {
+    let diagnostics = Diagnostics::new();
+    let mut table = put_beside(text, format, beside, &diagnostics);
+    put_name(name, &mut table);
+    let model = crate::validate::model(&table, &diagnostics);
+    let errors = crate::errors(diagnostics, table.audience);
+    model.ok_or(errors)
+}
+
+/// Keys of entries that add to the same entries of a file.
+pub(super) const ADDING: [&str; 3] = ["lock", "couple", "allow"];
+
+/// Whether an entry has one of these keys.
+fn adds(entry: &Entry) -> bool {
+    matches!(entry, Entry::Lock(_) | Entry::Couple(_) | Entry::Allow(_))
+}
+
+/// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of
+/// its entries.
+fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagnostics) -> Table {
+    let request = load::request(&beside, diagnostics).unwrap_or_default();
+    let used = &mut Vec::new();
+    let unread = || Table {
+        entries: vec![Entry::File(None)],
+        ..Table::default()
+    };
+    let mut table = read(text, format, &request, used, diagnostics).unwrap_or_else(unread);
+    load::forget_locks(&mut beside.entries, used);
+    for (key, place) in &beside.keys {
+        if ["convention", "joint", "joints"].contains(key) {
+            diagnostics.error(*place, mistake::beside_a_file(key));
+        }
+    }
+    let (names, entries): (Vec<_>, Vec<_>) = beside
+        .entries
+        .into_iter()
+        .partition(|entry| matches!(entry, Entry::Let(..)));
+    bind_first(&mut table.entries, names);
+    for entry in entries {
+        if matches!(
+            entry,
+            Entry::Chain(_)
+                | Entry::Ignore(_)
+                | Entry::RoundAngles(_)
+                | Entry::Convention(_)
+                | Entry::Joints(..)
+        ) {
+            continue;
+        }
+        let same =
+            |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
+        table.entries.retain(|other| adds(&entry) || !same(other));
+        table.entries.push(entry);
+    }
+    table.keys.extend(beside.keys);
+    table.fields.extend(beside.fields);
+    table.audience = beside.audience;
+    table.needed = beside.needed;
+    table
+}
+
+/// Puts bindings of names before the entries, in the place of those that bind the same names.
+fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
+    let name_of = |entry: &Entry| match entry {
+        Entry::Let(name, _) => Some(name.plain().to_owned()),
+        _ => None,
+    };
+    let bound: Vec<_> = bindings.iter().map(name_of).collect();
+    entries.retain(|entry| name_of(entry).is_none() || !bound.contains(&name_of(entry)));
+    entries.splice(0..0, bindings);
+}
+
+/// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot
+/// be read.
+pub fn joint_names(text: &str, format: Format) -> Vec<String> {
+    let diagnostics = Diagnostics::new();
+    let names = match format {
+        Format::Urdf => urdf::joint_names(text, &diagnostics),
+        _ => {
+            let used = &mut Vec::new();
+            let table = read(text, format, &Request::default(), used, &diagnostics);
+            let entries = table.into_iter().flat_map(|table| table.entries);
+            let rows = entries.filter_map(|entry| match entry {
+                Entry::Joints(_, joints) => Some(joints?.rows),
+                _ => None,
+            });
+            let names = rows.flatten().filter_map(|row| row.name);
+            names.map(|name| name.plain().to_owned()).collect()
+        }
+    };
+    diagnostics.forget();
+    names
+}
+
+/// The links of the text of a URDF file to which no joint leads, and those from which none does: where an arm may begin
+/// and end. None where it cannot be read.
+pub fn ends(text: &str) -> Option<[Vec<String>; 2]> {
+    let diagnostics = Diagnostics::new();
+    let ends = urdf::ends(text, &diagnostics);
+    diagnostics.forget();
+    ends
+}
+
+/// The names in the values of the text of a table.
+pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
+    let diagnostics = Diagnostics::new();
+    let table = read(
+        text,
+        format,
+        &Request::default(),
+        &mut Vec::new(),
+        &diagnostics,
+    );
+    diagnostics.forget();
+    table.map_or(BTreeSet::new(), |table| table.mentions)
+}
+
+/// The entries of a text; what cannot be read is reported. None of a text of another format.
+pub(super) fn read(
+    text: &str,
+    format: Format,
+    request: &Request,
+    used: &mut Vec<String>,
+    diagnostics: &Diagnostics,
+) -> Option<Table> {
+    let (root, language) = match format {
+        Format::Toml => (toml::document(text, diagnostics), Language::Toml),
+        Format::Json => (json::document(text, diagnostics), Language::Json),
+        Format::Urdf => return urdf::read(text, request, used, diagnostics),
+    };
+    root.map(|root| crate::read::table(&root, language, diagnostics))
+}
