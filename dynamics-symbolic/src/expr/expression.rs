@@ -2,8 +2,8 @@
 
 use super::{Edge, Fingerprint, Graph, Level, NodeId};
 use crate::exact::{Rational, circle_point};
+use crate::operators::impl_operators;
 use core::fmt;
-use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An expression of a [`Graph`].
 #[derive(Clone, Copy)]
@@ -91,42 +91,11 @@ impl fmt::Debug for Expr<'_> {
     }
 }
 
-impl Add for Expr<'_> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.with(self.graph.add(self.edge, other.edge))
-    }
-}
-
-impl Sub for Expr<'_> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self.with(self.graph.add(self.edge, -other.edge))
-    }
-}
-
-impl Mul for Expr<'_> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        self.with(self.graph.mul(self.edge, other.edge))
-    }
-}
-
-impl Div for Expr<'_> {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        self.with(self.graph.div(self.edge, other.edge))
-    }
-}
-
-impl Neg for Expr<'_> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        self.with(self.edge.negate_if(!self.is_zero()))
-    }
+impl_operators! {
+    impl ['g] for Expr<'g>;
+    Add add |a, b| a.with(a.graph.add(a.edge, b.edge));
+    Sub sub |a, b| a.with(a.graph.add(a.edge, -b.edge));
+    Mul mul |a, b| a.with(a.graph.mul(a.edge, b.edge));
+    Div div |a, b| a.with(a.graph.div(a.edge, b.edge));
+    Neg neg |a| a.with(a.edge.negate_if(!a.is_zero()));
 }
