@@ -41,9 +41,14 @@ impl Graph {
         self.expr(NodeId::ONE.edge(false))
     }
 
+    /// 1/2.
+    pub fn half(&self) -> Expr<'_> {
+        self.rational(&(Rational::ONE / Rational::from(2)))
+    }
+
     /// An exact number.
     pub fn rational(&self, x: &Rational) -> Expr<'_> {
-        self.expr(self.number(x))
+        self.expr(self.arena().rational(x))
     }
 }
 
@@ -65,12 +70,12 @@ impl<'g> Expr<'g> {
 
     /// The exact number that the expression is, where it is one.
     pub(crate) fn as_rational(self) -> Option<Rational> {
-        self.graph.as_rational(self.edge)
+        self.graph.arena().as_rational(self.edge)
     }
 
     /// The value at the graph's random point.
     pub(crate) fn fingerprint(self) -> Fingerprint {
-        self.graph.value(self.edge)
+        self.graph.arena().value(self.edge)
     }
 
     fn with(self, edge: Edge) -> Self {
@@ -93,9 +98,9 @@ impl fmt::Debug for Expr<'_> {
 
 impl_operators! {
     impl ['g] for Expr<'g>;
-    Add add |a, b| a.with(a.graph.add(a.edge, b.edge));
-    Sub sub |a, b| a.with(a.graph.add(a.edge, -b.edge));
-    Mul mul |a, b| a.with(a.graph.mul(a.edge, b.edge));
-    Div div |a, b| a.with(a.graph.div(a.edge, b.edge));
+    Add add |a, b| a.with(a.graph.arena().add(a.edge, b.edge));
+    Sub sub |a, b| a.with(a.graph.arena().add(a.edge, -b.edge));
+    Mul mul |a, b| a.with(a.graph.arena().mul(a.edge, b.edge));
+    Div div |a, b| a.with(a.graph.arena().div(a.edge, b.edge));
     Neg neg |a| a.with(a.edge.negate_if(!a.is_zero()));
 }

@@ -51,30 +51,27 @@ impl<R: Ring> Articulated<R> {
     pub(super) fn left_z(&self, turn: Turn<R>) -> Self {
         Articulated {
             angular: tensor_leave_z(turn, self.angular),
-            coupling: matrix_left_z(turn, &self.coupling),
+            coupling: matrix_left_z(turn, &self.coupling, block_left_z),
             linear: tensor_leave_z(turn, self.linear),
         }
     }
 
-    /// In the frame before a turn about x.
-    pub(super) fn left_x(&self, turn: Turn<R>) -> Self {
-        self.renamed().left_z(turn).renamed().renamed()
+    /// What a turn about x makes of it, by what the turn makes of it about z.
+    pub(super) fn about_x(&self, turn: impl Fn(&Self) -> Self) -> Self {
+        turn(&self.renamed()).renamed().renamed()
     }
 
     /// As [`Articulated::left_z`]: no component across the axis is a difference of larger ones. A
     /// payload that a joint gives way to in one direction weighs nothing in that direction: what a
     /// turn makes of that is not what a large number less another leaves.
     pub(super) fn turned_z(&self, turn: Turn<R>) -> Self {
+        let matrix = |m: &Matrix3<R>| matrix_left_z(turn, m, block_turned_z);
+        let tensor = |t: &Symmetric3<R>| Symmetric3::from_upper(&matrix(&t.full()));
         Articulated {
-            angular: tensor_turned_z(turn, &self.angular),
-            coupling: matrix_turned_z(turn, &self.coupling),
-            linear: tensor_turned_z(turn, &self.linear),
+            angular: tensor(&self.angular),
+            coupling: matrix(&self.coupling),
+            linear: tensor(&self.linear),
         }
-    }
-
-    /// As [`Articulated::left_x`], likewise.
-    pub(super) fn turned_x(&self, turn: Turn<R>) -> Self {
-        self.renamed().turned_z(turn).renamed().renamed()
     }
 
     /// About a point from which the old origin is at r.
@@ -129,50 +126,39 @@ fn renamed<R: Ring>(t: &Symmetric3<R>) -> Symmetric3<R> {
     }
 }
 
-/// R H R^T. As for tensors, with k = s (xx - yy) + c (xy + yx):
-/// xx' = xx - s k, yy' = yy + s k, xy' = c k - yx, yx' = c k - xy.
-fn matrix_left_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
+/// The components of a matrix across the axis of a turn.
+type Block<R> = [[R; 2]; 2];
+
+/// R H R^T, where `block` has the components across the axis.
+fn matrix_left_z<R: Ring>(
+    turn: Turn<R>,
+    h: &Matrix3<R>,
+    block: impl Fn(Turn<R>, Block<R>) -> Block<R>,
+) -> Matrix3<R> {
     let [[xx, xy, xz], [yx, yy, yz], z] = h.0;
-    let k = turn.s * (xx - yy) + turn.c * (xy + yx);
-    let (sk, ck) = (turn.s * k, turn.c * k);
+    let [[xx, xy], [yx, yy]] = block(turn, [[xx, xy], [yx, yy]]);
     let (xz, yz) = turn.leave(xz, yz);
-    Matrix3([
-        [xx - sk, ck - yx, xz],
-        [ck - xy, yy + sk, yz],
-        leave_z(turn, Vector3(z)).0,
-    ])
+    Matrix3([[xx, xy, xz], [yx, yy, yz], leave_z(turn, Vector3(z)).0])
 }
 
-/// R A R^T for the components across the axis, with every product in its own right:
+/// As for tensors, with k = s (xx - yy) + c (xy + yx):
+/// xx' = xx - s k, yy' = yy + s k, xy' = c k - yx, yx' = c k - xy.
+fn block_left_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: Block<R>) -> Block<R> {
+    let k = turn.s * (xx - yy) + turn.c * (xy + yx);
+    let (sk, ck) = (turn.s * k, turn.c * k);
+    [[xx - sk, ck - yx], [ck - xy, yy + sk]]
+}
+
+/// The same with every product in its own right:
 /// xx' = c^2 xx + s^2 yy - c s (xy + yx), yy' = s^2 xx + c^2 yy + c s (xy + yx),
 /// xy' = c s (xx - yy) + c^2 xy - s^2 yx, yx' = c s (xx - yy) + c^2 yx - s^2 xy.
-fn block_turned_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: [[R; 2]; 2]) -> [[R; 2]; 2] {
+fn block_turned_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: Block<R>) -> Block<R> {
     let (cc, ss, cs) = (turn.c * turn.c, turn.s * turn.s, turn.c * turn.s);
     let (mixed, across) = (cs * (xy + yx), cs * (xx - yy));
     [
         [cc * xx + ss * yy - mixed, across + cc * xy - ss * yx],
         [across + cc * yx - ss * xy, ss * xx + cc * yy + mixed],
     ]
-}
-
-fn tensor_turned_z<R: Ring>(turn: Turn<R>, t: &Symmetric3<R>) -> Symmetric3<R> {
-    let [[xx, xy], [_, yy]] = block_turned_z(turn, [[t.xx, t.xy], [t.xy, t.yy]]);
-    let (xz, yz) = turn.leave(t.xz, t.yz);
-    Symmetric3 {
-        xx,
-        yy,
-        zz: t.zz,
-        xy,
-        yz,
-        xz,
-    }
-}
-
-fn matrix_turned_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
-    let [[xx, xy, xz], [yx, yy, yz], z] = h.0;
-    let [[xx, xy], [yx, yy]] = block_turned_z(turn, [[xx, xy], [yx, yy]]);
-    let (xz, yz) = turn.leave(xz, yz);
-    Matrix3([[xx, xy, xz], [yx, yy, yz], leave_z(turn, Vector3(z)).0])
 }
 
 #[cfg(test)]
@@ -222,7 +208,7 @@ mod tests {
         let outer = wrench(&inertia.left_z(turn), leave(wd), leave(a));
         assert_eq!(outer, inner.map(leave));
         let leave = |v| crate::spatial::leave_x(turn, v);
-        let outer = wrench(&inertia.left_x(turn), leave(wd), leave(a));
+        let outer = wrench(&inertia.about_x(|x| x.left_z(turn)), leave(wd), leave(a));
         assert_eq!(outer, inner.map(leave));
     }
 
@@ -231,7 +217,6 @@ mod tests {
         let random = &mut SplitMix64::new(4);
         let (inertia, turn) = (articulated(random), turn(random));
         assert_eq!(inertia.turned_z(turn), inertia.left_z(turn));
-        assert_eq!(inertia.turned_x(turn), inertia.left_x(turn));
     }
 
     /// At the old origin, which is at r, the acceleration is a + wd x r; the moment of f there
@@ -255,7 +240,10 @@ mod tests {
         };
         let (turn, r) = (turn(random), vector(random));
         let rigid = |body: &Body<Number>| Articulated::rigid(body, Number::ZERO);
-        assert_eq!(rigid(&body).left_x(turn), rigid(&body.left_x(turn)));
+        assert_eq!(
+            rigid(&body).about_x(|x| x.left_z(turn)),
+            rigid(&body.left_x(turn))
+        );
         assert_eq!(rigid(&body).left_z(turn), rigid(&body.left_z(turn)));
         assert_eq!(rigid(&body).moved(r), rigid(&body.moved(r)));
         let both = rigid(&body).joined(&rigid(&body));
