@@ -1,9 +1,9 @@
 //! Numbers that are known to lie between two doubles.
 
 use crate::exact::{Rational, SINE_ERROR, sin_cos};
+use crate::operators::impl_operators;
 use crate::robot::{Interpretation, Value};
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
-use core::ops::{Add, Mul, Neg, Sub};
 
 /// All numbers from `low` to `high`. Every result is widened to the next doubles, so that it holds the
 /// true one whatever was rounded.
@@ -128,47 +128,20 @@ fn circle_point(angle: f64, difference: f64) -> (Interval, Interval) {
     (Interval::around(s, error), Interval::around(c, error))
 }
 
-impl Add for Interval {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Interval::rounded(self.low + other.low, self.high + other.high)
-    }
-}
-
-impl Sub for Interval {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Neg for Interval {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Interval::new(-self.high, -self.low)
-    }
-}
-
-impl Mul for Interval {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
+impl_operators! {
+    impl [] for Interval;
+    Add add |a, b| Interval::rounded(a.low + b.low, a.high + b.high);
+    Sub sub |a, b| a + -b;
+    Neg neg |a| Interval::new(-a.high, -a.low);
+    Mul mul |a, b| {
         // Zero stays zero, so that what is not there costs no width.
         let zero = Interval::exact(0.0);
         let is_finite = |x: Self| x.low.is_finite() && x.high.is_finite();
-        if self == zero && is_finite(other) || other == zero && is_finite(self) {
+        if a == zero && is_finite(b) || b == zero && is_finite(a) {
             return zero;
         }
-        Interval::of_ends([
-            self.low * other.low,
-            self.low * other.high,
-            self.high * other.low,
-            self.high * other.high,
-        ])
-    }
+        Interval::of_ends([a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high])
+    };
 }
 
 /// Reads a table without symbolic parameters.

@@ -19,6 +19,7 @@ pub mod linear;
 pub mod mechanism;
 mod methods;
 pub mod neglect;
+mod operators;
 mod polynomial;
 pub mod program;
 pub mod prove;

@@ -8,7 +8,7 @@ use crate::function::{Function, Fused, Masses, Request};
 use crate::mechanism::Mechanism;
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
-use crate::prove::{ProofFailure, prove, prove_together};
+use crate::prove::{ProofFailure, prove_together};
 use crate::robot::Robot;
 use core::fmt;
 use proc_macro2::TokenStream;
@@ -206,9 +206,10 @@ fn neglected(
     };
     let whole = derive(&complete, parts);
     let error = largest_error(&complete, parts, &whole, program);
-    let definite = match neglected.is_definite {
-        true => "",
-        false => " That the mass matrix is positive definite at all positions was not shown.",
+    let definite = if neglected.is_definite {
+        ""
+    } else {
+        " That the mass matrix is positive definite at all positions was not shown."
     };
     vec![format!(
         " Of the abbreviated model: what stays below {} % is neglected. The largest error at {STATES} sampled \
@@ -237,14 +238,14 @@ fn method(
     mut notes: Vec<String>,
     path: &TokenStream,
 ) -> Result<Method, Reason> {
-    let Proven { program, constants } = proven(robot, request, program)?;
-    notes.extend(bounds::note(robot, request, &program, &constants));
-    let formulas = Formulas::of_short_arm(robot, request.parts(), &program, Budget::UNASKED);
+    let proven = proven(robot, request, program)?;
+    let Proven { program, constants } = &proven;
+    notes.extend(bounds::note(robot, request, program, constants));
+    let formulas = Formulas::of_short_arm(robot, request.parts(), program, Budget::UNASKED);
     let emitted = emit::method(
         robot,
         (request, index),
-        &program,
-        &constants,
+        &proven,
         formulas.as_ref(),
         &notes,
         path,
@@ -252,7 +253,7 @@ fn method(
     let equations = formulas.map_or(Vec::new(), |formulas| formulas.equations(MOST_TERMS));
     Ok(Method {
         equations,
-        ..method_of(request.clone(), emitted, &[&program])
+        ..method_of(request.clone(), emitted, &[program])
     })
 }
 
@@ -278,10 +279,10 @@ pub fn proven_program(robot: &Robot, request: &Request) -> Result<Proven, Failur
 fn proven(robot: &Robot, request: &Request, program: Program) -> Result<Proven, Reason> {
     prove_together(robot, request.parts(), &program).map_err(Reason::Proof)?;
     let constants = program.rounded_constants();
-    match constants.iter().any(|x| x.is_infinite()) {
-        true => Err(Reason::Overflow),
-        false => Ok(Proven { program, constants }),
+    if constants.iter().any(|x| x.is_infinite()) {
+        return Err(Reason::Overflow);
     }
+    Ok(Proven { program, constants })
 }
 
 /// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
@@ -299,25 +300,13 @@ fn taylor_series(
         let joint = joint.name.clone();
         return Err(Reason::NoSeries { joint });
     }
-    let function = Function::TaylorSeries;
-    let part = Function::MassMatrix;
-    let programs = [(function, equations), (part, derive(robot, &[part]))];
-    let mut rounded = Vec::with_capacity(programs.len());
-    for (part, program) in &programs {
-        prove(robot, *part, program).map_err(Reason::Proof)?;
-        let constants = program.rounded_constants();
-        if constants.iter().any(|x| x.is_infinite()) {
-            return Err(Reason::Overflow);
-        }
-        rounded.push(constants);
-    }
-    let [(_, equations), (_, matrix)] = &programs;
-    let parts = [
-        (equations, rounded[0].as_slice()),
-        (matrix, rounded[1].as_slice()),
-    ];
-    let emitted = emit::taylor_series(robot, parts, notes, path);
-    Ok(method_of(function.into(), emitted, &[equations, matrix]))
+    let [request, matrix] = [Function::TaylorSeries, Function::MassMatrix].map(Request::from);
+    let equations = proven(robot, &request, equations)?;
+    let program = derive(robot, matrix.parts());
+    let matrix = proven(robot, &matrix, program)?;
+    let emitted = emit::taylor_series(robot, [&equations, &matrix], notes, path);
+    let programs = [&equations.program, &matrix.program];
+    Ok(method_of(request, emitted, &programs))
 }
 
 /// A method as it was emitted, the operations of its first program, the angles of all.

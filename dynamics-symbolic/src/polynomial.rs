@@ -122,36 +122,14 @@ pub(crate) fn times<V: Copy + Ord>(
 /// The product of two monomials.
 pub(crate) fn product<V: Copy + Ord>(a: &[(V, i32)], b: &[(V, i32)]) -> Monomial<V> {
     let mut powers: Monomial<V> = Vec::with_capacity(a.len() + b.len());
-    let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
-    loop {
-        let next = match (a.peek(), b.peek()) {
-            (Some(x), Some(y)) if x.0 == y.0 => {
-                let sum = (x.0, x.1 + y.1);
-                a.next();
-                b.next();
-                sum
-            }
-            (Some(x), Some(y)) if x.0 > y.0 => {
-                let y = **y;
-                b.next();
-                y
-            }
-            (Some(x), _) => {
-                let x = **x;
-                a.next();
-                x
-            }
-            (None, Some(y)) => {
-                let y = **y;
-                b.next();
-                y
-            }
-            (None, None) => break,
-        };
-        if next.1 != 0 {
-            powers.push(next);
+    powers.extend(a);
+    for &(variable, power) in b {
+        match powers.binary_search_by_key(&variable, |(v, _)| *v) {
+            Ok(place) => powers[place].1 += power,
+            Err(place) => powers.insert(place, (variable, power)),
         }
     }
+    powers.retain(|(_, power)| *power != 0);
     powers
 }
 

@@ -9,19 +9,15 @@
 //!   D_j = I_m (S_m x S_j) - S_j x* (I_m S_m) - S_m x* (I_m S_j).
 
 use super::chain::Chain;
-use crate::exact::Rational;
-use crate::expr::{Expr, Graph};
+use crate::expr::Expr;
 use crate::linear::Ring;
 use crate::spatial::{Body, Force};
 
 /// The symbols c_ijk, symmetric in j and k, indexed [i][j][k].
-pub(super) fn christoffel<'g>(
-    graph: &'g Graph,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Vec<Vec<Expr<'g>>>> {
+pub(super) fn christoffel<'g>(chain: &Chain<Expr<'g>>) -> Vec<Vec<Vec<Expr<'g>>>> {
     let n = chain.links.len();
     let zero = chain.zero;
-    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+    let half = zero.graph.half();
     let axes = chain.axes();
     let mut symbols = vec![vec![vec![zero; n]; n]; n];
     chain

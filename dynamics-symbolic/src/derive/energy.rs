@@ -1,20 +1,15 @@
 //! Kinetic and potential energy.
 
 use super::chain::Chain;
-use crate::exact::Rational;
-use crate::expr::{Expr, Graph};
+use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::robot::JointType;
 use crate::spatial::Motion;
 
 /// T = sum 1/2 w.J w + v.(w x h) + 1/2 m v.v, and 1/2 r^2 J_m qd^2 for each motor.
-pub(super) fn kinetic_energy<'g>(
-    graph: &'g Graph,
-    chain: &Chain<Expr<'g>>,
-    qd: &[Expr<'g>],
-) -> Expr<'g> {
-    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+pub(super) fn kinetic_energy<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Expr<'g> {
     let zero = chain.zero;
+    let half = zero.graph.half();
     // 2 T - 2 v.(w x h), and v.(w x h)
     let (mut squares, mut mixed) = (zero, zero);
     chain.tree.outward(Motion::splat(zero), |i, before| {

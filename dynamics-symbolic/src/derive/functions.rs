@@ -1,19 +1,17 @@
 //! The outputs of each function, on one chain.
 
 use super::chain::Chain;
-use super::derivatives::ForceDerivatives;
+use super::derivatives::{ForceDerivatives, Matrix};
 use super::joints::Joints;
 use super::passivity::Rates;
 use super::second_derivatives::SecondDerivatives;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
-    articulated, base, center_of_mass, christoffel, composite, derivatives, energy, joint_forces,
-    kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor,
-    second_derivatives, tip,
+    articulated, base, center_of_mass, composite, derivatives, energy, joint_forces, kinematics,
+    link_jacobians, momenta, passivity, rates, recursive, regressor, second_derivatives, tip,
 };
-use crate::exact::Rational;
-use crate::expr::{Expr, Graph};
+use crate::expr::Expr;
 pub use crate::function::Form;
 use crate::function::{Argument, Function};
 use crate::linear::Vector3;
@@ -27,19 +25,33 @@ pub struct Part {
     pub form: Form,
 }
 
+impl Part {
+    /// A function as the recursion that is made for it.
+    pub fn recursive(function: Function) -> Self {
+        let form = Form::Recursive;
+        Part { function, form }
+    }
+}
+
 /// The outputs of a function, in the order of its contract: matrices by rows.
 /// For forward dynamics and its derivatives: the values, the pivots, and M's diagonal.
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,
-    function: Function,
-    form: Form,
+    Part { function, form }: Part,
 ) -> Vec<Expr<'g>> {
-    let of_rows = of_rows(symbols, chain, function, form);
-    match is_of_joints(function) {
-        true => of_rows,
-        false => Joints::of(symbols).outputs(function.shape(), of_rows),
+    let mut equations = Equations {
+        qd: symbols.all(|joint| joint.qd),
+        qdd: symbols.all(|joint| joint.qdd),
+        still: vec![chain.zero; chain.links.len()],
+        symbols,
+        chain,
+    };
+    let of_rows = equations.of_rows(function, form);
+    if is_of_joints(function) {
+        return of_rows;
     }
+    equations.joints().outputs(function.shape(), of_rows)
 }
 
 /// Whether the outputs are those of the joints that move by themselves from the start: what is solved
@@ -56,434 +68,371 @@ fn is_of_joints(function: Function) -> bool {
         )
 }
 
-/// The outputs with entries for the joint of every row of the table: a locked joint is one that stands
-/// still, at a constant position, a follower one that moves as it has to. See [`is_of_joints`].
-fn of_rows<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    function: Function,
-    form: Form,
-) -> Vec<Expr<'g>> {
-    match form {
-        Form::Assembled => return assembled(symbols, chain, function),
-        Form::Columns => return columns(symbols, chain, function),
-        Form::Recursive | Form::Articulated => {}
-    }
-    let graph = symbols.graph();
-    let (zero, one) = (graph.zero(), graph.one());
-    let still = vec![zero; chain.links.len()];
-    let weightless = Vector3::splat(zero);
-    let qd = symbols.all(|joint| joint.qd);
-    let qdd = symbols.all(|joint| joint.qdd);
-    match function {
-        Function::MassMatrix => composite::mass_matrix(chain).concat(),
-        Function::CoriolisVector => recursive::inverse_dynamics(chain, &qd, &still, weightless),
-        Function::GravityVector => energy::gravity_vector(chain),
-        Function::FrictionVector => joint_forces::friction(symbols),
-        Function::SpringVector => joint_forces::springs(symbols),
-        // Series of the equations of motion as they are, not solved for the accelerations.
-        Function::InverseDynamics | Function::TaylorSeries => {
-            let forces = recursive::inverse_dynamics(chain, &qd, &qdd, chain.gravity);
-            sum(forces, &joint_forces::both(symbols))
-        }
-        Function::BiasForce => {
-            let forces = recursive::inverse_dynamics(chain, &qd, &still, chain.gravity);
-            sum(forces, &joint_forces::both(symbols))
-        }
-        Function::ForwardDynamics => forward_dynamics(symbols, chain, form),
-        Function::KineticEnergy => vec![energy::kinetic_energy(graph, chain, &qd)],
-        Function::PotentialEnergy => {
-            let of_springs = joint_forces::energy_of_springs(symbols);
-            vec![energy::potential_energy(chain) + of_springs]
-        }
-        Function::CoriolisMatrix => coriolis_matrix(graph, chain, &qd),
-        Function::CoriolisCoefficients => coriolis_coefficients(symbols, chain),
-        Function::CentrifugalCoefficients => centrifugal_coefficients(symbols, chain),
-        Function::ForwardKinematics => {
-            let frames = kinematics::frames(symbols);
-            kinematics::tip(symbols, &frames).homogeneous(zero, one)
-        }
-        Function::LinkPoses => {
-            let frames = kinematics::frames(symbols);
-            frames
-                .iter()
-                .flat_map(|frame| frame.pose.homogeneous(zero, one))
-                .collect()
-        }
-        Function::Jacobian => kinematics::jacobian(symbols),
-        Function::InverseDynamicsDerivatives => {
-            let of_links = derivatives::recursion(chain, &qd, &qdd);
-            force_derivatives(symbols, of_links.of_joints(symbols))
-        }
-        Function::ForwardDynamicsDerivatives => {
-            acceleration_derivatives(symbols, chain, |factors, b| factors.solve(b))
-        }
-        Function::Regressor => regressor::by_recursion(symbols, chain),
-        Function::BaseParameters => base::observed_parameters(symbols),
-        // Articulated bodies are of joints that move by themselves.
-        Function::ForwardDynamicsAba if symbols.arm().is_coupled() => {
-            forward_dynamics(symbols, chain, Form::Recursive)
-        }
-        Function::ForwardDynamicsAba => articulated_dynamics(symbols, chain, &qd),
-        Function::WrenchTorques => tip::wrench_torques(symbols, chain),
-        Function::ToolVelocity => tip::velocity(symbols, chain),
-        Function::ToolAcceleration => tip::acceleration(symbols, chain),
-        Function::JacobianRate => link_jacobians::rate(symbols),
-        Function::LinkJacobians => link_jacobians::of_links(symbols),
-        Function::CenterOfMass => center_of_mass::center(symbols, chain),
-        Function::CenterOfMassJacobian => center_of_mass::jacobian(symbols, chain),
-        Function::OperationalInertiaInverse => operational_inertia_inverse(symbols, chain),
-        Function::GeneralizedMomentum => momenta::generalized_momentum(chain, &qd),
-        Function::MomentumBias => {
-            let gradient = momenta::kinetic_gradient(chain, &qd);
-            momentum_bias(symbols, chain, gradient)
-        }
-        Function::PassivityTorque => {
-            let rates = passivity_rates(symbols);
-            let forces = passivity::torque(chain, &rates, regressor::half(symbols));
-            sum(forces, &joint_forces::both(symbols))
-        }
-        Function::PassivityRegressor => {
-            let rates = passivity_rates(symbols);
-            regressor::of_passivity(symbols, chain, &rates)
-        }
-        Function::EnergyRegressors => regressor::of_energies(symbols, chain),
-        Function::InverseDynamicsRates => force_rates(symbols, chain),
-        Function::InverseDynamicsSecondDerivatives => {
-            let of_links = second_derivatives::recursion(symbols, chain, &qd, &qdd);
-            let of_joints = of_links.of_joints(symbols);
-            second_force_derivatives(symbols, of_joints)
-        }
-    }
+type Vector<'g> = Vec<Expr<'g>>;
+
+/// The equations of an arm, with entries for the joint of every row: a locked joint is one that stands still, at a
+/// constant position, a follower one that moves as it has to.
+struct Equations<'a, 'g> {
+    symbols: &'a mut Symbols<'g>,
+    chain: &'a Chain<Expr<'g>>,
+    qd: Vector<'g>,
+    qdd: Vector<'g>,
+    /// Zero for each joint.
+    still: Vector<'g>,
 }
 
-/// C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
-fn coriolis_matrix<'g>(
-    graph: &'g Graph,
-    chain: &Chain<Expr<'g>>,
-    qd: &[Expr<'g>],
-) -> Vec<Expr<'g>> {
-    let still = vec![graph.zero(); qd.len()];
-    let forces = derivatives::recursion(chain, qd, &still);
-    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
-    let entries = forces.by_velocity.concat();
-    entries.into_iter().map(|entry| half * entry).collect()
-}
-
-/// The Christoffel symbols of each pair of different joints, both orders of it added up.
-fn coriolis_coefficients<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let n = symbols.arm().dof();
-    let pairs: Vec<_> = (0..n)
-        .flat_map(|j| (j + 1..n).map(move |k| (j, k)))
-        .collect();
-    let of_rows = christoffel::christoffel(symbols.graph(), chain);
-    Joints::of(symbols)
-        .cube(of_rows)
-        .iter()
-        .flat_map(|c| pairs.iter().map(|&(j, k)| c[j][k] + c[k][j]))
-        .collect()
-}
-
-/// The Christoffel symbols of each joint with itself.
-fn centrifugal_coefficients<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let of_rows = christoffel::christoffel(symbols.graph(), chain);
-    Joints::of(symbols)
-        .cube(of_rows)
-        .iter()
-        .flat_map(|c| (0..c.len()).map(|j| c[j][j]))
-        .collect()
-}
-
-/// C' qd - G - K - F, from the first term.
-fn momentum_bias<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    gradient: Vec<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let less = |a: Vec<Expr<'g>>, b: Vec<Expr<'g>>| -> Vec<_> {
-        a.into_iter().zip(b).map(|(a, b)| a - b).collect()
-    };
-    let conservative = less(gradient, energy::gravity_vector(chain));
-    less(conservative, joint_forces::both(symbols))
-}
-
-/// The velocities and the reference motion of the joint of every row.
-fn passivity_rates<'g>(symbols: &mut Symbols<'g>) -> Vec<Rates<Expr<'g>>> {
-    let qd_r = symbols.entries(Argument::ReferenceVelocity);
-    let qdd_r = symbols.entries(Argument::ReferenceAcceleration);
-    let joints = qd_r.into_iter().zip(qdd_r).enumerate();
-    let rates = joints.map(|(i, (qd_r, qdd_r))| Rates {
-        qd: symbols.joint(i).qd,
-        qd_r,
-        qdd_r,
-    });
-    rates.collect()
-}
-
-fn jerk_and_snap<'g>(symbols: &mut Symbols<'g>) -> [Vec<Expr<'g>>; 2] {
-    [Argument::Jerk, Argument::Snap].map(|argument| symbols.entries(argument))
-}
-
-/// The first derivatives of the joint forces along a motion, then the second ones.
-fn force_rates<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let [jerk, snap] = jerk_and_snap(symbols);
-    let of_links = rates::recursion(symbols, chain, [&jerk, &snap]);
-    let own = joint_forces::both(symbols);
-    let of_joints = rates::differentiated(symbols, &own, [&jerk, &snap]);
-    let orders = of_links.into_iter().zip(&of_joints);
-    orders.flat_map(|(forces, own)| sum(forces, own)).collect()
-}
-
-/// J M^-1 J^T by rows, the pivots, and the diagonal of M.
-fn operational_inertia_inverse<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let joints = Joints::of(symbols);
-    let matrix = joints.block(composite::mass_matrix(chain));
-    let nothing = vec![chain.zero; matrix.len()];
-    let (factors, _) = Factors::new(symbols.graph(), matrix.clone(), nothing);
-    let jacobian = kinematics::jacobian(symbols);
-    let rows = jacobian.chunks(chain.links.len());
-    let rows: Vec<_> = rows.map(|row| joints.entries(row.to_vec())).collect();
-    [
-        factors.congruence(&rows).concat(),
-        pivots(&factors, &matrix),
-    ]
-    .concat()
-}
-
-/// Accelerations, pivots, and the diagonal of M.
-fn forward_dynamics<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    form: Form,
-) -> Vec<Expr<'g>> {
-    let net = net_force(symbols, chain);
-    let joints = Joints::of(symbols);
-    let matrix = joints.block(composite::mass_matrix(chain));
-    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-    let (qdd, pivots) = match form {
-        Form::Articulated => {
-            let (qdd, pivots) = articulated::solve(chain, &net);
-            (joints.entries(qdd), joints.entries(pivots))
+impl<'g> Equations<'_, 'g> {
+    /// The outputs, of all rows but for [`is_of_joints`].
+    fn of_rows(&mut self, function: Function, form: Form) -> Vector<'g> {
+        let chain = self.chain;
+        let (zero, one) = (chain.zero, chain.one);
+        match form {
+            Form::Assembled => return self.assembled(function),
+            Form::Columns => return self.columns(function),
+            Form::Recursive | Form::Articulated => {}
         }
-        _ => {
-            let (factors, qdd) = Factors::new(symbols.graph(), matrix, joints.entries(net));
-            (qdd, factors.pivots().to_vec())
-        }
-    };
-    [qdd, pivots, diagonal].concat()
-}
-
-/// As [`forward_dynamics`]. The diagonal of M comes last: what is equal to one of its terms has been
-/// written by articulated bodies before.
-fn articulated_dynamics<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    qd: &[Expr<'g>],
-) -> Vec<Expr<'g>> {
-    let applied = symbols.all(|joint| joint.tau).into_iter();
-    let own = joint_forces::both(symbols);
-    let net: Vec<_> = applied.zip(own).map(|(tau, f)| tau - f).collect();
-    let (qdd, pivots) = articulated::forward_dynamics(chain, qd, &net);
-    let matrix = composite::mass_matrix(chain);
-    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]).collect();
-    let joints = Joints::of(symbols);
-    [qdd, pivots, diagonal]
-        .map(|of_rows| joints.entries(of_rows))
-        .concat()
-}
-
-/// The functions that have a second form.
-fn assembled<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    function: Function,
-) -> Vec<Expr<'g>> {
-    let graph = symbols.graph();
-    let zero = graph.zero();
-    let qd = symbols.all(|joint| joint.qd);
-    match function {
-        Function::CoriolisVector => {
-            let products = |c: &Vec<Vec<Expr<'g>>>| {
-                let contracted: Vec<_> = c.iter().map(|row| dot(zero, row, &qd)).collect();
-                dot(zero, &contracted, &qd)
-            };
-            christoffel::christoffel(graph, chain)
-                .iter()
-                .map(products)
-                .collect()
-        }
-        Function::CoriolisMatrix => {
-            let symbols = christoffel::christoffel(graph, chain);
-            symbols
-                .iter()
-                .flatten()
-                .map(|row| dot(zero, row, &qd))
-                .collect()
-        }
-        Function::BiasForce => {
-            let motion = assembled(symbols, chain, Function::CoriolisVector);
-            let gravity = energy::gravity_vector(chain);
-            sum(sum(motion, &gravity), &joint_forces::both(symbols))
-        }
-        Function::InverseDynamics | Function::TaylorSeries => {
-            let qdd = symbols.all(|joint| joint.qdd);
-            let inertial = composite::mass_matrix(chain)
-                .iter()
-                .map(|row| dot(zero, row, &qdd))
-                .collect();
-            sum(inertial, &assembled(symbols, chain, Function::BiasForce))
-        }
-        Function::GravityVector => {
-            let still = vec![zero; chain.links.len()];
-            recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
-        }
-        Function::InverseDynamicsDerivatives => {
-            let qdd = symbols.all(|joint| joint.qdd);
-            let of_links = derivatives::differentiated(symbols, chain, [&qd, &qdd]);
-            force_derivatives(symbols, of_links)
-        }
-        Function::ForwardDynamicsDerivatives => {
-            acceleration_derivatives(symbols, chain, |factors, b| {
-                let inverse = factors.inverse();
-                inverse.iter().map(|row| dot(zero, row, &b)).collect()
-            })
-        }
-        Function::Regressor => regressor::by_partial_velocities(symbols, chain),
-        Function::GeneralizedMomentum => times(zero, &composite::mass_matrix(chain), &qd),
-        Function::MomentumBias => {
-            let gradient = gradient(zero, &christoffel::christoffel(graph, chain), &qd);
-            momentum_bias(symbols, chain, gradient)
-        }
-        Function::PassivityTorque => {
-            let rates = passivity_rates(symbols);
-            let [qd_r, qdd_r] = [|r: &Rates<Expr<'g>>| r.qd_r, |r: &Rates<Expr<'g>>| r.qdd_r]
-                .map(|of| rates.iter().map(of).collect::<Vec<_>>());
-            let velocity_terms = christoffel::christoffel(graph, chain);
-            let velocity_terms = velocity_terms.iter().map(|c| {
-                let contracted = times(zero, c, &qd);
-                dot(zero, &contracted, &qd_r)
-            });
-            let inertial = times(zero, &composite::mass_matrix(chain), &qdd_r);
-            let forces = sum(inertial, &velocity_terms.collect::<Vec<_>>());
-            let forces = sum(forces, &energy::gravity_vector(chain));
-            sum(forces, &joint_forces::both(symbols))
-        }
-        Function::InverseDynamicsRates => {
-            let forces = assembled(symbols, chain, Function::InverseDynamics);
-            let [jerk, snap] = jerk_and_snap(symbols);
-            rates::differentiated(symbols, &forces, [&jerk, &snap]).concat()
-        }
-        Function::InverseDynamicsSecondDerivatives => {
-            let qdd = symbols.all(|joint| joint.qdd);
-            let of_links = second_derivatives::differentiated(symbols, chain, &qd, &qdd);
-            second_force_derivatives(symbols, of_links)
-        }
-        _ => of_rows(symbols, chain, function, Form::Recursive),
-    }
-}
-
-/// The functions that are written by the composite bodies of M, beside that.
-fn columns<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    function: Function,
-) -> Vec<Expr<'g>> {
-    let qd = symbols.all(|joint| joint.qd);
-    match function {
-        Function::GravityVector => composite::gravity_vector(chain),
-        Function::CoriolisVector => composite::bias_force(chain, &qd, Vector3::splat(chain.zero)),
-        Function::BiasForce => {
-            let forces = composite::bias_force(chain, &qd, chain.gravity);
-            sum(forces, &joint_forces::both(symbols))
-        }
-        _ => of_rows(symbols, chain, function, Form::Recursive),
-    }
-}
-
-/// tau - V - G - K - F, for the joint of every row.
-fn net_force<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let bias = of_rows(symbols, chain, Function::BiasForce, Form::Recursive);
-    let applied = symbols.all(|joint| joint.tau).into_iter();
-    applied.zip(bias).map(|(tau, bias)| tau - bias).collect()
-}
-
-/// The pivots, and the diagonal of the matrix that they are measured by.
-fn pivots<'g>(factors: &Factors<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> {
-    let diagonal = (0..matrix.len()).map(|i| matrix[i][i]);
-    factors.pivots().iter().copied().chain(diagonal).collect()
-}
-
-/// d tau/dq and d tau/dqd, from those of M qdd + V + G, of the joints that move by themselves.
-fn force_derivatives<'g>(
-    symbols: &mut Symbols<'g>,
-    mut derivatives: ForceDerivatives<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    joint_forces::add_slopes(symbols, &mut derivatives);
-    [derivatives.by_position, derivatives.by_velocity]
-        .concat()
-        .concat()
-}
-
-/// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, from those of M qdd + V + G.
-fn second_force_derivatives<'g>(
-    symbols: &mut Symbols<'g>,
-    mut derivatives: SecondDerivatives<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    joint_forces::add_curvatures(symbols, &mut derivatives);
-    let SecondDerivatives {
-        by_position,
-        by_velocity,
-        by_both,
-        of_inertia,
-    } = derivatives;
-    [by_position, by_velocity, by_both, of_inertia]
-        .concat()
-        .concat()
-        .concat()
-}
-
-/// Derivatives of M qdd + V + G + K + F = tau, which holds for every q, qd and tau:
-/// M d qdd/dq = -d tau/dq and M d qdd/dqd = -d tau/dqd at that qdd, M d qdd/d tau = 1.
-/// `solve` solves M x = b.
-fn acceleration_derivatives<'g>(
-    symbols: &mut Symbols<'g>,
-    chain: &Chain<Expr<'g>>,
-    solve: impl Fn(&Factors<'g>, Vec<Expr<'g>>) -> Vec<Expr<'g>>,
-) -> Vec<Expr<'g>> {
-    let joints = Joints::of(symbols);
-    let n = symbols.arm().dof();
-    let matrix = joints.block(composite::mass_matrix(chain));
-    let net = joints.entries(net_force(symbols, chain));
-    let (factors, qdd) = Factors::new(symbols.graph(), matrix.clone(), net);
-    let qd = symbols.all(|joint| joint.qd);
-    let qdd = symbols.of_all(&qdd);
-    let of_links = derivatives::recursion(chain, &qd, &qdd).of_joints(symbols);
-    let forces = force_derivatives(symbols, of_links);
-    let mut values = forces.clone();
-    for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
-        for column in 0..n {
-            let right_side = (0..n).map(|row| -b[row * n + column]).collect();
-            for (row, entry) in solve(&factors, right_side).into_iter().enumerate() {
-                x[row * n + column] = entry;
+        match function {
+            Function::MassMatrix => composite::mass_matrix(chain).concat(),
+            Function::CoriolisVector => self.link_forces(&self.still, Vector3::splat(zero)),
+            Function::GravityVector => energy::gravity_vector(chain),
+            Function::FrictionVector => joint_forces::friction(self.symbols),
+            Function::SpringVector => joint_forces::springs(self.symbols),
+            // Series of the equations of motion as they are, not solved for the accelerations.
+            Function::InverseDynamics | Function::TaylorSeries => {
+                let forces = self.link_forces(&self.qdd, chain.gravity);
+                self.with_joint_forces(forces)
+            }
+            Function::BiasForce => {
+                let forces = self.link_forces(&self.still, chain.gravity);
+                self.with_joint_forces(forces)
+            }
+            Function::ForwardDynamics => self.forward_dynamics(form),
+            Function::KineticEnergy => vec![energy::kinetic_energy(chain, &self.qd)],
+            Function::PotentialEnergy => {
+                let of_springs = joint_forces::energy_of_springs(self.symbols);
+                vec![energy::potential_energy(chain) + of_springs]
+            }
+            Function::CoriolisMatrix => self.coriolis_matrix(),
+            // Those of each pair of different joints, both orders of it added up.
+            Function::CoriolisCoefficients => self.coefficients(|c| {
+                let pairs = (0..c.len()).flat_map(|j| (j + 1..c.len()).map(move |k| (j, k)));
+                pairs.map(|(j, k)| c[j][k] + c[k][j]).collect()
+            }),
+            // Those of each joint with itself.
+            Function::CentrifugalCoefficients => {
+                self.coefficients(|c| (0..c.len()).map(|j| c[j][j]).collect())
+            }
+            Function::ForwardKinematics => {
+                let frames = kinematics::frames(self.symbols);
+                kinematics::tip(self.symbols, &frames).homogeneous(zero, one)
+            }
+            Function::LinkPoses => {
+                let frames = kinematics::frames(self.symbols).into_iter();
+                let poses = frames.flat_map(|frame| frame.pose.homogeneous(zero, one));
+                poses.collect()
+            }
+            Function::Jacobian => kinematics::jacobian(self.symbols),
+            Function::InverseDynamicsDerivatives => {
+                let of_links = derivatives::recursion(chain, &self.qd, &self.qdd);
+                self.force_derivatives(of_links.of_joints(self.symbols))
+            }
+            Function::ForwardDynamicsDerivatives => {
+                self.acceleration_derivatives(|factors, b| factors.solve(b))
+            }
+            Function::Regressor => regressor::by_recursion(self.symbols, chain),
+            Function::BaseParameters => base::observed_parameters(self.symbols),
+            // Articulated bodies are of joints that move by themselves.
+            Function::ForwardDynamicsAba if self.symbols.arm().is_coupled() => {
+                self.forward_dynamics(Form::Recursive)
+            }
+            Function::ForwardDynamicsAba => self.articulated_dynamics(),
+            Function::WrenchTorques => tip::wrench_torques(self.symbols, chain),
+            Function::ToolVelocity => tip::velocity(self.symbols, chain),
+            Function::ToolAcceleration => tip::acceleration(self.symbols, chain),
+            Function::JacobianRate => link_jacobians::rate(self.symbols),
+            Function::LinkJacobians => link_jacobians::of_links(self.symbols),
+            Function::CenterOfMass => center_of_mass::center(self.symbols, chain),
+            Function::CenterOfMassJacobian => center_of_mass::jacobian(self.symbols, chain),
+            Function::OperationalInertiaInverse => self.operational_inertia_inverse(),
+            Function::GeneralizedMomentum => momenta::generalized_momentum(chain, &self.qd),
+            Function::MomentumBias => {
+                let gradient = momenta::kinetic_gradient(chain, &self.qd);
+                self.momentum_bias(gradient)
+            }
+            Function::PassivityTorque => {
+                let rates = self.passivity_rates();
+                let forces = passivity::torque(chain, &rates, self.symbols.graph().half());
+                self.with_joint_forces(forces)
+            }
+            Function::PassivityRegressor => {
+                let rates = self.passivity_rates();
+                regressor::of_passivity(self.symbols, chain, &rates)
+            }
+            Function::EnergyRegressors => regressor::of_energies(self.symbols, chain),
+            Function::InverseDynamicsRates => self.force_rates(),
+            Function::InverseDynamicsSecondDerivatives => {
+                let of_links =
+                    second_derivatives::recursion(self.symbols, chain, &self.qd, &self.qdd);
+                let of_joints = of_links.of_joints(self.symbols);
+                self.second_force_derivatives(of_joints)
             }
         }
     }
-    [
-        values,
-        factors.inverse().concat(),
-        pivots(&factors, &matrix),
-    ]
-    .concat()
+
+    /// The functions that have a second form.
+    fn assembled(&mut self, function: Function) -> Vector<'g> {
+        let (chain, zero) = (self.chain, self.chain.zero);
+        match function {
+            Function::CoriolisVector => contracted(zero, &self.christoffel(), [&self.qd, &self.qd]),
+            Function::CoriolisMatrix => {
+                let symbols = self.christoffel();
+                let rows = symbols.iter().flat_map(|c| times(zero, c, &self.qd));
+                rows.collect()
+            }
+            Function::BiasForce => {
+                let motion = self.assembled(Function::CoriolisVector);
+                let gravity = energy::gravity_vector(chain);
+                self.with_joint_forces(sum(motion, &gravity))
+            }
+            Function::InverseDynamics | Function::TaylorSeries => {
+                let inertial = times(zero, &composite::mass_matrix(chain), &self.qdd);
+                sum(inertial, &self.assembled(Function::BiasForce))
+            }
+            Function::GravityVector => {
+                let still = &self.still;
+                recursive::inverse_dynamics(chain, still, still, chain.gravity)
+            }
+            Function::InverseDynamicsDerivatives => {
+                let motion: [&[_]; 2] = [&self.qd, &self.qdd];
+                let of_links = derivatives::differentiated(self.symbols, chain, motion);
+                self.force_derivatives(of_links)
+            }
+            Function::ForwardDynamicsDerivatives => {
+                self.acceleration_derivatives(|factors, b| times(zero, &factors.inverse(), &b))
+            }
+            Function::Regressor => regressor::by_partial_velocities(self.symbols, chain),
+            Function::GeneralizedMomentum => times(zero, &composite::mass_matrix(chain), &self.qd),
+            Function::MomentumBias => {
+                let gradient = gradient(zero, &self.christoffel(), &self.qd);
+                self.momentum_bias(gradient)
+            }
+            Function::PassivityTorque => {
+                let rates = self.passivity_rates();
+                let qd_r: Vec<_> = rates.iter().map(|rates| rates.qd_r).collect();
+                let qdd_r: Vec<_> = rates.iter().map(|rates| rates.qdd_r).collect();
+                let symbols = self.christoffel();
+                let inertial = times(zero, &composite::mass_matrix(chain), &qdd_r);
+                let forces = sum(inertial, &contracted(zero, &symbols, [&self.qd, &qd_r]));
+                self.with_joint_forces(sum(forces, &energy::gravity_vector(chain)))
+            }
+            Function::InverseDynamicsRates => {
+                let forces = self.assembled(Function::InverseDynamics);
+                let [jerk, snap] = self.jerk_and_snap();
+                rates::differentiated(self.symbols, &forces, [&jerk, &snap]).concat()
+            }
+            Function::InverseDynamicsSecondDerivatives => {
+                let (qd, qdd) = (&self.qd, &self.qdd);
+                let of_links = second_derivatives::differentiated(self.symbols, chain, qd, qdd);
+                self.second_force_derivatives(of_links)
+            }
+            _ => self.of_rows(function, Form::Recursive),
+        }
+    }
+
+    /// The functions that are written by the composite bodies of M, beside that.
+    fn columns(&mut self, function: Function) -> Vector<'g> {
+        let (chain, qd) = (self.chain, &self.qd);
+        match function {
+            Function::GravityVector => composite::gravity_vector(chain),
+            Function::CoriolisVector => {
+                composite::bias_force(chain, qd, Vector3::splat(chain.zero))
+            }
+            Function::BiasForce => {
+                let forces = composite::bias_force(chain, qd, chain.gravity);
+                self.with_joint_forces(forces)
+            }
+            _ => self.of_rows(function, Form::Recursive),
+        }
+    }
+
+    fn joints(&self) -> Joints<Expr<'g>> {
+        Joints::of(self.symbols)
+    }
+
+    /// M qdd + V, and G if `gravity` is the chain's.
+    fn link_forces(&self, qdd: &[Expr<'g>], gravity: Vector3<Expr<'g>>) -> Vector<'g> {
+        recursive::inverse_dynamics(self.chain, &self.qd, qdd, gravity)
+    }
+
+    /// Forces, and K + F.
+    fn with_joint_forces(&mut self, forces: Vector<'g>) -> Vector<'g> {
+        sum(forces, &joint_forces::both(self.symbols))
+    }
+
+    /// The Christoffel symbols c_ijk of all rows, indexed `[i][j][k]`.
+    fn christoffel(&self) -> Vec<Matrix<Expr<'g>>> {
+        super::christoffel::christoffel(self.chain)
+    }
+
+    /// The values that `of_joint` makes of the Christoffel symbols of each joint that moves by itself.
+    fn coefficients(&self, of_joint: impl Fn(&Matrix<Expr<'g>>) -> Vector<'g>) -> Vector<'g> {
+        let of_joints = self.joints().cube(self.christoffel());
+        of_joints.iter().flat_map(of_joint).collect()
+    }
+
+    /// C = 1/2 dV/dqd: V is quadratic in qd, with the Christoffel symbols as coefficients.
+    fn coriolis_matrix(&self) -> Vector<'g> {
+        let forces = derivatives::recursion(self.chain, &self.qd, &self.still);
+        let half = self.symbols.graph().half();
+        let entries = forces.by_velocity.concat();
+        entries.into_iter().map(|entry| half * entry).collect()
+    }
+
+    /// C' qd - G - K - F, from the first term.
+    fn momentum_bias(&mut self, gradient: Vector<'g>) -> Vector<'g> {
+        let conservative = difference(gradient, energy::gravity_vector(self.chain));
+        difference(conservative, joint_forces::both(self.symbols))
+    }
+
+    /// The velocities and the reference motion of the joint of every row.
+    fn passivity_rates(&mut self) -> Vec<Rates<Expr<'g>>> {
+        let qd_r = self.symbols.entries(Argument::ReferenceVelocity);
+        let qdd_r = self.symbols.entries(Argument::ReferenceAcceleration);
+        let joints = self.qd.iter().zip(qd_r).zip(qdd_r);
+        let rates = joints.map(|((&qd, qd_r), qdd_r)| Rates { qd, qd_r, qdd_r });
+        rates.collect()
+    }
+
+    fn jerk_and_snap(&mut self) -> [Vector<'g>; 2] {
+        [Argument::Jerk, Argument::Snap].map(|argument| self.symbols.entries(argument))
+    }
+
+    /// The first derivatives of the joint forces along a motion, then the second ones.
+    fn force_rates(&mut self) -> Vector<'g> {
+        let [jerk, snap] = self.jerk_and_snap();
+        let of_links = rates::recursion(self.symbols, self.chain, [&jerk, &snap]);
+        let own = joint_forces::both(self.symbols);
+        let of_joints = rates::differentiated(self.symbols, &own, [&jerk, &snap]);
+        let orders = of_links.into_iter().zip(&of_joints);
+        orders.flat_map(|(forces, own)| sum(forces, own)).collect()
+    }
+
+    /// J M^-1 J^T by rows, the pivots, and the diagonal of M.
+    fn operational_inertia_inverse(&mut self) -> Vector<'g> {
+        let joints = self.joints();
+        let matrix = joints.block(composite::mass_matrix(self.chain));
+        let nothing = vec![self.chain.zero; matrix.len()];
+        let (factors, _) = Factors::new(self.symbols.graph(), matrix.clone(), nothing);
+        let jacobian = kinematics::jacobian(self.symbols);
+        let rows = jacobian.chunks(self.chain.links.len());
+        let rows: Vec<_> = rows.map(|row| joints.entries(row.to_vec())).collect();
+        let values = factors.congruence(&rows).concat();
+        [values, factors.pivots().to_vec(), diagonal(&matrix)].concat()
+    }
+
+    /// Accelerations, pivots, and the diagonal of M.
+    fn forward_dynamics(&mut self, form: Form) -> Vector<'g> {
+        let net = self.net_force();
+        let joints = self.joints();
+        let matrix = joints.block(composite::mass_matrix(self.chain));
+        let diagonal = diagonal(&matrix);
+        let (qdd, pivots) = if form == Form::Articulated {
+            let (qdd, pivots) = articulated::solve(self.chain, &net);
+            (joints.entries(qdd), joints.entries(pivots))
+        } else {
+            let net = joints.entries(net);
+            let (factors, qdd) = Factors::new(self.symbols.graph(), matrix, net);
+            (qdd, factors.pivots().to_vec())
+        };
+        [qdd, pivots, diagonal].concat()
+    }
+
+    /// As [`Equations::forward_dynamics`]. The diagonal of M comes last: what is equal to one of its terms has been
+    /// written by articulated bodies before.
+    fn articulated_dynamics(&mut self) -> Vector<'g> {
+        let applied = self.symbols.all(|joint| joint.tau);
+        let net = difference(applied, joint_forces::both(self.symbols));
+        let (qdd, pivots) = articulated::forward_dynamics(self.chain, &self.qd, &net);
+        let diagonal = diagonal(&composite::mass_matrix(self.chain));
+        let of_rows = [qdd, pivots, diagonal];
+        of_rows.map(|x| self.joints().entries(x)).concat()
+    }
+
+    /// tau - V - G - K - F, for the joint of every row.
+    fn net_force(&mut self) -> Vector<'g> {
+        let bias = self.of_rows(Function::BiasForce, Form::Recursive);
+        difference(self.symbols.all(|joint| joint.tau), bias)
+    }
+
+    /// d tau/dq and d tau/dqd, from those of M qdd + V + G, of the joints that move by themselves.
+    fn force_derivatives(&mut self, mut derivatives: ForceDerivatives<Expr<'g>>) -> Vector<'g> {
+        joint_forces::add_slopes(self.symbols, &mut derivatives);
+        let matrices = [derivatives.by_position, derivatives.by_velocity];
+        matrices.concat().concat()
+    }
+
+    /// d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq, from those of M qdd + V + G.
+    fn second_force_derivatives(
+        &mut self,
+        mut derivatives: SecondDerivatives<Expr<'g>>,
+    ) -> Vector<'g> {
+        joint_forces::add_curvatures(self.symbols, &mut derivatives);
+        let SecondDerivatives {
+            by_position,
+            by_velocity,
+            by_both,
+            of_inertia,
+        } = derivatives;
+        let cubes = [by_position, by_velocity, by_both, of_inertia];
+        cubes.concat().concat().concat()
+    }
+
+    /// Derivatives of M qdd + V + G + K + F = tau, which holds for every q, qd and tau:
+    /// M d qdd/dq = -d tau/dq and M d qdd/dqd = -d tau/dqd at that qdd, M d qdd/d tau = 1.
+    /// `solve` solves M x = b.
+    fn acceleration_derivatives(
+        &mut self,
+        solve: impl Fn(&Factors<'g>, Vector<'g>) -> Vector<'g>,
+    ) -> Vector<'g> {
+        let (joints, n) = (self.joints(), self.symbols.arm().dof());
+        let matrix = joints.block(composite::mass_matrix(self.chain));
+        let net = joints.entries(self.net_force());
+        let (factors, qdd) = Factors::new(self.symbols.graph(), matrix.clone(), net);
+        let qdd = self.symbols.of_all(&qdd);
+        let of_links = derivatives::recursion(self.chain, &self.qd, &qdd);
+        let forces = self.force_derivatives(of_links.of_joints(self.symbols));
+        let mut values = forces.clone();
+        for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
+            for column in 0..n {
+                let right_side = (0..n).map(|row| -b[row * n + column]).collect();
+                for (row, entry) in solve(&factors, right_side).into_iter().enumerate() {
+                    x[row * n + column] = entry;
+                }
+            }
+        }
+        let inverse = factors.inverse().concat();
+        [
+            values,
+            inverse,
+            factors.pivots().to_vec(),
+            diagonal(&matrix),
+        ]
+        .concat()
+    }
+}
+
+fn diagonal<'g>(matrix: &[Vector<'g>]) -> Vector<'g> {
+    (0..matrix.len()).map(|i| matrix[i][i]).collect()
+}
+
+/// sum c_ijk a_k b_j, from the symbols c[i][j][k].
+fn contracted<'g>(zero: Expr<'g>, c: &[Matrix<Expr<'g>>], [a, b]: [&[Expr<'g>]; 2]) -> Vector<'g> {
+    let of_joint = |c: &Matrix<Expr<'g>>| dot(zero, &times(zero, c, a), b);
+    c.iter().map(of_joint).collect()
 }
 
 /// dT/dq_i = 1/2 sum dM_jk/dq_i qd_j qd_k = sum c_kij qd_j qd_k, from the symbols c[k][i][j].
-fn gradient<'g>(zero: Expr<'g>, c: &[Vec<Vec<Expr<'g>>>], qd: &[Expr<'g>]) -> Vec<Expr<'g>> {
+fn gradient<'g>(zero: Expr<'g>, c: &[Matrix<Expr<'g>>], qd: &[Expr<'g>]) -> Vector<'g> {
     let of_joint = |i: usize| {
         let rows: Vec<_> = c.iter().map(|c| dot(zero, &c[i], qd)).collect();
         dot(zero, &rows, qd)
@@ -492,7 +441,7 @@ fn gradient<'g>(zero: Expr<'g>, c: &[Vec<Vec<Expr<'g>>>], qd: &[Expr<'g>]) -> Ve
 }
 
 /// The product of a matrix and a vector.
-fn times<'g>(zero: Expr<'g>, matrix: &[Vec<Expr<'g>>], x: &[Expr<'g>]) -> Vec<Expr<'g>> {
+fn times<'g>(zero: Expr<'g>, matrix: &[Vector<'g>], x: &[Expr<'g>]) -> Vector<'g> {
     matrix.iter().map(|row| dot(zero, row, x)).collect()
 }
 
@@ -500,6 +449,10 @@ fn dot<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
     a.iter().zip(b).fold(zero, |sum, (&a, &b)| sum + a * b)
 }
 
-fn sum<'g>(a: Vec<Expr<'g>>, b: &[Expr<'g>]) -> Vec<Expr<'g>> {
+fn sum<'g>(a: Vector<'g>, b: &[Expr<'g>]) -> Vector<'g> {
     a.into_iter().zip(b).map(|(a, &b)| a + b).collect()
+}
+
+fn difference<'g>(a: Vector<'g>, b: Vector<'g>) -> Vector<'g> {
+    a.into_iter().zip(b).map(|(a, b)| a - b).collect()
 }

@@ -19,30 +19,25 @@ pub(super) fn derive(arm: &Mechanism, functions: &[Function]) -> Program {
     let own = |part: &Part| Written::new(&[*part], Gauge::search(arm, &[*part]));
     let apart: Vec<_> = parts.iter().map(own).collect();
     let in_own = accurate(arm, &apart);
-    match in_own.operations().total() < in_one.operations().total() {
-        true => in_own,
-        false => in_one,
-    }
+    let is_shorter = in_own.operations().total() < in_one.operations().total();
+    if is_shorter { in_own } else { in_one }
 }
 
 /// The forms in which the functions are shortest together: each in turn takes another one where that
 /// makes all of them shorter, in the plain gauge.
 fn together(arm: &Mechanism, functions: &[Function]) -> Vec<Part> {
     let plain = Gauge::plain(arm.joints.len());
-    let recursive = |&function: &Function| Part {
-        function,
-        form: Form::Recursive,
-    };
-    let mut parts: Vec<_> = functions.iter().map(recursive).collect();
+    let mut parts: Vec<_> = functions.iter().copied().map(Part::recursive).collect();
     let mut cost = plain.length(arm, &parts);
     for index in 0..parts.len() {
         for form in forms(arm, parts[index].function) {
             let before = parts[index];
             parts[index].form = form;
             let trial = plain.length(arm, &parts);
-            match trial < cost {
-                true => cost = trial,
-                false => parts[index] = before,
+            if trial < cost {
+                cost = trial;
+            } else {
+                parts[index] = before;
             }
         }
     }

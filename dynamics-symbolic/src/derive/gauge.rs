@@ -8,7 +8,7 @@ use super::chain::Chain;
 use super::functions::{Part, outputs};
 use super::symbols::Symbols;
 use crate::expr::{Edge, Expr, Graph};
-use crate::function::{Form, Function, Search};
+use crate::function::{Function, Search};
 use crate::mechanism::{Mechanism, Origin};
 use crate::simplify::Network;
 use crate::spatial::Keep;
@@ -81,7 +81,12 @@ impl Gauge {
             return gauge;
         }
         let most = MOST_NODES * parts.len();
-        let mut trials = Trials::new(arm, &parts);
+        let mut trials = Trials {
+            arm,
+            parts: &parts,
+            known: HashMap::new(),
+            nodes: 0,
+        };
         let mut cost = trials.cost(&gauge);
         let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
         let pivots = if parts.iter().any(has_pivot) { dof } else { 0 };
@@ -116,25 +121,23 @@ impl Gauge {
 
     /// The work of some functions in this gauge, before any simplification.
     pub fn length(&self, arm: &Mechanism, parts: &[Part]) -> usize {
-        self.tried(arm, parts).work
+        self.tried(arm, parts).0
     }
 
     /// The outputs of some functions in this gauge, one function after the other.
     pub fn outputs<'g>(&self, symbols: &mut Symbols<'g>, parts: &[Part]) -> Vec<Edge> {
         let chain = self.chain(symbols);
-        let of_part = |part: &Part| outputs(symbols, &chain, part.function, part.form);
+        let of_part = |part: &Part| outputs(symbols, &chain, *part);
         let outputs = parts.iter().flat_map(of_part);
         outputs.map(|e| e.edge()).collect()
     }
 
-    fn tried(&self, arm: &Mechanism, parts: &[Part]) -> Tried {
+    /// The work before any simplification, and the nodes of the trial graph.
+    fn tried(&self, arm: &Mechanism, parts: &[Part]) -> (usize, usize) {
         let graph = Graph::new();
         let mut symbols = Symbols::new(&graph, arm);
         let outputs = self.outputs(&mut symbols, parts);
-        Tried {
-            work: Network::new(&graph, &outputs).work(),
-            nodes: graph.len(),
-        }
+        (Network::new(&graph, &outputs).work(), graph.len())
     }
 
     fn reverse(&mut self, step: &[Choice]) {
@@ -158,47 +161,28 @@ impl Gauge {
     }
 }
 
-/// What came of trying a gauge.
-#[derive(Clone, Copy)]
-struct Tried {
-    /// The work before any simplification.
-    work: usize,
-    /// The nodes of the trial graph.
-    nodes: usize,
-}
-
 /// The trials of a search. The last round of a descent comes back to gauges of the round before it: each
 /// is tried once, and counted as often as it is asked for.
 struct Trials<'a> {
     arm: &'a Mechanism,
     parts: &'a [Part],
-    known: HashMap<Gauge, Tried>,
+    /// The work and the nodes of each gauge that was tried.
+    known: HashMap<Gauge, (usize, usize)>,
     /// The nodes of all trial graphs.
     nodes: usize,
 }
 
-impl<'a> Trials<'a> {
-    fn new(arm: &'a Mechanism, parts: &'a [Part]) -> Self {
-        Trials {
-            arm,
-            parts,
-            known: HashMap::new(),
-            nodes: 0,
-        }
-    }
-
+impl Trials<'_> {
     /// The work of the functions in a gauge.
     fn cost(&mut self, gauge: &Gauge) -> usize {
-        let trial = match self.known.get(gauge) {
-            Some(known) => *known,
-            None => {
-                let trial = gauge.tried(self.arm, self.parts);
-                self.known.insert(gauge.clone(), trial);
-                trial
-            }
-        };
-        self.nodes += trial.nodes;
-        trial.work
+        let known = self.known.get(gauge).copied();
+        let (work, nodes) = known.unwrap_or_else(|| {
+            let trial = gauge.tried(self.arm, self.parts);
+            self.known.insert(gauge.clone(), trial);
+            trial
+        });
+        self.nodes += nodes;
+        work
     }
 }
 
@@ -206,10 +190,7 @@ impl<'a> Trials<'a> {
 fn searched_by(part: &Part) -> Option<Part> {
     match part.function.row().search {
         Search::Own | Search::Accuracy => Some(*part),
-        Search::By(function) => Some(Part {
-            function,
-            form: Form::Recursive,
-        }),
+        Search::By(function) => Some(Part::recursive(function)),
         Search::None => None,
     }
 }

@@ -16,6 +16,7 @@ use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::mechanism::{Forces, Joint};
 use crate::robot::Interpretation;
+use core::ops::Add;
 
 /// K + F, for every joint.
 pub(super) fn both<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
@@ -50,7 +51,7 @@ fn coulomb<'g>(symbols: &mut Symbols<'g>, own: &Forces, joint: &JointSymbols<'g>
     if positive == negative {
         return symbols.value(positive);
     }
-    let half = symbols.rational(&(Rational::ONE / Rational::from(2)));
+    let half = symbols.graph().half();
     let (positive, negative) = (symbols.value(positive), symbols.value(negative));
     half * (positive + negative) + half * (positive - negative) * joint.sign
 }
@@ -106,12 +107,10 @@ pub(super) fn springs<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
 /// The energy in all springs.
 pub(super) fn energy_of_springs<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let graph = symbols.graph();
-    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+    let half = graph.half();
     let springs = all_springs(symbols).into_iter();
-    let twice = springs.fold(graph.zero(), |sum, (stiffness, stretch)| {
-        sum + stiffness * (stretch * stretch)
-    });
-    half * twice
+    let square = |(stiffness, stretch): (Expr<'g>, Expr<'g>)| stiffness * (stretch * stretch);
+    half * springs.map(square).fold(graph.zero(), Expr::add)
 }
 
 /// Adds dK/dq and dF/dqd to the derivatives of M qdd + V + G, of the joints that move by themselves.

@@ -55,11 +55,7 @@ pub fn derive(robot: &Robot, function: Function) -> Program {
 fn shortest(arm: &Mechanism, function: Function) -> Program {
     let parts = promising_forms(arm, function);
     if is_tried_by(Trial::Unsimplified, function) {
-        let recursive = Part {
-            function,
-            form: Form::Recursive,
-        };
-        let gauge = Gauge::search(arm, &[recursive]);
+        let gauge = Gauge::search(arm, &[Part::recursive(function)]);
         let length = |part: &Part| gauge.length(arm, &[*part]);
         let part = parts.into_iter().min_by_key(length);
         let part = part.expect("every function has a form");
@@ -167,22 +163,15 @@ pub fn derive_plain(robot: &Robot, function: Function) -> Program {
         Search::Accuracy => Gauge::physical(arm.joints.len()),
         _ => Gauge::plain(arm.joints.len()),
     };
-    let part = Part {
-        function,
-        form: Form::Recursive,
-    };
-    unsimplified(arm, &[Written::new(&[part], gauge)])
+    unsimplified(arm, &[Written::new(&[Part::recursive(function)], gauge)])
 }
 
 /// Functions as the recursions that are made for them, in the plain gauge. Bounds on the errors of
 /// quotients of quotients say little: articulated bodies are measured by themselves.
 fn plain_recursion(arm: &Mechanism, parts: &[Part]) -> Written {
-    let recursion = |part: &Part| Part {
-        form: match part.form {
-            Form::Articulated => Form::Articulated,
-            Form::Recursive | Form::Assembled | Form::Columns => Form::Recursive,
-        },
-        ..*part
+    let recursion = |part: &Part| match part.form {
+        Form::Articulated => *part,
+        Form::Recursive | Form::Assembled | Form::Columns => Part::recursive(part.function),
     };
     let parts: Vec<_> = parts.iter().map(recursion).collect();
     Written::new(&parts, Gauge::plain(arm.joints.len()))

@@ -12,9 +12,10 @@ use super::chain::{Chain, Link};
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
+use crate::operators::impl_operators;
 use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Acceleration, Axis, Body, Force, Turn, Turns, enter_about, leave_about};
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::Add;
 
 /// A value and its first two derivatives by time.
 #[derive(Clone, Copy)]
@@ -23,43 +24,17 @@ struct Jet<'g>([Expr<'g>; 3]);
 type Vector<'g> = Vector3<Jet<'g>>;
 type Components<'g> = [Vector3<Expr<'g>>; 3];
 
-impl Add for Jet<'_> {
-    type Output = Self;
-
-    fn add(self, o: Self) -> Self {
-        Jet([0, 1, 2].map(|k| self.0[k] + o.0[k]))
-    }
-}
-
-impl Sub for Jet<'_> {
-    type Output = Self;
-
-    fn sub(self, o: Self) -> Self {
-        Jet([0, 1, 2].map(|k| self.0[k] - o.0[k]))
-    }
-}
-
-impl Neg for Jet<'_> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Jet(self.0.map(|x| -x))
-    }
-}
-
-impl Mul for Jet<'_> {
-    type Output = Self;
-
+impl_operators! {
+    impl ['g] for Jet<'g>;
+    Add add |a, b| Jet([0, 1, 2].map(|k| a.0[k] + b.0[k]));
+    Sub sub |a, b| Jet([0, 1, 2].map(|k| a.0[k] - b.0[k]));
+    Neg neg |a| Jet(a.0.map(|x| -x));
     /// (x y)'' = x'' y + 2 x' y' + x y''
-    fn mul(self, o: Self) -> Self {
-        let ([x, xd, xdd], [y, yd, ydd]) = (self.0, o.0);
+    Mul mul |a, b| {
+        let ([x, xd, xdd], [y, yd, ydd]) = (a.0, b.0);
         let mixed = xd * yd;
-        Jet([
-            x * y,
-            x * yd + xd * y,
-            (x * ydd + xdd * y) + (mixed + mixed),
-        ])
-    }
+        Jet([x * y, x * yd + xd * y, (x * ydd + xdd * y) + (mixed + mixed)])
+    };
 }
 
 /// A turn about z whose angle changes: its rate and the rate of that.

@@ -9,18 +9,12 @@ use super::chain::Chain;
 use super::momenta;
 use super::passivity::{self, Rates};
 use super::symbols::Symbols;
-use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::spatial::{Body, Force};
 
-/// A column in the making.
-enum Column<'g> {
-    /// Of a body: its link, and the force of the body on the link.
-    OfBody(usize, Force<Expr<'g>>),
-    /// Of a motor: its joint, and the acceleration of that.
-    OfMotor(usize, Expr<'g>),
-}
+/// A column in the making, with its link: the force of a body on the link, or the acceleration of a motor.
+type Column<'g> = (usize, Result<Force<Expr<'g>>, Expr<'g>>);
 
 /// Each body's force handed on from link to link, to the base. By rows.
 pub(super) fn by_recursion<'g>(
@@ -54,12 +48,12 @@ pub(super) fn of_passivity<'g>(
     chain: &Chain<Expr<'g>>,
     rates: &[Rates<Expr<'g>>],
 ) -> Vec<Expr<'g>> {
-    let half = half(symbols);
+    let half = symbols.graph().half();
     let units = Units::new(symbols);
     let motions = passivity::motions(chain, rates);
-    let columns = units.bodies(chain).map(|(i, body)| match body {
-        Some(body) => Column::OfBody(i, motions[i].force(&body, half)),
-        None => Column::OfMotor(i, rates[i].qdd_r),
+    let columns = units.bodies(chain).map(|(i, body)| {
+        let force = body.map(|body| motions[i].force(&body, half));
+        (i, force.ok_or(rates[i].qdd_r))
     });
     by_rows(chain, columns.collect(), |i, force| {
         chain.joint_forces(i, force)
@@ -69,7 +63,7 @@ pub(super) fn of_passivity<'g>(
 /// The kinetic energy of a unit of every base parameter, then the potential energy, zero where frame 0
 /// has its origin.
 pub(super) fn of_energies<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let half = half(symbols);
+    let half = symbols.graph().half();
     let qd = symbols.all(|joint| joint.qd);
     let units = Units::new(symbols);
     let velocities = momenta::velocities(chain, &qd);
@@ -84,12 +78,6 @@ pub(super) fn of_energies<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>
     });
     let (kinetic, potential): (Vec<_>, Vec<_>) = energies.unzip();
     [kinetic, potential].concat()
-}
-
-pub(super) fn half<'g>(symbols: &Symbols<'g>) -> Expr<'g> {
-    symbols
-        .graph()
-        .rational(&(Rational::ONE / Rational::from(2)))
 }
 
 /// Gravity in the axes of every frame, and g.p with p the frame's origin from that of frame 0.
@@ -109,13 +97,15 @@ fn by_rows<'g>(
     joint_forces: impl Fn(usize, Force<Expr<'g>>) -> Vec<Expr<'g>>,
 ) -> Vec<Expr<'g>> {
     let joints = chain.links.len();
-    let column = |column: Column<'g>| match column {
-        Column::OfBody(i, force) => joint_forces(i, force),
-        Column::OfMotor(i, acceleration) => {
-            let mut forces = vec![chain.zero; joints];
-            forces[i] = acceleration;
-            forces
-        }
+    let column = |(i, column): Column<'g>| {
+        column.map_or_else(
+            |acceleration| {
+                let mut forces = vec![chain.zero; joints];
+                forces[i] = acceleration;
+                forces
+            },
+            |force| joint_forces(i, force),
+        )
     };
     let columns: Vec<_> = columns.into_iter().map(column).collect();
     let row = |i: usize| columns.iter().map(move |column| column[i]);
@@ -130,9 +120,9 @@ fn columns_of_motion<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> 
         symbols.all(|joint| joint.qdd),
     );
     let accelerations = chain.accelerations(chain.gravity, &qd, &qdd);
-    let column = |(i, body): (usize, Option<Body<Expr<'g>>>)| match body {
-        Some(body) => Column::OfBody(i, accelerations[i].force(&body)),
-        None => Column::OfMotor(i, qdd[i]),
+    let column = |(i, body): (usize, Option<Body<Expr<'g>>>)| {
+        let force = body.map(|body| accelerations[i].force(&body));
+        (i, force.ok_or(qdd[i]))
     };
     units.bodies(chain).map(column).collect()
 }

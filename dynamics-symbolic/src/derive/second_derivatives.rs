@@ -36,7 +36,6 @@ use super::joints::Joints;
 use super::momentum::Momentum;
 use super::symbols::Symbols;
 use super::{composite, derivatives};
-use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::robot::JointType;
@@ -91,8 +90,7 @@ pub(super) fn recursion<'g>(
     qd: &[Expr<'g>],
     qdd: &[Expr<'g>],
 ) -> SecondDerivatives<Expr<'g>> {
-    let graph = symbols.graph();
-    let half = graph.rational(&(Rational::ONE / Rational::from(2)));
+    let half = symbols.graph().half();
     let moving = Moving::new(chain, qd, qdd);
     let effects = effects(chain, &moving.rates);
     let mut derivatives = SecondDerivatives::none(chain.zero, chain.links.len());

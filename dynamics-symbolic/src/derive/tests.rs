@@ -63,7 +63,7 @@ fn of_all_forms<'g>(symbols: &mut Symbols<'g>, function: Function) -> Vec<Vec<Ex
     for part in parts {
         for gauge in [Gauge::plain(arm.joints.len()), Gauge::search(arm, &[part])] {
             let chain = gauge.chain(symbols);
-            all.push(outputs(symbols, &chain, function, part.form));
+            all.push(outputs(symbols, &chain, part));
         }
     }
     all
@@ -141,7 +141,7 @@ fn accelerations_and_regressors_on_branches_fit_the_forces() {
     let mut symbols = Symbols::new(&graph, &arm);
     let (zero, n) = (graph.zero(), arm.joints.len());
     let plain = Gauge::plain(n).chain(&mut symbols);
-    let mut of = |function, form| outputs(&mut symbols, &plain, function, form);
+    let mut of = |function, form| outputs(&mut symbols, &plain, Part { function, form });
     let inertia = of(Function::MassMatrix, Form::Recursive);
     let bias = of(Function::BiasForce, Form::Recursive);
     let accelerations = [
@@ -180,13 +180,8 @@ fn the_tip_on_a_branch_moves_by_its_jacobian() {
     ];
     let wrench: Vec<_> = (0..6).map(|k| symbols.entry(Argument::Wrench, k)).collect();
     let plain = Gauge::plain(n).chain(&mut symbols);
-    let jacobian = outputs(&mut symbols, &plain, Function::Jacobian, Form::Recursive);
-    let rate = outputs(
-        &mut symbols,
-        &plain,
-        Function::JacobianRate,
-        Form::Recursive,
-    );
+    let [jacobian, rate] = [Function::Jacobian, Function::JacobianRate]
+        .map(|function| outputs(&mut symbols, &plain, Part::recursive(function)));
     assert!(jacobian.chunks(n).all(|row| row[1].is_zero()));
     let velocity: Vec<_> = jacobian.chunks(n).map(|row| dot(zero, row, &qd)).collect();
     let rows = jacobian.chunks(n).zip(rate.chunks(n));

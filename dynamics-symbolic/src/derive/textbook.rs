@@ -3,13 +3,12 @@
 //! T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2 and U = -sum m g.c in
 //! the world, M_ij = d2T/dqd_i dqd_j, V_i = sum c_ijk qd_j qd_k with the
 //! Christoffel symbols c_ijk = 1/2 (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i), and
-//! G_i = dU/dq_i. Springs and friction act at the joints themselves, and are not in here. Long beyond three joints, and therefore no way to a program;
-//! the shorter derivations are compared with it.
+//! G_i = dU/dq_i, without springs and friction, which act at the joints themselves. Beyond three joints it is too long
+//! for a program; the shorter derivations are compared with it.
 
 use super::base::reflected;
 use super::kinematics::{Pose, frames, tip};
 use super::symbols::Symbols;
-use crate::exact::Rational;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
 use crate::robot::{Interpretation, Value};
@@ -33,9 +32,7 @@ impl<'g> Textbook<'g> {
     pub fn new(symbols: &mut Symbols<'g>) -> Self {
         let joints: Vec<_> = symbols.arm().free().collect();
         let n = joints.len();
-        let half = symbols
-            .graph()
-            .rational(&(Rational::ONE / Rational::from(2)));
+        let half = symbols.graph().half();
         let kinetic_energy = kinetic_energy(symbols, half);
         let potential_energy = potential_energy(symbols);
         let one = symbols.graph().one();

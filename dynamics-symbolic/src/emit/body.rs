@@ -4,7 +4,7 @@ use super::inputs::{constants_of, input_names, inputs, literal, reads_cells, rea
 use super::names::{ident, line_names, punct};
 use super::pivots::pivots;
 use crate::function::{Request, Shape, Sizes, sizes_of, spans};
-use crate::program::{ConstantId, Line, Operand, Output, Program, Rest};
+use crate::program::{ConstantId, Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -31,12 +31,11 @@ pub(super) struct Writer<'p> {
 pub(super) fn body(
     robot: &Robot,
     request: &Request,
-    program: &Program,
-    constants: &[f64],
+    proven: &Proven,
     path: &TokenStream,
 ) -> TokenStream {
-    let writer = Writer::new(robot, program, constants);
-    let reads_constants = writer.constants.iter().any(|x| !x.is_nan());
+    let (writer, program) = (Writer::new(robot, proven), &proven.program);
+    let reads_constants = proven.constants.iter().any(|x| !x.is_nan());
     let number = (reads_constants || reads_cells(robot, program))
         .then(|| constants_of(&request.arguments(), path));
     let inputs = inputs(robot, request, program, path);
@@ -55,7 +54,8 @@ pub(super) fn declared_in_groups(names: &[impl ToTokens]) -> TokenStream {
 }
 
 impl<'p> Writer<'p> {
-    fn new(robot: &Robot, program: &'p Program, constants: &'p [f64]) -> Self {
+    fn new(robot: &Robot, proven: &'p Proven) -> Self {
+        let Proven { program, constants } = proven;
         let lines = program.lines();
         let names = line_names(&lines).into_iter();
         let inputs = input_names(robot, program).into_iter();

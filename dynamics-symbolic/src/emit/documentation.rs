@@ -2,27 +2,26 @@
 
 use crate::formula::{Format, Formulas, MOST_JOINTS, MOST_TERMS, Shown, Structure, TooLong};
 use crate::function::{Argument, Function, Request, Shape, spans};
-use crate::program::{Operand, Output, Program};
+use crate::program::{Operand, Output, Program, Proven};
 use crate::robot::{JointType, Robot};
 
 /// The lines of a method's documentation.
 pub(super) fn documentation(
     robot: &Robot,
     request: &Request,
-    program: &Program,
-    constants: &[f64],
+    proven: &Proven,
     formulas: Option<&Formulas>,
     notes: &[String],
 ) -> Vec<String> {
     let notes = notes.iter().flat_map(|note| [note.clone(), String::new()]);
-    let mut lines = facts(robot, request, program, notes.collect());
+    let mut lines = facts(robot, request, &proven.program, notes.collect());
     lines.extend(match formulas {
         Some(formulas) => short_formula_lines(formulas),
         None => formulas_elsewhere(robot, request),
     });
     lines.push(String::new());
     if request.refuses() {
-        lines.push(errors(&unresisted(robot, request, program, constants)));
+        lines.push(errors(&unresisted(robot, request, proven)));
         lines.push(String::new());
     }
     lines.push(
@@ -105,8 +104,7 @@ fn errors(unresisted: &[&str]) -> String {
 pub(super) fn unresisted<'r>(
     robot: &'r Robot,
     request: &Request,
-    program: &Program,
-    constants: &[f64],
+    Proven { program, constants }: &Proven,
 ) -> Vec<&'r str> {
     let n = robot.dof();
     let spans = spans(request.parts(), n, program.outputs.len());

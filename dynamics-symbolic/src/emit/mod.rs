@@ -25,8 +25,8 @@ use signature::{
 };
 
 use crate::formula::Formulas;
-use crate::function::{Function, Request, sizes_of};
-use crate::program::Program;
+use crate::function::{Function, Request};
+use crate::program::Proven;
 use crate::robot::Robot;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -41,24 +41,22 @@ pub struct Emitted {
     pub function: Option<TokenStream>,
 }
 
-/// The method `taylor_series`, and the items of `TaylorDynamics`: the inverse dynamics over series,
-/// and the mass matrix, each a program with its rounded constants.
+/// The method `taylor_series`, and the items of `TaylorDynamics`: the inverse dynamics over series, and the mass matrix.
 pub fn taylor_series(
     robot: &Robot,
-    [equations, matrix]: [(&Program, &[f64]); 2],
+    [equations, matrix]: [&Proven; 2],
     notes: &[String],
     path: &TokenStream,
 ) -> Emitted {
     let (function, dof) = (Function::TaylorSeries, robot.dof());
     let request = function.into();
-    let documentation =
-        documentation::documentation(robot, &request, equations.0, equations.1, None, notes);
+    let documentation = documentation::documentation(robot, &request, equations, None, notes);
     let signature = signature(&request, without_parameters(dof), path);
     let call = call(function, dof, path);
     let part = Function::MassMatrix.into();
-    let body = body::body(robot, &part, matrix.0, matrix.1, path);
+    let body = body::body(robot, &part, matrix, path);
     let matrix = leading_matrix(dof, path, &body);
-    let series = series::items(robot, equations.0, equations.1, path);
+    let series = series::items(robot, equations, path);
     Emitted {
         inherent: documented(&documentation, &quote!(#[inline]), &signature, &call),
         provided: Some(quote!(#series #matrix)),
@@ -101,18 +99,16 @@ fn documented(
 pub fn method(
     robot: &Robot,
     (request, index): (&Request, usize),
-    program: &Program,
-    constants: &[f64],
+    proven: &Proven,
     formulas: Option<&Formulas>,
     notes: &[String],
     path: &TokenStream,
 ) -> Emitted {
-    let documentation =
-        documentation::documentation(robot, request, program, constants, formulas, notes);
-    let sizes = sizes_of(request.parts(), robot.dof(), program.outputs.len());
+    let documentation = documentation::documentation(robot, request, proven, formulas, notes);
+    let sizes = proven.sizes(request, robot.dof());
     let signature = signature(request, sizes, path);
-    let body = body::body(robot, request, program, constants, path);
-    let work = program.operations().with_sines();
+    let body = body::body(robot, request, proven, path);
+    let work = proven.program.operations().with_sines();
     let of_trait = request.function().and_then(|function| {
         let item = provided(function, robot.dof(), path, &body, work)?;
         Some((call(function, robot.dof(), path), item))

@@ -2,9 +2,9 @@
 
 use crate::exact::{Rational, negate_if};
 use crate::formula::signed_sum;
+use crate::operators::impl_operators;
 use crate::polynomial::{self, times};
 use core::cell::{Cell, RefCell};
-use core::ops::{Add, Mul, Neg, Sub};
 
 /// A product of powers of variables, which are counted as they come.
 type Monomial = polynomial::Monomial<usize>;
@@ -167,46 +167,27 @@ struct Group {
     members: Vec<(Option<(usize, i32)>, bool)>,
 }
 
-impl Add for Polynomial<'_> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        let mut terms = self.terms();
-        terms.add_multiple(&other.terms(), &Rational::ONE);
-        self.arena.push(terms)
-    }
-}
-
-impl Neg for Polynomial<'_> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
+impl_operators! {
+    impl ['p] for Polynomial<'p>;
+    Add add |a, b| {
+        let mut terms = a.terms();
+        terms.add_multiple(&b.terms(), &Rational::ONE);
+        a.arena.push(terms)
+    };
+    Sub sub |a, b| a + -b;
+    Neg neg |a| {
         let mut terms = Terms::zero();
-        terms.add_multiple(&self.terms(), &-Rational::ONE);
-        self.arena.push(terms)
-    }
-}
-
-impl Sub for Polynomial<'_> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Mul for Polynomial<'_> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        let circles = self.arena.circles.borrow();
+        terms.add_multiple(&a.terms(), &-Rational::ONE);
+        a.arena.push(terms)
+    };
+    Mul mul |a, b| {
+        let circles = a.arena.circles.borrow();
         let cosine = |variable| {
             let circle = circles.iter().find(|(sine, _)| *sine == variable);
             circle.map(|(_, cosine)| *cosine)
         };
-        self.arena
-            .push(times(&self.terms(), &other.terms(), &cosine))
-    }
+        a.arena.push(times(&a.terms(), &b.terms(), &cosine))
+    };
 }
 
 #[cfg(test)]

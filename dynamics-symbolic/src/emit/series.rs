@@ -9,7 +9,7 @@ use super::body::{MOST_LETS, declared_in_groups};
 use super::inputs;
 use super::names::{ident, number_of_joints, punct};
 use crate::function::Argument;
-use crate::program::{Instruction, Operand, Program, Readers};
+use crate::program::{Instruction, Operand, Program, Proven, Readers};
 use crate::robot::{Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -62,13 +62,8 @@ struct Series<'p> {
 
 /// The items of `TaylorDynamics` but for the mass matrix: the type of the table of products, and
 /// the equations of motion at one order.
-pub(super) fn items(
-    robot: &Robot,
-    program: &Program,
-    constants: &[f64],
-    path: &TokenStream,
-) -> TokenStream {
-    let series = Series::new(robot, program, constants, path);
+pub(super) fn items(robot: &Robot, proven: &Proven, path: &TokenStream) -> TokenStream {
+    let series = Series::new(robot, proven, path);
     let body = series.body();
     let multiples = series.multiples().count();
     declarations(series.blocks, multiples, robot.dof(), path, &body)
@@ -97,12 +92,8 @@ pub(super) fn declarations(
 }
 
 impl<'p> Series<'p> {
-    fn new(
-        robot: &'p Robot,
-        program: &'p Program,
-        constants: &'p [f64],
-        path: &'p TokenStream,
-    ) -> Self {
+    fn new(robot: &'p Robot, proven: &'p Proven, path: &'p TokenStream) -> Self {
+        let Proven { program, constants } = proven;
         let count = program.instructions.len();
         let mut turns = program.joint_angles();
         turns.sort_unstable();

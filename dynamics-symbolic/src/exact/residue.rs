@@ -4,7 +4,7 @@
 //! of this field with probability below d/p (Schwartz 1980, Zippel 1979).
 
 use super::{Rational, SplitMix64};
-use core::ops::{Add, Mul, Neg, Sub};
+use crate::operators::impl_operators;
 use dashu_int::Sign;
 
 /// A number modulo the prime `P`, always reduced.
@@ -83,47 +83,23 @@ impl<const P: u64> Residue<P> {
     }
 }
 
-impl<const P: u64> Add for Residue<P> {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        let sum = self.0 + other.0;
+impl_operators! {
+    impl [const P: u64] for Residue<P>;
+    Add add |a, b| {
+        let sum = a.0 + b.0;
         Residue(if sum >= P { sum - P } else { sum })
-    }
-}
-
-impl<const P: u64> Sub for Residue<P> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<const P: u64> Neg for Residue<P> {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        Residue(if self.0 == 0 { 0 } else { P - self.0 })
-    }
-}
-
-impl<const P: u64> Mul for Residue<P> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        let folded = Self::folded(self.0 as u128 * other.0 as u128);
+    };
+    Sub sub |a, b| a + -b;
+    Neg neg |a| Residue(if a.0 == 0 { 0 } else { P - a.0 });
+    Mul mul |a, b| {
+        let folded = Self::folded(a.0 as u128 * b.0 as u128);
         // Of P = 2^BITS - 1 once is enough: both parts are below P.
         let folded = match Self::DISTANCE {
             1 => folded as u64,
             _ => Self::folded(folded) as u64,
         };
         Residue(if folded >= P { folded - P } else { folded })
-    }
+    };
 }
 
 /// A random point (sine, cosine) of the unit circle over the field:

@@ -4,7 +4,7 @@ use super::Operation;
 use super::fingerprint::{Fingerprint, FingerprintMap};
 use super::node::{Edge, Level, NodeId};
 use crate::exact::{Rational, SplitMix64, is_short, negate_if};
-use core::cell::RefCell;
+use core::cell::{RefCell, RefMut};
 
 /// A node: what it is, how deep its dependencies go, its fingerprint, and whether its definition is
 /// held: see [`Graph::holding`].
@@ -16,8 +16,9 @@ pub(crate) struct Node {
     pub(crate) held: bool,
 }
 
+/// The nodes, found by their values.
 #[derive(Default)]
-struct Arena {
+pub(crate) struct Arena {
     nodes: Vec<Node>,
     rationals: Vec<Rational>,
     by_value: FingerprintMap<NodeId>,
@@ -43,8 +44,8 @@ impl Graph {
             arena: RefCell::default(),
             random: RefCell::new(SplitMix64::new(0x0072_6f62_6f74)),
         };
-        graph.number(&Rational::ZERO);
-        graph.number(&Rational::ONE);
+        graph.arena().rational(&Rational::ZERO);
+        graph.arena().rational(&Rational::ONE);
         graph
     }
 
@@ -58,35 +59,9 @@ impl Graph {
         arena.intern(operation, level, value)
     }
 
-    pub(super) fn number(&self, x: &Rational) -> Edge {
-        self.arena.borrow_mut().rational(x)
-    }
-
-    pub(crate) fn add(&self, a: Edge, b: Edge) -> Edge {
-        self.arena.borrow_mut().add(a, b)
-    }
-
-    pub(crate) fn mul(&self, a: Edge, b: Edge) -> Edge {
-        self.arena.borrow_mut().mul(a, b)
-    }
-
-    pub(crate) fn div(&self, a: Edge, b: Edge) -> Edge {
-        self.arena.borrow_mut().div(a, b)
-    }
-
-    /// The node of a sum, and the sum as that node's definition, not folded.
-    pub(crate) fn write_sum(&self, a: Edge, b: Edge) -> (Edge, Operation) {
-        self.arena.borrow_mut().write_sum(a, b)
-    }
-
-    /// The node of a product, and the product as that node's definition, not folded.
-    pub(crate) fn write_product(&self, a: Edge, b: Edge) -> (Edge, Operation) {
-        self.arena.borrow_mut().write_product(a, b)
-    }
-
-    /// The node of a quotient, and the quotient as that node's definition, not folded.
-    pub(crate) fn write_quotient(&self, a: Edge, b: Edge) -> (Edge, Operation) {
-        self.arena.borrow_mut().write_quotient(a, b)
+    /// The arena, to add nodes: nothing else may read the graph meanwhile.
+    pub(crate) fn arena(&self) -> RefMut<'_, Arena> {
+        self.arena.borrow_mut()
     }
 
     /// The number of nodes.
@@ -154,14 +129,6 @@ impl Graph {
         }
     }
 
-    pub(super) fn value(&self, edge: Edge) -> Fingerprint {
-        self.arena.borrow().value(edge)
-    }
-
-    pub(super) fn as_rational(&self, edge: Edge) -> Option<Rational> {
-        self.arena.borrow().as_rational(edge)
-    }
-
     /// The exact number of a [`Operation::Rational`] node.
     pub fn rational_of(&self, index: u32) -> Rational {
         self.arena.borrow().rationals[index as usize].clone()
@@ -173,7 +140,7 @@ impl Arena {
         &self.nodes[edge.node().index()]
     }
 
-    fn value(&self, edge: Edge) -> Fingerprint {
+    pub(super) fn value(&self, edge: Edge) -> Fingerprint {
         let value = self.node(edge).value;
         negate_if(value, edge.is_negative())
     }
@@ -230,17 +197,20 @@ impl Arena {
         (id.edge(negative), operation)
     }
 
-    fn write_sum(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
+    /// The node of a sum, and the sum as that node's definition, not folded.
+    pub(crate) fn write_sum(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
         let value = self.value(a) + self.value(b);
         self.write(Operation::Add(a, b), self.level_of_both(a, b), value)
     }
 
-    fn write_product(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
+    /// As [`Arena::write_sum`], of a product.
+    pub(crate) fn write_product(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
         let value = self.node(a).value * self.node(b).value;
         self.write_with_signs(a, b, Operation::Mul(a.node(), b.node()), value)
     }
 
-    fn write_quotient(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
+    /// As [`Arena::write_sum`], of a quotient.
+    pub(crate) fn write_quotient(&mut self, a: Edge, b: Edge) -> (Edge, Operation) {
         let inverse = self.node(b).value.inverse().unwrap_or(Fingerprint::ZERO);
         let value = self.node(a).value * inverse;
         self.write_with_signs(a, b, Operation::Div(a.node(), b.node()), value)
@@ -263,7 +233,7 @@ impl Arena {
         self.level(a).max(self.level(b))
     }
 
-    fn rational(&mut self, x: &Rational) -> Edge {
+    pub(super) fn rational(&mut self, x: &Rational) -> Edge {
         // A number without faithful image gets no shared node; the proof, over another prime, is what counts.
         let value = Fingerprint::from_rational(x)
             .unwrap_or_else(|| Fingerprint::random(&mut SplitMix64::new(self.nodes.len() as u64)));
@@ -302,7 +272,7 @@ impl Arena {
         negate_if(self.rationals[index as usize].clone(), negative)
     }
 
-    fn as_rational(&self, edge: Edge) -> Option<Rational> {
+    pub(super) fn as_rational(&self, edge: Edge) -> Option<Rational> {
         Some(self.exact(self.number_of(edge)?))
     }
 
@@ -318,7 +288,7 @@ impl Arena {
         edge.node() == NodeId::ONE
     }
 
-    fn add(&mut self, a: Edge, b: Edge) -> Edge {
+    pub(crate) fn add(&mut self, a: Edge, b: Edge) -> Edge {
         // Zero has one sign: of two zeros the first counts.
         if self.is_zero(b) {
             return a;
@@ -362,7 +332,7 @@ impl Arena {
         Some(self.add(folded, rest))
     }
 
-    fn mul(&mut self, a: Edge, b: Edge) -> Edge {
+    pub(crate) fn mul(&mut self, a: Edge, b: Edge) -> Edge {
         if self.is_zero(a) || self.is_zero(b) {
             return NodeId::ZERO.edge(false);
         }
@@ -403,7 +373,7 @@ impl Arena {
         Some(self.mul(folded, rest.edge(flipped != product.is_negative())))
     }
 
-    fn div(&mut self, a: Edge, b: Edge) -> Edge {
+    pub(crate) fn div(&mut self, a: Edge, b: Edge) -> Edge {
         if self.is_zero(a) {
             return a;
         }

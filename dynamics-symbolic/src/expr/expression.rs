@@ -2,8 +2,8 @@
 
 use super::{Edge, Fingerprint, Graph, Level, NodeId};
 use crate::exact::{Rational, circle_point};
+use crate::operators::impl_operators;
 use core::fmt;
-use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// An expression of a [`Graph`].
 #[derive(Clone, Copy)]
@@ -41,9 +41,14 @@ impl Graph {
         self.expr(NodeId::ONE.edge(false))
     }
 
+    /// 1/2.
+    pub fn half(&self) -> Expr<'_> {
+        self.rational(&(Rational::ONE / Rational::from(2)))
+    }
+
     /// An exact number.
     pub fn rational(&self, x: &Rational) -> Expr<'_> {
-        self.expr(self.number(x))
+        self.expr(self.arena().rational(x))
     }
 }
 
@@ -65,12 +70,12 @@ impl<'g> Expr<'g> {
 
     /// The exact number that the expression is, where it is one.
     pub(crate) fn as_rational(self) -> Option<Rational> {
-        self.graph.as_rational(self.edge)
+        self.graph.arena().as_rational(self.edge)
     }
 
     /// The value at the graph's random point.
     pub(crate) fn fingerprint(self) -> Fingerprint {
-        self.graph.value(self.edge)
+        self.graph.arena().value(self.edge)
     }
 
     fn with(self, edge: Edge) -> Self {
@@ -91,42 +96,11 @@ impl fmt::Debug for Expr<'_> {
     }
 }
 
-impl Add for Expr<'_> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        self.with(self.graph.add(self.edge, other.edge))
-    }
-}
-
-impl Sub for Expr<'_> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self.with(self.graph.add(self.edge, -other.edge))
-    }
-}
-
-impl Mul for Expr<'_> {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        self.with(self.graph.mul(self.edge, other.edge))
-    }
-}
-
-impl Div for Expr<'_> {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        self.with(self.graph.div(self.edge, other.edge))
-    }
-}
-
-impl Neg for Expr<'_> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        self.with(self.edge.negate_if(!self.is_zero()))
-    }
+impl_operators! {
+    impl ['g] for Expr<'g>;
+    Add add |a, b| a.with(a.graph.arena().add(a.edge, b.edge));
+    Sub sub |a, b| a.with(a.graph.arena().add(a.edge, -b.edge));
+    Mul mul |a, b| a.with(a.graph.arena().mul(a.edge, b.edge));
+    Div div |a, b| a.with(a.graph.arena().div(a.edge, b.edge));
+    Neg neg |a| a.with(a.edge.negate_if(!a.is_zero()));
 }

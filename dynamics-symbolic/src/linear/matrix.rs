@@ -1,7 +1,8 @@
 //! Matrices.
 
 use super::{Ring, Vector3};
-use core::ops::{Add, Mul, Sub};
+use crate::operators::impl_operators;
+use core::ops::Mul;
 
 /// A 3 x 3 matrix by rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -162,20 +163,10 @@ impl<R: Ring> Symmetric3<R> {
     }
 }
 
-impl<R: Ring> Add for Symmetric3<R> {
-    type Output = Self;
-
-    fn add(self, o: Self) -> Self {
-        self.zip(&o, |a, b| a + b)
-    }
-}
-
-impl<R: Ring> Sub for Symmetric3<R> {
-    type Output = Self;
-
-    fn sub(self, o: Self) -> Self {
-        self.zip(&o, |a, b| a - b)
-    }
+impl_operators! {
+    impl [R: Ring] for Symmetric3<R>;
+    Add add |a, b| a.zip(&b, |a, b| a + b);
+    Sub sub |a, b| a.zip(&b, |a, b| a - b);
 }
 
 impl<R: Ring> Mul<R> for Symmetric3<R> {

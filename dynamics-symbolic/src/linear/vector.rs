@@ -1,7 +1,8 @@
 //! Vectors.
 
 use super::Ring;
-use core::ops::{Add, Index, Mul, Neg, Sub};
+use crate::operators::impl_operators;
+use core::ops::{Index, Mul};
 
 /// A vector of three components.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,30 +51,17 @@ impl<R> Index<usize> for Vector3<R> {
     }
 }
 
-impl<R: Ring> Add for Vector3<R> {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+impl_operators! {
+    impl [R: Ring] for Vector3<R>;
+    Add add |left, right| {
+        let ([a, b, c], [x, y, z]) = (left.0, right.0);
         Vector3([a + x, b + y, c + z])
-    }
-}
-
-impl<R: Ring> Sub for Vector3<R> {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+    };
+    Sub sub |left, right| {
+        let ([a, b, c], [x, y, z]) = (left.0, right.0);
         Vector3([a - x, b - y, c - z])
-    }
-}
-
-impl<R: Ring> Neg for Vector3<R> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Vector3(self.0.map(|x| -x))
-    }
+    };
+    Neg neg |a| Vector3(a.0.map(|x| -x));
 }
 
 impl<R: Ring> Mul<R> for Vector3<R> {

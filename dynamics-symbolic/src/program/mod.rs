@@ -24,6 +24,7 @@ pub(crate) use readers::Readers;
 pub use real::{Approximation, Real};
 pub use signed::UpToSign;
 
+use crate::function::{Request, Sizes, sizes_of};
 use crate::robot::Symbol;
 
 /// Something that an instruction reads.
@@ -97,6 +98,13 @@ pub struct Proven {
     pub program: Program,
     /// Its constants, correctly rounded; NaN where the program reads none.
     pub constants: Vec<f64>,
+}
+
+impl Proven {
+    /// The sizes in the shapes of the functions that the program computes, of so many joints.
+    pub fn sizes(&self, request: &Request, joints: usize) -> Sizes {
+        sizes_of(request.parts(), joints, self.program.outputs.len())
+    }
 }
 
 impl Program {

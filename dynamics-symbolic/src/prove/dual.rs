@@ -1,7 +1,7 @@
 //! Dual numbers a + b e, e^2 = 0: derivatives without rounding.
 
 use crate::linear::Ring;
-use core::ops::{Add, Mul, Neg, Sub};
+use crate::operators::impl_operators;
 
 /// A value and its derivative in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,39 +16,12 @@ impl<R: Ring> Dual<R> {
     }
 }
 
-impl<R: Ring> Add for Dual<R> {
-    type Output = Self;
-
-    fn add(self, o: Self) -> Self {
-        Dual::new(self.value + o.value, self.derivative + o.derivative)
-    }
-}
-
-impl<R: Ring> Sub for Dual<R> {
-    type Output = Self;
-
-    fn sub(self, o: Self) -> Self {
-        Dual::new(self.value - o.value, self.derivative - o.derivative)
-    }
-}
-
-impl<R: Ring> Neg for Dual<R> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Dual::new(-self.value, -self.derivative)
-    }
-}
-
-impl<R: Ring> Mul for Dual<R> {
-    type Output = Self;
-
-    fn mul(self, o: Self) -> Self {
-        Dual::new(
-            self.value * o.value,
-            self.value * o.derivative + self.derivative * o.value,
-        )
-    }
+impl_operators! {
+    impl [R: Ring] for Dual<R>;
+    Add add |a, b| Dual::new(a.value + b.value, a.derivative + b.derivative);
+    Sub sub |a, b| Dual::new(a.value - b.value, a.derivative - b.derivative);
+    Neg neg |a| Dual::new(-a.value, -a.derivative);
+    Mul mul |a, b| Dual::new(a.value * b.value, a.value * b.derivative + a.derivative * b.value);
 }
 
 #[cfg(test)]

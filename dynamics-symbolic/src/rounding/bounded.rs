@@ -8,7 +8,7 @@
 //! are counted in the two other statements of the rules: `ranged`, over a box of points, and
 //! [`Real`](crate::program::Real), in high precision.
 
-use core::ops::{Add, Div, Mul, Neg};
+use crate::operators::impl_operators;
 
 /// u, the largest relative error of one operation.
 pub const UNIT: f64 = f64::EPSILON / 2.0;
@@ -53,50 +53,27 @@ impl Bounded {
     }
 }
 
-impl Neg for Bounded {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Bounded {
-            value: -self.value,
-            ..self
-        }
-    }
-}
-
-impl Add for Bounded {
-    type Output = Self;
-
+impl_operators! {
+    impl [] for Bounded;
+    Neg neg |a| Bounded { value: -a.value, ..a };
     /// |(a + b) - (a' + b')| <= e_a + e_b
-    fn add(self, b: Self) -> Self {
-        Bounded::from_operands(self.value + b.value, self.error + b.error)
-    }
-}
-
-impl Mul for Bounded {
-    type Output = Self;
-
+    Add add |a, b| Bounded::from_operands(a.value + b.value, a.error + b.error);
     /// |a b - a' b'| <= |a| e_b + |b| e_a + e_a e_b
-    fn mul(self, b: Self) -> Self {
-        let linear = self.value.abs() * b.error + b.value.abs() * self.error;
-        Bounded::from_operands(self.value * b.value, linear + self.error * b.error)
-    }
-}
-
-impl Div for Bounded {
-    type Output = Self;
-
+    Mul mul |a, b| {
+        let linear = a.value.abs() * b.error + b.value.abs() * a.error;
+        Bounded::from_operands(a.value * b.value, linear + a.error * b.error)
+    };
     /// |a/b - a'/b'| <= (e_a + |a/b| e_b) / (|b| - e_b)
-    fn div(self, b: Self) -> Self {
-        let quotient = self.value / b.value;
+    Div div |a, b| {
+        let quotient = a.value / b.value;
         let room = b.value.abs() - b.error;
         let error = if room > 0.0 {
-            (self.error + quotient.abs() * b.error) / room
+            (a.error + quotient.abs() * b.error) / room
         } else {
             f64::INFINITY
         };
         Bounded::from_operands(quotient, error)
-    }
+    };
 }
 
 #[cfg(test)]

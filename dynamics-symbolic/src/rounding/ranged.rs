@@ -6,7 +6,7 @@
 use super::UNIT;
 use crate::exact::Rational;
 use crate::interval::Interval;
-use core::ops::{Add, Div, Mul, Neg};
+use crate::operators::impl_operators;
 
 /// A number over a box of points: the exact one is in `range`, and what is computed at most `error` away from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,46 +94,19 @@ impl Ranged {
     }
 }
 
-impl Neg for Ranged {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Ranged {
-            range: -self.range,
-            ..self
-        }
-    }
-}
-
-impl Add for Ranged {
-    type Output = Self;
-
-    fn add(self, b: Self) -> Self {
-        Ranged::from_operands(self.range + b.range, plus(self.error, b.error))
-    }
-}
-
-impl Mul for Ranged {
-    type Output = Self;
-
-    fn mul(self, b: Self) -> Self {
-        let range = self.range * b.range;
-        let passed_on = plus(
-            times(self.range.size(), b.error),
-            times(b.computed(), self.error),
-        );
-        Ranged::from_operands(range, passed_on)
-    }
-}
-
-impl Div for Ranged {
-    type Output = Self;
-
+impl_operators! {
+    impl [] for Ranged;
+    Neg neg |a| Ranged { range: -a.range, ..a };
+    Add add |a, b| Ranged::from_operands(a.range + b.range, plus(a.error, b.error));
+    Mul mul |a, b| {
+        let passed_on = plus(times(a.range.size(), b.error), times(b.computed(), a.error));
+        Ranged::from_operands(a.range * b.range, passed_on)
+    };
     /// |a'/b' - a/b| <= (e_a + |a/b| e_b) / (|b| - e_b)
-    fn div(self, b: Self) -> Self {
-        let range = self.range.over(b.range);
+    Div div |a, b| {
+        let range = a.range.over(b.range);
         let room = (b.range.least_size() - b.error).next_down();
-        let passed_on = plus(self.error, times(range.size(), b.error));
+        let passed_on = plus(a.error, times(range.size(), b.error));
         let error = if room.is_nan() || room <= 0.0 {
             f64::INFINITY
         } else if passed_on == 0.0 {
@@ -142,7 +115,7 @@ impl Div for Ranged {
             (passed_on / room).next_up()
         };
         Ranged::from_operands(range, error)
-    }
+    };
 }
 
 #[cfg(test)]

@@ -140,8 +140,8 @@ impl Network<'_> {
     fn inner_node(&mut self, operation: Operation) -> Option<NodeId> {
         let graph = self.graph();
         let edge: Edge = match operation {
-            Operation::Add(a, b) => graph.add(a, b),
-            Operation::Mul(a, b) => graph.mul(a.edge(false), b.edge(false)),
+            Operation::Add(a, b) => graph.arena().add(a, b),
+            Operation::Mul(a, b) => graph.arena().mul(a.edge(false), b.edge(false)),
             _ => return None,
         };
         self.grow();

@@ -39,11 +39,11 @@ impl<'g> Writer<'g> {
     }
 
     pub(super) fn add(&mut self, a: Edge, b: Edge) -> Edge {
-        self.keep(self.graph.write_sum(a, b))
+        self.keep(self.graph.arena().write_sum(a, b))
     }
 
     fn mul(&mut self, a: Edge, b: Edge) -> Edge {
-        self.keep(self.graph.write_product(a, b))
+        self.keep(self.graph.arena().write_product(a, b))
     }
 
     /// The operation of a node on what is computed in the place of its operands, some of which may be zero.
@@ -66,7 +66,7 @@ impl<'g> Writer<'g> {
             Operation::Div(a, b) => match [a, b].map(|id| self.stored(id)) {
                 [a, _] if is_zero(a) => a,
                 [a, b] => self
-                    .keep(self.graph.write_quotient(a, b))
+                    .keep(self.graph.arena().write_quotient(a, b))
                     .negate_if(flipped),
             },
             Operation::Rational(_) | Operation::Symbol(_) => id.edge(false),

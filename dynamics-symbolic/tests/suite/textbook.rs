@@ -3,7 +3,7 @@
 
 use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::functions::{Form, outputs};
+use dynamics_symbolic::derive::functions::{Form, Part, outputs};
 use dynamics_symbolic::derive::gauge::Gauge;
 use dynamics_symbolic::derive::symbols::Symbols;
 use dynamics_symbolic::derive::textbook::Textbook;
@@ -53,7 +53,7 @@ fn recursions_equal_the_textbook_expression_by_expression() {
         let chain = Gauge::plain(robot.rows.len()).chain(&mut symbols);
         for (function, expected) in expected {
             for form in function.forms(robot.dof()) {
-                let short = outputs(&mut symbols, &chain, function, form);
+                let short = outputs(&mut symbols, &chain, Part { function, form });
                 assert_eq!(short, expected, "{name} {} {form:?}", function.name());
             }
         }
@@ -103,7 +103,7 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
         let chain = Gauge::plain(n).chain(&mut symbols);
         let function = Function::InverseDynamicsDerivatives;
         for form in [Form::Recursive, Form::Assembled] {
-            let short = outputs(&mut symbols, &chain, function, form);
+            let short = outputs(&mut symbols, &chain, Part { function, form });
             assert_eq!(short, expected, "{name} {form:?}");
         }
         // d2 tau/dq dq, d2 tau/dqd dqd and d2 tau/dq dqd from the first ones, dM/dq from M.
@@ -123,7 +123,7 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
         }
         let function = Function::InverseDynamicsSecondDerivatives;
         for form in [Form::Recursive, Form::Assembled] {
-            let short = outputs(&mut symbols, &chain, function, form);
+            let short = outputs(&mut symbols, &chain, Part { function, form });
             assert_eq!(short, expected, "{name} {form:?}");
         }
     }
@@ -230,8 +230,8 @@ fn two_link_arm_of_craig_as_printed() {
         let c = m2 * l1 * l2 * s2;
         let zero = graph.zero();
         let chain = Gauge::plain(2).chain(&mut symbols);
-        let mut check = |function, expected: &[Expr<'_>]| {
-            let computed = outputs(&mut symbols, &chain, function, Form::Recursive);
+        let mut check = |function: Function, expected: &[Expr<'_>]| {
+            let computed = outputs(&mut symbols, &chain, Part::recursive(function));
             assert_eq!(computed, expected, "{convention:?} {}", function.name());
         };
         check(Function::MassMatrix, &mass_matrix);
@@ -281,8 +281,8 @@ fn two_link_arm_with_slender_rods() {
     let gamma1 = half * m1 * g * a1 * c1 + m2 * g * (a1 * c1 + half * a2 * c12);
     let gamma2 = half * m2 * g * a2 * c12;
     let chain = Gauge::plain(2).chain(&mut symbols);
-    let mut check = |function, expected: &[Expr<'_>]| {
-        let computed = outputs(&mut symbols, &chain, function, Form::Recursive);
+    let mut check = |function: Function, expected: &[Expr<'_>]| {
+        let computed = outputs(&mut symbols, &chain, Part::recursive(function));
         assert_eq!(computed, expected, "{}", function.name());
     };
     check(Function::MassMatrix, &[i11, i12, i12, i22]);

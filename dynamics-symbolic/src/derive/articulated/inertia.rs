@@ -51,7 +51,7 @@ impl<R: Ring> Articulated<R> {
     pub(super) fn left_z(&self, turn: Turn<R>) -> Self {
         Articulated {
             angular: tensor_leave_about(Axis::Z, turn, self.angular),
-            coupling: matrix_left_z(turn, &self.coupling),
+            coupling: matrix_left_z(turn, &self.coupling, block_left_z),
             linear: tensor_leave_about(Axis::Z, turn, self.linear),
         }
     }
@@ -69,10 +69,12 @@ impl<R: Ring> Articulated<R> {
     /// payload that a joint gives way to in one direction weighs nothing in that direction: what a
     /// turn makes of that is not what a large number less another leaves.
     pub(super) fn turned_z(&self, turn: Turn<R>) -> Self {
+        let matrix = |m: &Matrix3<R>| matrix_left_z(turn, m, block_turned_z);
+        let tensor = |t: &Symmetric3<R>| Symmetric3::from_upper(&matrix(&t.full()));
         Articulated {
-            angular: tensor_turned_z(turn, &self.angular),
-            coupling: matrix_turned_z(turn, &self.coupling),
-            linear: tensor_turned_z(turn, &self.linear),
+            angular: tensor(&self.angular),
+            coupling: matrix(&self.coupling),
+            linear: tensor(&self.linear),
         }
     }
 
@@ -128,54 +130,43 @@ fn renamed<R: Ring>(t: &Symmetric3<R>) -> Symmetric3<R> {
     }
 }
 
-/// R H R^T. As for tensors, with k = s (xx - yy) + c (xy + yx):
-/// xx' = xx - s k, yy' = yy + s k, xy' = c k - yx, yx' = c k - xy.
-fn matrix_left_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
+/// The components of a matrix across the axis of a turn.
+type Block<R> = [[R; 2]; 2];
+
+/// R H R^T, where `block` has the components across the axis.
+fn matrix_left_z<R: Ring>(
+    turn: Turn<R>,
+    h: &Matrix3<R>,
+    block: impl Fn(Turn<R>, Block<R>) -> Block<R>,
+) -> Matrix3<R> {
     let [[xx, xy, xz], [yx, yy, yz], z] = h.0;
-    let k = turn.s * (xx - yy) + turn.c * (xy + yx);
-    let (sk, ck) = (turn.s * k, turn.c * k);
-    let (xz, yz) = turn.leave(xz, yz);
-    Matrix3([
-        [xx - sk, ck - yx, xz],
-        [ck - xy, yy + sk, yz],
-        leave_about(Axis::Z, turn, Vector3(z)).0,
-    ])
-}
-
-/// R A R^T for the components across the axis, with every product in its own right:
-/// xx' = c^2 xx + s^2 yy - c s (xy + yx), yy' = s^2 xx + c^2 yy + c s (xy + yx),
-/// xy' = c s (xx - yy) + c^2 xy - s^2 yx, yx' = c s (xx - yy) + c^2 yx - s^2 xy.
-fn block_turned_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: [[R; 2]; 2]) -> [[R; 2]; 2] {
-    let (cc, ss, cs) = (turn.c * turn.c, turn.s * turn.s, turn.c * turn.s);
-    let (mixed, across) = (cs * (xy + yx), cs * (xx - yy));
-    [
-        [cc * xx + ss * yy - mixed, across + cc * xy - ss * yx],
-        [across + cc * yx - ss * xy, ss * xx + cc * yy + mixed],
-    ]
-}
-
-fn tensor_turned_z<R: Ring>(turn: Turn<R>, t: &Symmetric3<R>) -> Symmetric3<R> {
-    let [[xx, xy], [_, yy]] = block_turned_z(turn, [[t.xx, t.xy], [t.xy, t.yy]]);
-    let (xz, yz) = turn.leave(t.xz, t.yz);
-    Symmetric3 {
-        xx,
-        yy,
-        zz: t.zz,
-        xy,
-        yz,
-        xz,
-    }
-}
-
-fn matrix_turned_z<R: Ring>(turn: Turn<R>, h: &Matrix3<R>) -> Matrix3<R> {
-    let [[xx, xy, xz], [yx, yy, yz], z] = h.0;
-    let [[xx, xy], [yx, yy]] = block_turned_z(turn, [[xx, xy], [yx, yy]]);
+    let [[xx, xy], [yx, yy]] = block(turn, [[xx, xy], [yx, yy]]);
     let (xz, yz) = turn.leave(xz, yz);
     Matrix3([
         [xx, xy, xz],
         [yx, yy, yz],
         leave_about(Axis::Z, turn, Vector3(z)).0,
     ])
+}
+
+/// As for tensors, with k = s (xx - yy) + c (xy + yx):
+/// xx' = xx - s k, yy' = yy + s k, xy' = c k - yx, yx' = c k - xy.
+fn block_left_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: Block<R>) -> Block<R> {
+    let k = turn.s * (xx - yy) + turn.c * (xy + yx);
+    let (sk, ck) = (turn.s * k, turn.c * k);
+    [[xx - sk, ck - yx], [ck - xy, yy + sk]]
+}
+
+/// The same with every product in its own right:
+/// xx' = c^2 xx + s^2 yy - c s (xy + yx), yy' = s^2 xx + c^2 yy + c s (xy + yx),
+/// xy' = c s (xx - yy) + c^2 xy - s^2 yx, yx' = c s (xx - yy) + c^2 yx - s^2 xy.
+fn block_turned_z<R: Ring>(turn: Turn<R>, [[xx, xy], [yx, yy]]: Block<R>) -> Block<R> {
+    let (cc, ss, cs) = (turn.c * turn.c, turn.s * turn.s, turn.c * turn.s);
+    let (mixed, across) = (cs * (xy + yx), cs * (xx - yy));
+    [
+        [cc * xx + ss * yy - mixed, across + cc * xy - ss * yx],
+        [across + cc * yx - ss * xy, ss * xx + cc * yy + mixed],
+    ]
 }
 
 #[cfg(test)]

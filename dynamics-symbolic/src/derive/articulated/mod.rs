@@ -9,22 +9,30 @@
 //! where a' is the acceleration that the link would have with its joint at rest. The D are the
 //! pivots of M = U D U^T from the tip inwards: the elimination is the same, in other variables.
 //!
-//! Forces that do not depend on accelerations are left to the recursive equations of motion:
-//! what is accelerated here is an arm at rest without gravity, by tau - V - G - K - F. [`moving`] is the
-//! algorithm as it was published, on which all forces act.
+//! [`solve`] leaves the forces that do not depend on accelerations to the recursive equations of motion: it accelerates
+//! an arm at rest without gravity, by tau - V - G - K - F. [`forward_dynamics`] is the algorithm as it was published
+//! (Featherstone 2008, table 7.1), on which all forces act. With c_i the part of the acceleration of link i that depends
+//! on velocities alone, b_i the wrench that its own velocity needs, and a_0 = -g, it has
+//!
+//!   p_i = b_i + sum of outer p',   u_i = tau_i - K_i - F_i - S.p_i,   p' = p_i + I' c_i + k u_i,
+//!   a' = a_{i-1} + c_i,   qdd_i = u_i / D_i - k.a',   a_i = a' + S qdd_i.
+//!
+//! Accelerations are those of frames' origins, as everywhere here; b and c belong to that. Each force acts in the
+//! directions of the link that it acts on, and passes a joint with the part that the joint does not give way to. A joint
+//! space equation takes the difference of the torques instead: of a payload a thousand million times as heavy as its
+//! arm, near the stretched pose, that loses eight digits, and this none. So the links keep their own frames and their
+//! own parameters.
 //!
 //! The definitions of what depends on the pivots are held: see [`super::solve`].
 
 mod inertia;
-mod moving;
 
 use super::chain::{Chain, Link};
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Symmetric3, Vector3};
 use crate::robot::JointType;
-use crate::spatial::{Body, Force, Joint, Motion};
+use crate::spatial::{Acceleration, Body, Force, Joint, Motion, Turn};
 use inertia::Articulated;
-pub(super) use moving::forward_dynamics;
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
@@ -41,16 +49,63 @@ struct Eliminated<'g> {
     force: Expr<'g>,
 }
 
+/// What velocities alone make of the acceleration of a link and of the force on it.
+#[derive(Clone, Copy)]
+struct VelocityTerms<'g> {
+    /// c
+    acceleration: Motion<Expr<'g>>,
+    /// b
+    force: Force<Expr<'g>>,
+}
+
+/// The inertia in the frame before a turn about z: [`Articulated::left_z`] or [`Articulated::turned_z`].
+type LeaveZ<'g> = fn(&Articulated<Expr<'g>>, Turn<Expr<'g>>) -> Articulated<Expr<'g>>;
+
 /// Solves M qdd = `net`: qdd, and the pivots of M = U D U^T, for the joint of every row. One that is
 /// locked has the acceleration 0.
 pub(super) fn solve<'g>(
     chain: &Chain<Expr<'g>>,
     net: &[Expr<'g>],
 ) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
-    let joints = inward(chain, net);
+    let none = VelocityTerms {
+        acceleration: Motion::splat(chain.zero),
+        force: Force::splat(chain.zero),
+    };
+    let terms = vec![none; net.len()];
+    let joints = inward(chain, &terms, net, Articulated::left_z);
     let pivots = joints.iter().map(|joint| joint.pivot).collect();
-    let qdd = chain.zero.graph.holding(|| outward(chain, &joints));
+    let at_rest = Vector3::splat(chain.zero);
+    let qdd = || outward(chain, at_rest, &terms, &joints);
+    (chain.zero.graph.holding(qdd), pivots)
+}
+
+/// Accelerations under the joint forces `net`, springs and friction taken off, and the pivots of M = U D U^T, for
+/// the joint of every row.
+pub(super) fn forward_dynamics<'g>(
+    chain: &Chain<Expr<'g>>,
+    qd: &[Expr<'g>],
+    net: &[Expr<'g>],
+) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
+    let terms = velocity_terms(chain, qd);
+    let joints = inward(chain, &terms, net, Articulated::turned_z);
+    let pivots = joints.iter().map(|joint| joint.pivot).collect();
+    let qdd = outward(chain, -chain.gravity, &terms, &joints);
     (qdd, pivots)
+}
+
+fn velocity_terms<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<VelocityTerms<'g>> {
+    let base = Acceleration::turning(chain.zero, Vector3::splat(chain.zero));
+    let mut terms = Vec::with_capacity(qd.len());
+    chain.tree.outward(base, |i, before| {
+        let Acceleration { w, wd, a } = before.enter(chain.joint(i), qd[i], chain.zero);
+        let turning = Acceleration::turning(chain.zero, w);
+        terms.push(VelocityTerms {
+            acceleration: Motion { w: wd, v: a },
+            force: turning.force(&chain.links[i].body),
+        });
+        turning
+    });
+    terms
 }
 
 /// What a link is to the one before it once its joint is out of the equations; a joint that is
@@ -77,24 +132,30 @@ fn passed<'g>(
 }
 
 /// Articulated inertias and bias forces, from the tip inwards.
-fn inward<'g>(chain: &Chain<Expr<'g>>, net: &[Expr<'g>]) -> Vec<Eliminated<'g>> {
+fn inward<'g>(
+    chain: &Chain<Expr<'g>>,
+    velocity_terms: &[VelocityTerms<'g>],
+    net: &[Expr<'g>],
+    leave_z: LeaveZ<'g>,
+) -> Vec<Eliminated<'g>> {
     let mut joints = Vec::with_capacity(net.len());
-    chain
-        .tree
-        .inward(Outer::none(chain.zero), Outer::joined, |i, outer| {
-            let (link, bias) = (&chain.links[i], outer.bias);
-            let inertia = Articulated::rigid(&link.body, chain.zero).joined(&outer.inertia);
-            let force = net[i] - bias.along(link.joint.joint_type);
-            let (joint, free) = passed(chain, link, &inertia, force);
-            joints.push(joint);
-            match chain.tree.parent(i) {
-                Some(_) => Outer {
-                    inertia: carry(&link.joint, &free),
-                    bias: (bias + joint.k * force).leave(&link.joint),
-                },
-                None => outer,
-            }
-        });
+    let none = Outer::none(chain.zero);
+    chain.tree.inward(none, Outer::joined, |i, outer| {
+        let link = &chain.links[i];
+        let inertia = Articulated::rigid(&link.body, chain.zero).joined(&outer.inertia);
+        let bias = velocity_terms[i].force + outer.bias;
+        let force = net[i] - bias.along(link.joint.joint_type);
+        let (joint, free) = passed(chain, link, &inertia, force);
+        joints.push(joint);
+        if chain.tree.parent(i).is_none() {
+            return outer;
+        }
+        let passed = bias + free.force(velocity_terms[i].acceleration);
+        Outer {
+            bias: (passed + joint.k * force).leave(&link.joint),
+            inertia: carry(&link.joint, &free, leave_z),
+        }
+    });
     joints.reverse();
     joints
 }
@@ -189,19 +250,32 @@ fn free<'g>(
 }
 
 /// An inertia in the previous frame, about its origin.
-fn carry<'g>(joint: &Joint<Expr<'g>>, inertia: &Articulated<Expr<'g>>) -> Articulated<Expr<'g>> {
-    let slid = inertia.left_z(joint.turn).moved_z(joint.slide);
-    let left = |inertia: Articulated<_>, axis, turn| inertia.about(axis, |i| i.left_z(turn));
-    let turned = joint.twist.fold(slid, left);
-    turned.left_z(joint.before).moved(joint.offset)
+fn carry<'g>(
+    joint: &Joint<Expr<'g>>,
+    inertia: &Articulated<Expr<'g>>,
+    leave_z: LeaveZ<'g>,
+) -> Articulated<Expr<'g>> {
+    let slid = leave_z(inertia, joint.turn).moved_z(joint.slide);
+    let left = |inertia: Articulated<_>, axis, turn| inertia.about(axis, |i| leave_z(i, turn));
+    let twisted = joint.twist.fold(slid, left);
+    leave_z(&twisted, joint.before).moved(joint.offset)
 }
 
-/// Accelerations of the joints, from the base outwards.
-fn outward<'g>(chain: &Chain<Expr<'g>>, joints: &[Eliminated<'g>]) -> Vec<Expr<'g>> {
+/// Accelerations of the joints, from the base outwards, whose origin accelerates.
+fn outward<'g>(
+    chain: &Chain<Expr<'g>>,
+    of_base: Vector<'g>,
+    velocity_terms: &[VelocityTerms<'g>],
+    joints: &[Eliminated<'g>],
+) -> Vec<Expr<'g>> {
+    let base = Motion {
+        w: Vector3::splat(chain.zero),
+        v: of_base,
+    };
     let mut qdd = Vec::with_capacity(joints.len());
-    chain.tree.outward(Motion::splat(chain.zero), |i, before| {
+    chain.tree.outward(base, |i, before| {
         let joint = chain.joint(i);
-        let a = before.enter(joint);
+        let a = before.enter(joint) + velocity_terms[i].acceleration;
         let x = acceleration(joint.joint_type, &joints[i], &a);
         qdd.push(x);
         a.with_joint(joint.joint_type, x)

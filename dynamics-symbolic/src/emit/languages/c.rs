@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::comments::{comment, lines};
 use super::{Language, argument_names, free_name, indented, snake_case};
-use crate::function::{Request, Shape, Sizes, sizes_of};
+use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
 use crate::robot::Robot;
 use core::fmt::Write as _;
@@ -195,7 +195,7 @@ impl Writer<'_> {
             (_, true) => "int",
             _ => "void",
         };
-        let sizes = self.sizes(request, proven);
+        let sizes = proven.sizes(request, self.robot.dof());
         let mut parameters = Vec::new();
         if !self.robot.fields.is_empty() {
             parameters.push(format!("const {}_fields *arm", self.name));
@@ -219,14 +219,9 @@ impl Writer<'_> {
         )
     }
 
-    fn sizes(&self, request: &Request, proven: &Proven) -> Sizes {
-        let outputs = proven.program.outputs.len();
-        sizes_of(request.parts(), self.robot.dof(), outputs)
-    }
-
     /// The places that a function writes to: none for a value without entries, which no array of C is.
     fn written(&self, request: &Request, proven: &Proven) -> Vec<Written> {
-        let sizes = self.sizes(request, proven);
+        let sizes = proven.sizes(request, self.robot.dof());
         let mut written = Vec::new();
         for part in request.parts() {
             let shapes: Vec<(String, &Shape)> = match part.shape() {
@@ -284,7 +279,6 @@ fn reads_name(statement: &str, read: &str) -> bool {
 
 /// The sizes of an array, none of a number.
 fn dimensions(shape: &Shape, sizes: Sizes) -> Vec<usize> {
-    use crate::function::Size;
     match shape {
         Shape::Matrix(rows, Size::One) => vec![rows.of(sizes)],
         Shape::Matrix(rows, columns) => vec![rows.of(sizes), columns.of(sizes)],

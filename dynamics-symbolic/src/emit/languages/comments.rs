@@ -42,14 +42,18 @@ fn function_lines(
     refusal: &str,
     formulas: Option<Vec<String>>,
 ) -> Vec<String> {
-    let Proven { program, constants } = proven;
     let recursion = || "Written as the recursion of the equations of motion is.".to_owned();
-    let notes = program.is_plain.then(recursion).into_iter().collect();
-    let mut lines = documentation::facts(robot, request, program, notes);
+    let notes = proven
+        .program
+        .is_plain
+        .then(recursion)
+        .into_iter()
+        .collect();
+    let mut lines = documentation::facts(robot, request, &proven.program, notes);
     lines.extend(formulas.into_iter().flatten());
     if request.refuses() {
         lines.extend([String::new(), refusal.to_owned()]);
-        let unresisted = documentation::unresisted(robot, request, program, constants);
+        let unresisted = documentation::unresisted(robot, request, proven);
         if !unresisted.is_empty() {
             let names = unresisted.join(", ");
             lines.push(format!(

@@ -3,7 +3,7 @@
 use super::body::{Body, number};
 use super::comments::{comment, lines as documentation};
 use super::{Language, argument_names, free_name, indented, plain};
-use crate::function::{Request, Shape, Size, Sizes, sizes_of};
+use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
 use crate::robot::Robot;
 
@@ -94,7 +94,7 @@ fn array(entries: impl Iterator<Item = String>) -> String {
 
 fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let body = Body::new(robot, proven, &JAVASCRIPT);
-    let sizes = sizes_of(request.parts(), robot.dof(), proven.program.outputs.len());
+    let sizes = proven.sizes(request, robot.dof());
     let values = body.values(request);
     let parts = request.parts().iter().zip(&values);
     let mut values = parts.map(|(part, values)| value(part.shape(), sizes, &mut values.iter()));
