@@ -115,7 +115,10 @@ pub trait JointVector:
     fn largest(&self) -> f64;
 
     /// `self + factor * other`.
-    fn plus(&self, factor: f64, other: &Self) -> Self;
+    #[inline(always)]
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self::from_entries(self.entries().len(), |i| self[i] + other[i] * factor)
+    }
 }
 
 /// A number for each pair of joints: `SMatrix<f64, N, N>` or `DMatrix<f64>`.
@@ -211,11 +214,6 @@ impl<const N: usize> JointVector for SVector<f64, N> {
 
     fn largest(&self) -> f64 {
         self.amax()
-    }
-
-    #[inline(always)]
-    fn plus(&self, factor: f64, other: &Self) -> Self {
-        self + other * factor
     }
 }
 
@@ -316,10 +314,6 @@ impl JointVector for DVector<f64> {
 
     fn largest(&self) -> f64 {
         self.amax()
-    }
-
-    fn plus(&self, factor: f64, other: &Self) -> Self {
-        self + other * factor
     }
 }
 

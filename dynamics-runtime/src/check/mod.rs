@@ -21,7 +21,7 @@ use crate::{Certified, NumericArm, RuntimeTable, SizedState, State};
 use at::At;
 use functions::deviations;
 
-pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue};
+pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue, Numbers};
 pub use crate::identification::base_parameter_map;
 pub use report::{FunctionReport, Report};
 

@@ -208,10 +208,7 @@ fn join(row: &mut Row, locked: &Row, pose: &Pose) {
     let mass = row.mass + locked.mass;
     let com = Vector3::from(row.com);
     let apart = pose.rotation * Vector3::from(locked.com) + pose.position - com;
-    let share = match mass == 0.0 {
-        true => 0.0,
-        false => locked.mass / mass,
-    };
+    let share = if mass == 0.0 { 0.0 } else { locked.mass / mass };
     let reduced = row.mass * share;
     let steiner = Matrix3::from_diagonal_element(apart.norm_squared()) - apart * apart.transpose();
     let tensor = tensor(row)
