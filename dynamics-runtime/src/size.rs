@@ -108,9 +108,6 @@ pub trait JointVector:
     /// The entries.
     fn entries(&self) -> &[f64];
 
-    /// The entries, to be written.
-    fn entries_mut(&mut self) -> &mut [f64];
-
     /// The largest magnitude of an entry; NaN if one is.
     fn largest(&self) -> f64;
 
@@ -207,11 +204,6 @@ impl<const N: usize> JointVector for SVector<f64, N> {
         self.as_slice()
     }
 
-    #[inline(always)]
-    fn entries_mut(&mut self) -> &mut [f64] {
-        self.as_mut_slice()
-    }
-
     fn largest(&self) -> f64 {
         self.amax()
     }
@@ -306,10 +298,6 @@ impl JointVector for DVector<f64> {
 
     fn entries(&self) -> &[f64] {
         self.as_slice()
-    }
-
-    fn entries_mut(&mut self) -> &mut [f64] {
-        self.as_mut_slice()
     }
 
     fn largest(&self) -> f64 {

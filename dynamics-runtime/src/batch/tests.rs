@@ -131,7 +131,11 @@ impl InverseDynamics<3> for SinesOfThree {
         _: &Vector3<T>,
     ) -> Vector3<T> {
         let angles = [a[0], a[1], a[2]];
-        let [(first, _), (_, second), (third, _)] = if self.alone { T::sin_cos_parts(angles, [Part::Sine, Part::Cosine, Part::Sine]) } else { T::sin_cos_array(angles) };
+        let [(first, _), (_, second), (third, _)] = if self.alone {
+            T::sin_cos_parts(angles, [Part::Sine, Part::Cosine, Part::Sine])
+        } else {
+            T::sin_cos_array(angles)
+        };
         Vector3::new(first, second, third)
     }
 }

@@ -207,16 +207,22 @@ impl fmt::Display for Report {
         }
         if let Some((label, nearest)) = &self.nearest_to_singular {
             let (pivot, joint) = (nearest.relative_pivot, &self.joint_names[nearest.joint]);
-            let (not, or, so) = if self.has_negative_inertia() { (
+            let (not, or, so) = if self.has_negative_inertia() {
+                (
                     "NOT positive definite, ",
                     "",
                     "the inertia that the joint feels is negative: check masses, inertia tensors and motors for data that \
                      no body can have"
                         .to_owned(),
-                ) } else {
-                    let lost = nearest.lost_digits();
-                    ("", " at least", format!("{lost:.1} digits of accelerations lost"))
-                };
+                )
+            } else {
+                let lost = nearest.lost_digits();
+                (
+                    "",
+                    " at least",
+                    format!("{lost:.1} digits of accelerations lost"),
+                )
+            };
             write!(
                 f,
                 "\nmass matrix: {not}relative pivot {pivot:.1e}{or}, of joint {joint} in state {label:?}: {so}"
@@ -278,7 +284,13 @@ impl Report {
         for line in &lines {
             let cells = line.iter().zip(widths).enumerate();
             let shown = cells.filter(|(i, _)| *i != ROUNDING || has_rounding);
-            let padded = shown.map(|(i, (cell, width))| if NUMBERS.contains(&i) { format!("{cell:>width$}") } else { format!("{cell:width$}") });
+            let padded = shown.map(|(i, (cell, width))| {
+                if NUMBERS.contains(&i) {
+                    format!("{cell:>width$}")
+                } else {
+                    format!("{cell:width$}")
+                }
+            });
             let text: Vec<String> = padded.collect();
             write!(f, "\n{}", text.join("  ").trim_end())?;
         }

@@ -168,7 +168,11 @@ impl Mul for Enclosed {
             }),
             rounding: 0.0,
         };
-        if self.is_power_of_two() || b.is_power_of_two() { product } else { product.rounded() }
+        if self.is_power_of_two() || b.is_power_of_two() {
+            product
+        } else {
+            product.rounded()
+        }
     }
 }
 
@@ -255,7 +259,11 @@ impl Distance {
 fn units(before: f64, smallest: f64, largest: f64) -> f64 {
     let (low, high) = (unit(smallest), unit(largest));
     let below = (before + before.max(0.5 * low)) / low;
-    if low == high { before / low + 0.5 } else { below.max(before / high + 0.5) }
+    if low == high {
+        before / low + 0.5
+    } else {
+        below.max(before / high + 0.5)
+    }
 }
 
 /// Every argument from 2^-27 to a little above pi/4, in intervals of a 64th of it, with any tail that the
