@@ -122,6 +122,7 @@ impl Cells<'_> {
             mount: dynamics_runtime::table::Placement::IDENTITY,
             link_frame: dynamics_runtime::table::Placement::of_frames(&link_frame),
             tip: dynamics_runtime::table::Placement::IDENTITY,
+            non_exhaustive: (),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Numbers that carry a derivative.
 
 use crate::Scalar;
-use crate::operators::impl_operators;
+use crate::operators::{impl_operators, scalar_methods};
 
 /// A dual number, `value + slope e` with e^2 = 0: a function of `q + e v` has the derivative along v
 /// as its slope (W. K. Clifford 1873).
@@ -33,13 +33,26 @@ impl_operators! {
 }
 
 impl Scalar for Dual {
-    #[inline(always)]
-    fn from_f64(x: f64) -> Self {
-        Dual::new(x, 0.0)
-    }
-
-    fn epsilon() -> Self {
-        Self::from_f64(f64::EPSILON)
+    scalar_methods! {
+        from_f64(x) => Dual::new(x, 0.0);
+        epsilon() => Dual::new(f64::EPSILON, 0.0);
+        sqrt(x) => {
+            let root = x.value.sqrt();
+            Dual::new(root, 0.5 * x.slope / root)
+        };
+        exp(x) => {
+            let value = Scalar::exp(x.value);
+            Dual::new(value, value * x.slope)
+        };
+        mul_add(x, a, b) => {
+            let fused = <f64 as Scalar>::mul_add;
+            let slope = fused(x.slope, a.value, b.slope);
+            Dual::new(fused(x.value, a.value, b.value), fused(x.value, a.slope, slope))
+        };
+        // Constant but for its jump.
+        sign(x) => Dual::new(Scalar::sign(x.value), 0.0);
+        is_positive(x) => Scalar::is_positive(x.value);
+        ratio_to_f64(x, of) => x.value / of.value;
     }
 
     #[inline]
@@ -55,44 +68,6 @@ impl Scalar for Dual {
             let ((sin, cos), slope) = (values[i], angles[i].slope);
             (Dual::new(sin, slope * cos), Dual::new(cos, -slope * sin))
         })
-    }
-
-    #[inline]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        Dual::new(root, 0.5 * self.slope / root)
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        let value = Scalar::exp(self.value);
-        Dual::new(value, value * self.slope)
-    }
-
-    #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        let fused = <f64 as Scalar>::mul_add;
-        let slope = fused(self.slope, a.value, b.slope);
-        Dual::new(
-            fused(self.value, a.value, b.value),
-            fused(self.value, a.slope, slope),
-        )
-    }
-
-    /// Constant but for its jump.
-    #[inline]
-    fn sign(self) -> Self {
-        Self::from_f64(Scalar::sign(self.value))
-    }
-
-    #[inline]
-    fn is_positive(self) -> bool {
-        Scalar::is_positive(self.value)
-    }
-
-    #[inline]
-    fn ratio_to_f64(self, of: Self) -> f64 {
-        self.value / of.value
     }
 }
 

@@ -3,26 +3,32 @@
 use num_dual::{Dual, Dual2, DualNum, DualSVec, HyperDual};
 
 use crate::Scalar;
+use crate::operators::scalar_methods;
 
 macro_rules! impl_scalar {
     ($($dual:ty $(, $n:ident)?;)*) => {$(
         /// Values and derivatives are those of the function that is evaluated, to some roundings of
         /// the inner numbers. Signs and branches are those of the value.
         impl<T: Scalar + DualNum $(, const $n: usize)?> Scalar for $dual {
-            #[inline]
-            fn from_f64(x: f64) -> Self {
-                Self::from_re(<T as Scalar>::from_f64(x))
+            scalar_methods! {
+                from_f64(x) => Self::from_re(<T as Scalar>::from_f64(x));
+                epsilon() => Self::from_re(<T as Scalar>::epsilon());
+                sqrt(x) => DualNum::sqrt(&x);
+                // With x = a + e, where e has no value: exp x = exp a exp e.
+                exp(x) => {
+                    let value = <T as Scalar>::exp(x.re);
+                    DualNum::exp(&(x - Self::from_re(x.re))).scale(&value)
+                };
+                mul_add(x, a, b) => x * a + b;
+                sign(x) => Self::from_re(Scalar::sign(x.re));
+                is_positive(x) => Scalar::is_positive(x.re);
+                ratio_to_f64(x, of) => x.re.ratio_to_f64(of.re);
             }
 
             #[inline]
             fn rounded_once(mut self, single: f32) -> Self {
                 self.re = self.re.rounded_once(single);
                 self
-            }
-
-            #[inline]
-            fn epsilon() -> Self {
-                Self::from_re(<T as Scalar>::epsilon())
             }
 
             #[inline]
@@ -43,38 +49,6 @@ macro_rules! impl_scalar {
                         cosine.scale(&c) - sine.scale(&s),
                     )
                 })
-            }
-
-            #[inline]
-            fn sqrt(self) -> Self {
-                DualNum::sqrt(&self)
-            }
-
-            /// With x = a + e, where e has no value: exp x = exp a exp e.
-            #[inline]
-            fn exp(self) -> Self {
-                let value = <T as Scalar>::exp(self.re);
-                DualNum::exp(&(self - Self::from_re(self.re))).scale(&value)
-            }
-
-            #[inline]
-            fn mul_add(self, a: Self, b: Self) -> Self {
-                self * a + b
-            }
-
-            #[inline]
-            fn sign(self) -> Self {
-                Self::from_re(Scalar::sign(self.re))
-            }
-
-            #[inline]
-            fn is_positive(self) -> bool {
-                Scalar::is_positive(self.re)
-            }
-
-            #[inline]
-            fn ratio_to_f64(self, of: Self) -> f64 {
-                self.re.ratio_to_f64(of.re)
             }
         }
     )*};

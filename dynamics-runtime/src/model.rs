@@ -38,19 +38,53 @@ pub trait Model<const N: usize, const V: usize = N> {
     }
 }
 
-/// An arm whose joint accelerations can be computed: what a simulation needs.
-///
-/// Positions are `N` numbers, and velocities `V`: as many, unless the base moves.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no forward dynamics: `forward_dynamics` was not asked for",
-    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
-)]
-pub trait ForwardDynamics<const N: usize, const V: usize = N> {
-    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
-    /// another core.
-    #[doc(hidden)]
-    const WORK: u32 = UNKNOWN_WORK;
+/// The traits of functions whose sines can be shared with others at the same q.
+macro_rules! function_traits {
+    ($(
+        $(#[doc = $about:literal])*
+        $name:ident, without: $lacking:tt;
+        $(#[doc = $description:literal])*
+        $method:ident, $method_at:ident($($x:ident: $size:ident),*) -> $value:ty;
+        $({ $($more:tt)* })?
+    )*) => {$(
+        $(#[doc = $about])*
+        #[diagnostic::on_unimplemented(
+            message = $lacking,
+            note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+        )]
+        pub trait $name<const N: usize, const V: usize = N> {
+            /// Roughly the number of operations of one call, sines included: it tells a batch how many states are
+            /// worth another core.
+            #[doc(hidden)]
+            const WORK: u32 = UNKNOWN_WORK;
 
+            $(#[doc = $description])*
+            fn $method<T: Scalar>(&self, $($x: &SVector<T, $size>),*) -> $value;
+
+            /// The same, with the sines of the joint positions from `sines`: see
+            /// [`SharedSines`](crate::SharedSines).
+            #[doc(hidden)]
+            #[inline]
+            fn $method_at<T: Scalar>(
+                &self,
+                sines: &impl Inputs<T>,
+                $($x: &SVector<T, $size>),*
+            ) -> $value {
+                let _ = sines;
+                self.$method($($x),*)
+            }
+
+            $($($more)*)?
+        }
+    )*};
+}
+
+function_traits! {
+    /// An arm whose joint accelerations can be computed: what a simulation needs.
+    ///
+    /// Positions are `N` numbers, and velocities `V`: as many, unless the base moves.
+    ForwardDynamics,
+    without: "`{Self}` has no forward dynamics: `forward_dynamics` was not asked for";
     /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau`.
     ///
     /// `q` in rad or m, `qd` per second, `tau` in N m or N.
@@ -59,159 +93,46 @@ pub trait ForwardDynamics<const N: usize, const V: usize = N> {
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a
     /// NaN.
-    fn forward_dynamics<T: Scalar>(
-        &self,
-        q: &SVector<T, N>,
-        qd: &SVector<T, V>,
-        tau: &SVector<T, V>,
-    ) -> Result<SVector<T, V>, SingularMassMatrix>;
-    /// The same, with the sines of the joint positions from `sines`: see
-    /// [`SharedSines`](crate::SharedSines).
-    #[doc(hidden)]
-    #[inline]
-    fn forward_dynamics_at<T: Scalar>(
-        &self,
-        sines: &impl Inputs<T>,
-        q: &SVector<T, N>,
-        qd: &SVector<T, V>,
-        tau: &SVector<T, V>,
-    ) -> Result<SVector<T, V>, SingularMassMatrix> {
-        let _ = sines;
-        self.forward_dynamics(q, qd, tau)
+    forward_dynamics, forward_dynamics_at(q: N, qd: V, tau: V)
+        -> Result<SVector<T, V>, SingularMassMatrix>;
+    {
+        /// The arm in positions and momenta, as the structure-preserving methods of a
+        /// [`Simulation`](crate::Simulation) need it; `None` for an arm without these functions.
+        ///
+        /// A generated arm has them if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
+        /// of your own with [`MassMatrix`] and [`InverseDynamics`], return `Some(self)`.
+        fn momenta(&self) -> Option<&dyn Momenta<N>> {
+            None
+        }
     }
 
-    /// The arm in positions and momenta, as the structure-preserving methods of a
-    /// [`Simulation`](crate::Simulation) need it; `None` for an arm without these functions.
-    ///
-    /// A generated arm has them if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
-    /// of your own with [`MassMatrix`] and [`InverseDynamics`], return `Some(self)`.
-    fn momenta(&self) -> Option<&dyn Momenta<N>> {
-        None
-    }
-}
-
-/// An arm whose mass matrix can be computed.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no mass matrix: `mass_matrix` was not asked for",
-    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
-)]
-pub trait MassMatrix<const N: usize, const V: usize = N> {
-    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
-    /// another core.
-    #[doc(hidden)]
-    const WORK: u32 = UNKNOWN_WORK;
-
+    /// An arm whose mass matrix can be computed.
+    MassMatrix, without: "`{Self}` has no mass matrix: `mass_matrix` was not asked for";
     /// Mass matrix M(q), both triangles, reflected motor inertias included; kg m^2, kg m or kg.
     ///
     /// `q` in rad or m. Where a joint position is not finite, the entries that depend on it are not.
-    fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, V, V>;
-    /// The same, with the sines of the joint positions from `sines`: see
-    /// [`SharedSines`](crate::SharedSines).
-    #[doc(hidden)]
-    #[inline]
-    fn mass_matrix_at<T: Scalar>(
-        &self,
-        sines: &impl Inputs<T>,
-        q: &SVector<T, N>,
-    ) -> SMatrix<T, V, V> {
-        let _ = sines;
-        self.mass_matrix(q)
-    }
-}
+    mass_matrix, mass_matrix_at(q: N) -> SMatrix<T, V, V>;
 
-/// An arm whose Coriolis and centrifugal forces can be computed.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no Coriolis vector: `coriolis_vector` was not asked for",
-    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
-)]
-pub trait CoriolisVector<const N: usize, const V: usize = N> {
-    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
-    /// another core.
-    #[doc(hidden)]
-    const WORK: u32 = UNKNOWN_WORK;
-
+    /// An arm whose Coriolis and centrifugal forces can be computed.
+    CoriolisVector, without: "`{Self}` has no Coriolis vector: `coriolis_vector` was not asked for";
     /// Coriolis and centrifugal vector V(q, qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second.
-    fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, V>) -> SVector<T, V>;
-    /// The same, with the sines of the joint positions from `sines`: see
-    /// [`SharedSines`](crate::SharedSines).
-    #[doc(hidden)]
-    #[inline]
-    fn coriolis_vector_at<T: Scalar>(
-        &self,
-        sines: &impl Inputs<T>,
-        q: &SVector<T, N>,
-        qd: &SVector<T, V>,
-    ) -> SVector<T, V> {
-        let _ = sines;
-        self.coriolis_vector(q, qd)
-    }
-}
+    coriolis_vector, coriolis_vector_at(q: N, qd: V) -> SVector<T, V>;
 
-/// An arm whose gravity forces can be computed.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no gravity vector: `gravity_vector` was not asked for",
-    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
-)]
-pub trait GravityVector<const N: usize, const V: usize = N> {
-    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
-    /// another core.
-    #[doc(hidden)]
-    const WORK: u32 = UNKNOWN_WORK;
-
+    /// An arm whose gravity forces can be computed.
+    GravityVector, without: "`{Self}` has no gravity vector: `gravity_vector` was not asked for";
     /// Gravity vector G(q) = dU/dq, N m or N.
     ///
     /// `q` in rad or m.
-    fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, V>;
-    /// The same, with the sines of the joint positions from `sines`: see
-    /// [`SharedSines`](crate::SharedSines).
-    #[doc(hidden)]
-    #[inline]
-    fn gravity_vector_at<T: Scalar>(
-        &self,
-        sines: &impl Inputs<T>,
-        q: &SVector<T, N>,
-    ) -> SVector<T, V> {
-        let _ = sines;
-        self.gravity_vector(q)
-    }
-}
+    gravity_vector, gravity_vector_at(q: N) -> SVector<T, V>;
 
-/// An arm whose joint forces can be computed from its motion.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no inverse dynamics: `inverse_dynamics` was not asked for",
-    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
-)]
-pub trait InverseDynamics<const N: usize, const V: usize = N> {
-    /// Roughly the number of operations of one call, sines included: it tells a batch how many states are worth
-    /// another core.
-    #[doc(hidden)]
-    const WORK: u32 = UNKNOWN_WORK;
-
+    /// An arm whose joint forces can be computed from its motion.
+    InverseDynamics, without: "`{Self}` has no inverse dynamics: `inverse_dynamics` was not asked for";
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second, `qdd` per second squared.
-    fn inverse_dynamics<T: Scalar>(
-        &self,
-        q: &SVector<T, N>,
-        qd: &SVector<T, V>,
-        qdd: &SVector<T, V>,
-    ) -> SVector<T, V>;
-    /// The same, with the sines of the joint positions from `sines`: see
-    /// [`SharedSines`](crate::SharedSines).
-    #[doc(hidden)]
-    #[inline]
-    fn inverse_dynamics_at<T: Scalar>(
-        &self,
-        sines: &impl Inputs<T>,
-        q: &SVector<T, N>,
-        qd: &SVector<T, V>,
-        qdd: &SVector<T, V>,
-    ) -> SVector<T, V> {
-        let _ = sines;
-        self.inverse_dynamics(q, qd, qdd)
-    }
+    inverse_dynamics, inverse_dynamics_at(q: N, qd: V, qdd: V) -> SVector<T, V>;
 }
 
 /// An arm whose mechanical energy can be computed.

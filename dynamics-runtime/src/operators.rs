@@ -61,4 +61,51 @@ macro_rules! impl_assign {
     };
 }
 
-pub(crate) use {impl_assign, impl_operators};
+/// Methods of [`Scalar`](crate::Scalar) by their values: `sqrt(x) => value;`.
+macro_rules! scalar_methods {
+    ($($method:ident($($x:ident),*) => $value:expr;)*) => {
+        $($crate::operators::scalar_methods! { @$method($($x),*) $value })*
+    };
+    (@from_f64($x:ident) $value:expr) => {
+        #[inline(always)]
+        fn from_f64($x: f64) -> Self {
+            $value
+        }
+    };
+    (@epsilon() $value:expr) => {
+        #[inline(always)]
+        fn epsilon() -> Self {
+            $value
+        }
+    };
+    (@is_positive($x:ident) $value:expr) => {
+        #[inline(always)]
+        fn is_positive(self) -> bool {
+            let $x = self;
+            $value
+        }
+    };
+    (@mul_add($x:ident, $a:ident, $b:ident) $value:expr) => {
+        #[inline(always)]
+        fn mul_add(self, $a: Self, $b: Self) -> Self {
+            let $x = self;
+            $value
+        }
+    };
+    (@ratio_to_f64($x:ident, $of:ident) $value:expr) => {
+        #[inline(always)]
+        fn ratio_to_f64(self, $of: Self) -> f64 {
+            let $x = self;
+            $value
+        }
+    };
+    (@$method:ident($x:ident) $value:expr) => {
+        #[inline(always)]
+        fn $method(self) -> Self {
+            let $x = self;
+            $value
+        }
+    };
+}
+
+pub(crate) use {impl_assign, impl_operators, scalar_methods};

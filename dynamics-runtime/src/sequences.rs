@@ -16,17 +16,14 @@ pub(crate) mod array {
         array: &[T; N],
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        let mut sequence = serializer.serialize_tuple(N)?;
-        for entry in array {
-            sequence.serialize_element(entry)?;
-        }
-        sequence.end()
+        write(array, serializer)
     }
 
     pub(crate) fn deserialize<'de, D: Deserializer<'de>, T: Deserialize<'de>, const N: usize>(
         deserializer: D,
     ) -> Result<[T; N], D::Error> {
-        deserializer.deserialize_tuple(N, Entries::<T, N>(PhantomData))
+        let entries = read(deserializer, N)?.try_into();
+        Ok(entries.unwrap_or_else(|_| unreachable!("so many were read")))
     }
 }
 
@@ -54,68 +51,66 @@ pub(crate) mod vectors {
     impl<V: JointVector> Serialize for Entry<&V> {
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
             let entries = self.0.entries();
-            if V::SIZE.is_none() {
-                return serializer.collect_seq(entries);
+            match V::SIZE {
+                Some(_) => write(entries, serializer),
+                None => serializer.collect_seq(entries),
             }
-            let mut sequence = serializer.serialize_tuple(entries.len())?;
-            for entry in entries {
-                sequence.serialize_element(entry)?;
-            }
-            sequence.end()
         }
     }
 
     impl<'de, V: JointVector> Deserialize<'de> for Entry<V> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let entries = match V::SIZE {
-                Some(size) => deserializer.deserialize_tuple(size, Numbers(V::SIZE))?,
-                None => Vec::<f64>::deserialize(deserializer)?,
+            let entries: Vec<f64> = match V::SIZE {
+                Some(size) => read(deserializer, size)?,
+                None => Vec::deserialize(deserializer)?,
             };
             Ok(Entry(V::from_entries(entries.len(), |i| entries[i])))
         }
     }
-
-    /// Reads so many numbers.
-    struct Numbers(Option<usize>);
-
-    impl<'de> Visitor<'de> for Numbers {
-        type Value = Vec<f64>;
-
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            write!(f, "a sequence of {}", self.0.unwrap_or_default())
-        }
-
-        fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<Vec<f64>, A::Error> {
-            let mut entries = Vec::new();
-            while let Some(entry) = sequence.next_element()? {
-                entries.push(entry);
-            }
-            if self.0.is_some_and(|size| size != entries.len()) {
-                return Err(Error::invalid_length(entries.len(), &self));
-            }
-            Ok(entries)
-        }
-    }
 }
 
-/// Reads as many entries as an array has.
-struct Entries<T, const N: usize>(PhantomData<T>);
+/// Writes entries whose number the reader knows.
+fn write<S: Serializer>(entries: &[impl Serialize], serializer: S) -> Result<S::Ok, S::Error> {
+    let mut sequence = serializer.serialize_tuple(entries.len())?;
+    for entry in entries {
+        sequence.serialize_element(entry)?;
+    }
+    sequence.end()
+}
 
-impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for Entries<T, N> {
-    type Value = [T; N];
+/// Reads so many entries.
+fn read<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    deserializer: D,
+    size: usize,
+) -> Result<Vec<T>, D::Error> {
+    let entries = Entries {
+        size,
+        kind: PhantomData,
+    };
+    deserializer.deserialize_tuple(size, entries)
+}
+
+struct Entries<T> {
+    size: usize,
+    kind: PhantomData<T>,
+}
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for Entries<T> {
+    type Value = Vec<T>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a sequence of {N}")
+        write!(f, "a sequence of {}", self.size)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<[T; N], A::Error> {
-        let mut entries = Vec::with_capacity(N);
+    fn visit_seq<A: SeqAccess<'de>>(self, mut sequence: A) -> Result<Vec<T>, A::Error> {
+        let mut entries = Vec::with_capacity(self.size);
         while let Some(entry) = sequence.next_element()? {
             entries.push(entry);
         }
-        let found = entries.len();
-        entries
-            .try_into()
-            .map_err(|_| Error::invalid_length(found, &self))
+        if entries.len() == self.size {
+            Ok(entries)
+        } else {
+            Err(Error::invalid_length(entries.len(), &self))
+        }
     }
 }

@@ -53,9 +53,12 @@ impl<'a, R: Model<N>, T: Scalar, const N: usize> SharedSines<'a, R, T, N> {
     #[inline]
     pub fn new(arm: &'a R, q: &SVector<T, N>) -> Self {
         // An angle that no function reads, and the position of a slide, has no sine.
-        let angles = core::array::from_fn(|i| match R::READS_ANGLE[i] {
-            true => q[i],
-            false => q[i].constant(0.0),
+        let angles = core::array::from_fn(|i| {
+            if R::READS_ANGLE[i] {
+                q[i]
+            } else {
+                q[i].constant(0.0)
+            }
         });
         SharedSines {
             arm,

@@ -108,14 +108,14 @@ pub trait JointVector:
     /// The entries.
     fn entries(&self) -> &[f64];
 
-    /// The entries, to be written.
-    fn entries_mut(&mut self) -> &mut [f64];
-
     /// The largest magnitude of an entry; NaN if one is.
     fn largest(&self) -> f64;
 
     /// `self + factor * other`.
-    fn plus(&self, factor: f64, other: &Self) -> Self;
+    #[inline(always)]
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self::from_entries(self.entries().len(), |i| self[i] + other[i] * factor)
+    }
 }
 
 /// A number for each pair of joints: `SMatrix<f64, N, N>` or `DMatrix<f64>`.
@@ -204,18 +204,8 @@ impl<const N: usize> JointVector for SVector<f64, N> {
         self.as_slice()
     }
 
-    #[inline(always)]
-    fn entries_mut(&mut self) -> &mut [f64] {
-        self.as_mut_slice()
-    }
-
     fn largest(&self) -> f64 {
         self.amax()
-    }
-
-    #[inline(always)]
-    fn plus(&self, factor: f64, other: &Self) -> Self {
-        self + other * factor
     }
 }
 
@@ -310,16 +300,8 @@ impl JointVector for DVector<f64> {
         self.as_slice()
     }
 
-    fn entries_mut(&mut self) -> &mut [f64] {
-        self.as_mut_slice()
-    }
-
     fn largest(&self) -> f64 {
         self.amax()
-    }
-
-    fn plus(&self, factor: f64, other: &Self) -> Self {
-        self + other * factor
     }
 }
 

@@ -52,6 +52,13 @@ impl<L: Lanes, const W: usize> Abreast<L, W> {
         for_each_index!(W, i => result.0[i] = f(self.0[i], other.0[i]));
         result
     }
+
+    #[inline(always)]
+    fn zip3(self, a: Self, b: Self, f: impl Fn(L, L, L) -> L) -> Self {
+        let mut result = self;
+        for_each_index!(W, i => result.0[i] = f(self.0[i], a.0[i], b.0[i]));
+        result
+    }
 }
 
 impl_operators! {
@@ -73,9 +80,7 @@ impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
 
     #[inline(always)]
     fn product_from(self, b: Self, a: Self) -> Self {
-        let mut result = self;
-        for_each_index!(W, i => result.0[i] = self.0[i].product_from(b.0[i], a.0[i]));
-        result
+        self.zip3(b, a, L::product_from)
     }
 
     #[inline(always)]
@@ -85,32 +90,22 @@ impl<L: Lanes, const W: usize> Lanes for Abreast<L, W> {
 
     #[inline(always)]
     fn product_plus(self, a: Self, b: Self) -> Self {
-        let mut result = self;
-        for_each_index!(W, i => result.0[i] = L::product_plus(self.0[i], a.0[i], b.0[i]));
-        result
+        self.zip3(a, b, L::product_plus)
     }
 
     #[inline(always)]
     fn product_minus(self, a: Self, b: Self) -> Self {
-        let mut result = self;
-        for_each_index!(W, i => result.0[i] = L::product_minus(self.0[i], a.0[i], b.0[i]));
-        result
+        self.zip3(a, b, L::product_minus)
     }
 
     #[inline(always)]
     fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
-        let mut result = self;
-        for_each_index!(W, i => result.0[i] = self.0[i].select_by_lowest_bit(odd.0[i], even.0[i]));
-        result
+        self.zip3(odd, even, L::select_by_lowest_bit)
     }
 
     #[inline(always)]
     fn turned_by_bit<const BIT: u32>(self, of: Self) -> Self {
-        self.zip(
-            of,
-            #[inline(always)]
-            |x, of| x.turned_by_bit::<BIT>(of),
-        )
+        self.zip(of, L::turned_by_bit::<BIT>)
     }
 
     #[inline(always)]

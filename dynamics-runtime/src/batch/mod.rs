@@ -18,11 +18,10 @@ mod wide;
 use fearless_simd::Level;
 
 use crate::function::{Function, functions};
-use arguments::Arguments;
 use arms::Arms;
 pub use arms::Fields;
 pub use error::{BatchError, LengthMismatch};
-use layout::Sink;
+use layout::{Sink, Source};
 pub use layout::{States, StatesMut};
 #[cfg(feature = "rayon")]
 pub use parallel::on_all_cores;
@@ -127,7 +126,7 @@ where
     R: Function<F, N>,
     E: Precision,
     B: Arms<R>,
-    A: Arguments<R::Arguments, E>,
+    A: Source<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
     let mut task = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?;

@@ -9,9 +9,8 @@ use fearless_simd::Level;
 use rayon::Scope;
 
 use super::LengthMismatch;
-use super::arguments::Arguments;
 use super::arms::Arms;
-use super::layout::{MOST_LANES, Sink};
+use super::layout::{MOST_LANES, Sink, Source};
 use super::run::{Failure, Task};
 use super::wide::Precision;
 use crate::function::Function;
@@ -40,7 +39,7 @@ where
     R: Function<F, N>,
     E: Precision,
     B: Arms<R> + Send,
-    A: Arguments<R::Arguments, E>,
+    A: Source<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
     let states = Task::<R, E, _, _, _, _, N>::new(function, arms, &arguments, &mut results)?.states;
@@ -74,7 +73,7 @@ where
     E: Precision,
     F: Copy + Send,
     B: Arms<R> + Send,
-    A: Arguments<R::Arguments, E>,
+    A: Source<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
     /// The function at every state, on this core and on all that are free.
@@ -154,7 +153,7 @@ where
     E: Precision,
     F: Copy + Send,
     B: Arms<R> + Send,
-    A: Arguments<R::Arguments, E>,
+    A: Source<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
     /// Takes states until there are none left, beside so many other threads, each of which wakes up half of those

@@ -5,9 +5,8 @@ use core::marker::PhantomData;
 use fearless_simd::{Level, Simd, dispatch};
 
 use super::LengthMismatch;
-use super::arguments::Arguments;
 use super::arms::Arms;
-use super::layout::Sink;
+use super::layout::{Sink, Source};
 use super::wide::{Precision, Wide, lanes};
 use crate::function::{Arrangement, Function, Of};
 use crate::inputs::Evaluated;
@@ -36,7 +35,7 @@ where
     E: Precision,
     F: Copy,
     B: Arms<R>,
-    A: Arguments<R::Arguments, E>,
+    A: Source<R::Arguments, E>,
     O: Sink<R::Values, E>,
 {
     /// The task, if all arguments, the arms and the results agree on the number of states: that of the

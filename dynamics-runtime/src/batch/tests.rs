@@ -131,9 +131,10 @@ impl InverseDynamics<3> for SinesOfThree {
         _: &Vector3<T>,
     ) -> Vector3<T> {
         let angles = [a[0], a[1], a[2]];
-        let [(first, _), (_, second), (third, _)] = match self.alone {
-            true => T::sin_cos_parts(angles, [Part::Sine, Part::Cosine, Part::Sine]),
-            false => T::sin_cos_array(angles),
+        let [(first, _), (_, second), (third, _)] = if self.alone {
+            T::sin_cos_parts(angles, [Part::Sine, Part::Cosine, Part::Sine])
+        } else {
+            T::sin_cos_array(angles)
         };
         Vector3::new(first, second, third)
     }

@@ -102,9 +102,10 @@ fn random_computations<F: Number>() {
             plain.to_f64().to_bits(),
             found.certified.value().to_f64().to_bits()
         );
-        numbers[step % 8] = match found.is_useful() {
-            true => found,
-            false => Known::random(&mut random),
+        numbers[step % 8] = if found.is_useful() {
+            found
+        } else {
+            Known::random(&mut random)
         };
         count += u32::from(found.is_useful());
     }

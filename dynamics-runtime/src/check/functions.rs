@@ -1,13 +1,11 @@
 //! The table by which each function is compared with Newton-Euler.
 
-use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, OMatrix};
-
 use super::accelerations::{
     acceleration_derivatives, accelerations, refused, series_residuals, task_space,
 };
 use super::at::{At, Unit};
 use super::deviation::{Deviation, Entry, Measured};
+use crate::evaluation::flat;
 use crate::{Evaluation, State};
 
 /// A row of the table: a function, or a form that two functions make together, and its comparison.
@@ -173,52 +171,4 @@ fn differences<T: Measured>(
         Entry::new(joint, difference, scale)
     };
     (0..found.len().max(expected.len())).map(entry).collect()
-}
-
-/// A numeric value that is compared with, as numbers one after the other, matrices by columns.
-trait Flat {
-    fn write(&self, numbers: &mut Vec<f64>);
-}
-
-fn flat(value: &impl Flat) -> Vec<f64> {
-    let mut numbers = Vec::new();
-    value.write(&mut numbers);
-    numbers
-}
-
-impl Flat for f64 {
-    fn write(&self, numbers: &mut Vec<f64>) {
-        numbers.push(*self);
-    }
-}
-
-impl<R: Dim, C: Dim> Flat for OMatrix<f64, R, C>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
-    fn write(&self, numbers: &mut Vec<f64>) {
-        numbers.extend(self.iter());
-    }
-}
-
-impl<X: Flat> Flat for Vec<X> {
-    fn write(&self, numbers: &mut Vec<f64>) {
-        self.iter().for_each(|part| part.write(numbers));
-    }
-}
-
-impl<A: Flat, B: Flat> Flat for (A, B) {
-    fn write(&self, numbers: &mut Vec<f64>) {
-        self.0.write(numbers);
-        self.1.write(numbers);
-    }
-}
-
-impl<A: Flat> Flat for (A, A, A, A) {
-    fn write(&self, numbers: &mut Vec<f64>) {
-        let (a, b, c, d) = self;
-        [a, b, c, d]
-            .into_iter()
-            .for_each(|part| part.write(numbers));
-    }
 }

@@ -22,7 +22,7 @@ use crate::{Certified, NumericArm, RuntimeTable, SizedState, State};
 use at::At;
 use functions::deviations;
 
-pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue};
+pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue, Numbers};
 pub use identification::{base_parameter_map, base_parameter_map_any};
 pub use report::{FunctionReport, Report};
 

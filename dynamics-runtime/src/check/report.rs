@@ -15,6 +15,7 @@ use crate::{Conditioning, SizedState};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
+#[non_exhaustive]
 pub struct Report {
     /// One entry for each function that was compared, and one for each part of a method that returns
     /// several functions.
@@ -36,6 +37,7 @@ pub struct Report {
 /// The largest error of one function, relative to the natural scale of its values.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct FunctionReport {
     /// Name of the function.
     pub function: &'static str,
@@ -205,18 +207,21 @@ impl fmt::Display for Report {
         }
         if let Some((label, nearest)) = &self.nearest_to_singular {
             let (pivot, joint) = (nearest.relative_pivot, &self.joint_names[nearest.joint]);
-            let (not, or, so) = match self.has_negative_inertia() {
-                true => (
+            let (not, or, so) = if self.has_negative_inertia() {
+                (
                     "NOT positive definite, ",
                     "",
                     "the inertia that the joint feels is negative: check masses, inertia tensors and motors for data that \
                      no body can have"
                         .to_owned(),
-                ),
-                false => {
-                    let lost = nearest.lost_digits();
-                    ("", " at least", format!("{lost:.1} digits of accelerations lost"))
-                }
+                )
+            } else {
+                let lost = nearest.lost_digits();
+                (
+                    "",
+                    " at least",
+                    format!("{lost:.1} digits of accelerations lost"),
+                )
             };
             write!(
                 f,
@@ -279,9 +284,12 @@ impl Report {
         for line in &lines {
             let cells = line.iter().zip(widths).enumerate();
             let shown = cells.filter(|(i, _)| *i != ROUNDING || has_rounding);
-            let padded = shown.map(|(i, (cell, width))| match NUMBERS.contains(&i) {
-                true => format!("{cell:>width$}"),
-                false => format!("{cell:width$}"),
+            let padded = shown.map(|(i, (cell, width))| {
+                if NUMBERS.contains(&i) {
+                    format!("{cell:>width$}")
+                } else {
+                    format!("{cell:width$}")
+                }
             });
             let text: Vec<String> = padded.collect();
             write!(f, "\n{}", text.join("  ").trim_end())?;

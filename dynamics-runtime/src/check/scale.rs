@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::friction::DryFriction;
 use crate::table::{Arm, Moving};
-use crate::{JointType, SizedState, Spring};
+use crate::{JointType, Row, SizedState, Spring};
 
 /// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
 ///
@@ -52,11 +52,36 @@ impl Scale {
         let mass = mass_matrix.amax();
         let speed = state.qd.amax();
         let weight = table.total_mass() * norm(&table.gravity);
+        // The largest of these sizes of the joints.
+        let largest = |size: fn(&Moving<'_>, &SizedState<Dyn>) -> f64| {
+            table
+                .chain()
+                .map(|moving| size(&moving, state))
+                .fold(0.0, f64::max)
+        };
         let reach = reach(table, &state.q);
         let position = norm(&table.base.xyz) + reach;
+        let is_prismatic = |row: &Row| row.joint_type == JointType::Prismatic;
+        // It turns a weight into the force or torque of a joint: at a prismatic joint by a factor of 1.
+        let lever_arm = if table.chain().any(|moving| is_prismatic(moving.row)) {
+            reach.max(1.0)
+        } else {
+            reach
+        };
         let coriolis_vector = mass * speed * speed;
-        let gravity_vector = weight * lever_arm(table, reach);
-        let friction_vector = friction(table, &state.qd);
+        let gravity_vector = weight * lever_arm;
+        let friction_vector = largest(
+            |Moving {
+                 row, joint, factor, ..
+             },
+             state| {
+                let viscous = row.viscous * factor * state.qd[*joint];
+                factor.abs() * (viscous.abs() + DryFriction::of(row).greatest())
+            },
+        );
+        let slope_of_friction = largest(|Moving { row, factor, .. }, _| {
+            factor * factor * (row.viscous.abs() + DryFriction::of(row).greatest_slope())
+        });
         let springs = Springs::new(table, &state.q);
         let bias_force = coriolis_vector + gravity_vector + springs.force + friction_vector;
         Scale {
@@ -73,17 +98,19 @@ impl Scale {
                 + gravity_vector
                 + springs.force
                 + friction_vector,
-            slope_of_friction: slope_of_friction(table),
-            curvature_of_friction: curvature_of_friction(table),
+            slope_of_friction,
+            curvature_of_friction: largest(|Moving { row, factor, .. }, _| {
+                factor.abs().powi(3) * DryFriction::of(row).greatest_curvature()
+            }),
             stiffness: springs.stiffness,
             force_by_position: mass * state.qdd.amax()
                 + coriolis_vector
                 + gravity_vector
                 + springs.stiffness,
-            force_by_velocity: 2.0 * mass * speed + slope_of_friction(table),
+            force_by_velocity: 2.0 * mass * speed + slope_of_friction,
             potential_energy: weight * position + springs.energy,
             position,
-            fastest: fastest(table),
+            fastest: largest(|moving, _| moving.factor.abs()).max(1.0),
         }
     }
 
@@ -160,42 +187,6 @@ fn reach(table: Arm<'_>, q: &DVector<f64>) -> f64 {
     }
     let tool = norm(&table.tool.frame.xyz) + norm(&table.tool.com);
     origins + centre + tool
-}
-
-/// What turns a weight into the force or torque of a joint: the reach, and 1 at a prismatic joint.
-fn lever_arm(table: Arm<'_>, reach: f64) -> f64 {
-    let prismatic = table
-        .chain()
-        .any(|moving| moving.row.joint_type == JointType::Prismatic);
-    if prismatic { reach.max(1.0) } else { reach }
-}
-
-fn friction(table: Arm<'_>, qd: &DVector<f64>) -> f64 {
-    let of_joint = |moving: Moving<'_>| {
-        let viscous = moving.row.viscous * moving.factor * qd[moving.joint];
-        moving.factor.abs() * (viscous.abs() + DryFriction::of(moving.row).greatest())
-    };
-    table.chain().map(of_joint).fold(0.0, f64::max)
-}
-
-fn slope_of_friction(table: Arm<'_>) -> f64 {
-    let slope = |moving: Moving<'_>| {
-        let own = moving.row.viscous.abs() + DryFriction::of(moving.row).greatest_slope();
-        moving.factor * moving.factor * own
-    };
-    table.chain().map(slope).fold(0.0, f64::max)
-}
-
-fn curvature_of_friction(table: Arm<'_>) -> f64 {
-    let curvature = |moving: Moving<'_>| {
-        moving.factor.abs().powi(3) * DryFriction::of(moving.row).greatest_curvature()
-    };
-    table.chain().map(curvature).fold(0.0, f64::max)
-}
-
-fn fastest(table: Arm<'_>) -> f64 {
-    let factors = table.chain().map(|moving| moving.factor.abs());
-    factors.fold(1.0, f64::max)
 }
 
 fn norm(vector: &[f64; 3]) -> f64 {

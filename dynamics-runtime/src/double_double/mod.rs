@@ -7,6 +7,7 @@ mod trigonometry;
 mod tests;
 
 use crate::Scalar;
+use crate::operators::scalar_methods;
 
 /// A number of about 31 digits: the unevaluated sum of two doubles (Dekker 1971).
 ///
@@ -79,15 +80,14 @@ impl From<f64> for DoubleDouble {
 }
 
 impl Scalar for DoubleDouble {
-    #[inline]
-    fn from_f64(x: f64) -> Self {
-        DoubleDouble::from(x)
-    }
-
-    #[inline]
-    fn epsilon() -> Self {
+    scalar_methods! {
+        from_f64(x) => DoubleDouble::from(x);
         // 2^-104
-        DoubleDouble::from(f64::EPSILON * f64::EPSILON)
+        epsilon() => DoubleDouble::from(f64::EPSILON * f64::EPSILON);
+        sqrt(x) => operations::sqrt(x);
+        sign(x) => DoubleDouble::from(Scalar::sign(x.high));
+        is_positive(x) => x.high > 0.0;
+        ratio_to_f64(x, of) => (x / of).high;
     }
 
     /// For angles up to 7e15 rad; NaN beyond.
@@ -95,27 +95,7 @@ impl Scalar for DoubleDouble {
         trigonometry::sin_cos(self)
     }
 
-    #[inline]
-    fn sqrt(self) -> Self {
-        operations::sqrt(self)
-    }
-
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
-    }
-
-    #[inline]
-    fn sign(self) -> Self {
-        DoubleDouble::from(Scalar::sign(self.high))
-    }
-
-    #[inline]
-    fn is_positive(self) -> bool {
-        self.high > 0.0
-    }
-
-    #[inline]
-    fn ratio_to_f64(self, of: Self) -> f64 {
-        (self / of).high
     }
 }

@@ -9,7 +9,7 @@ use nalgebra::{SVector, Vector6};
 use crate::function::functions;
 use crate::{Model, Scalar, SingularMassMatrix, State};
 
-pub use value::FunctionValue;
+pub use value::{FunctionValue, Numbers};
 pub(crate) use value::{flat, read};
 
 /// An arm that evaluates all of its generated functions at a state, as the checks need it.

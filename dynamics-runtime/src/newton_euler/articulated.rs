@@ -4,6 +4,8 @@
 //! Robotics Research 2 (1983), 13-30; *Rigid Body Dynamics Algorithms*, Springer 2008, table 7.1,
 //! here with accelerations of the frames' origins in place of spatial ones.
 
+use core::ops::Add;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::NumericArm;
@@ -33,14 +35,12 @@ struct Articulated {
 /// for them: `w x (w x h)` and `w x J w`.
 #[derive(Clone, Copy, Debug)]
 struct VelocityTerms {
-    angular_velocity: Vector3<f64>,
     added: Acceleration,
     needed: Wrench,
 }
 
 impl VelocityTerms {
     const REST: VelocityTerms = VelocityTerms {
-        angular_velocity: Vector3::new(0.0, 0.0, 0.0),
         added: Acceleration {
             angular: Vector3::new(0.0, 0.0, 0.0),
             linear: Vector3::new(0.0, 0.0, 0.0),
@@ -56,6 +56,30 @@ struct Pass {
     free: f64,
     /// The wrench of a unit acceleration of the joint, over the pivot.
     response: Wrench,
+}
+
+/// A link and all beyond it: with the joints further out free, and as one rigid body, and the wrench that it needs.
+#[derive(Clone, Copy, Debug)]
+struct Beyond {
+    body: Articulated,
+    composite: Inertia,
+    needed: Wrench,
+}
+
+impl Add for Beyond {
+    type Output = Beyond;
+
+    fn add(self, other: Beyond) -> Beyond {
+        Beyond {
+            body: Articulated {
+                a: self.body.a + other.body.a,
+                b: self.body.b + other.body.b,
+                d: self.body.d + other.body.d,
+            },
+            composite: self.composite + other.composite,
+            needed: self.needed + other.needed,
+        }
+    }
 }
 
 impl Acceleration {
@@ -98,15 +122,6 @@ impl Articulated {
         }
     }
 
-    /// Of a body to which another one is fixed.
-    fn plus(&self, other: &Articulated) -> Self {
-        Articulated {
-            a: self.a + other.a,
-            b: self.b + other.b,
-            d: self.d + other.d,
-        }
-    }
-
     fn wrench(&self, motion: &Acceleration) -> Wrench {
         Wrench {
             force: self.b.tr_mul(&motion.angular) + self.d * motion.linear,
@@ -124,7 +139,7 @@ impl Articulated {
     }
 
     /// With the joint free: `I - U U^T / d`, where U is the unit wrench and d the pivot.
-    fn freed(&self, u: &Wrench, response: &Wrench) -> Self {
+    fn with_free_joint(&self, u: &Wrench, response: &Wrench) -> Self {
         Articulated {
             a: self.a - u.moment * response.moment.transpose(),
             b: self.b - u.moment * response.force.transpose(),
@@ -165,20 +180,34 @@ impl<D: Size> NumericArm<D> {
             // Articulated bodies are of joints that move by themselves.
             return self.forward_dynamics(q, qd, tau);
         }
-        let joints = self.joints(q);
-        let terms = self.velocity_terms(&joints, qd);
         let available = tau.clone() - self.joint_forces(q, qd);
-        let passes = self.inward_pass(&joints, &terms, &available)?;
+        self.at(q, |joints| self.articulated_bodies(joints, qd, &available))
+    }
+
+    /// The accelerations that these torques give the joints where they are so.
+    #[inline(always)]
+    fn articulated_bodies(
+        &self,
+        joints: &D::Links<Joint>,
+        qd: &D::Vector,
+        available: &D::Vector,
+    ) -> Result<D::Vector, SingularMassMatrix> {
+        let mut terms = self.per_link(VelocityTerms::REST);
+        self.velocity_terms(joints, qd, &mut terms);
+        let mut passes = self.per_link(Pass {
+            free: 0.0,
+            response: Wrench::ZERO,
+        });
+        self.inward_pass(joints, &terms, available, &mut passes)?;
 
         let mut qdd = self.size.vector();
         let base = Acceleration {
             angular: Vector3::zeros(),
             linear: -self.gravity,
         };
-        let mut motions = self.per_link(base);
         self.outward(
             base,
-            &mut motions,
+            #[inline(always)]
             |Place { k, link, joint, .. }, motion| {
                 let mut motion = motion.outward(&joints[k]);
                 motion.angular += terms[k].added.angular;
@@ -190,39 +219,41 @@ impl<D: Size> NumericArm<D> {
         Ok(qdd)
     }
 
-    fn velocity_terms(&self, joints: &D::Links<Joint>, qd: &D::Vector) -> D::Links<VelocityTerms> {
-        let rest = VelocityTerms::REST;
-        let mut terms = self.per_link(rest);
-        self.outward(rest, &mut terms, |place, before| {
-            let Place { k, link, .. } = place;
-            let w = &before.angular_velocity;
-            let centripetal = w.cross(&w.cross(&joints[k].origin));
-            let mut w = joints[k].outward(w);
-            let mut added = Acceleration {
-                angular: Vector3::zeros(),
-                linear: joints[k].outward(&centripetal),
-            };
-            let rate = Vector3::new(0.0, 0.0, place.of(qd));
-            let turned = w.cross(&rate);
-            match link.joint_type {
-                JointType::Revolute => {
-                    added.angular = turned;
-                    w += rate;
+    fn velocity_terms(
+        &self,
+        joints: &D::Links<Joint>,
+        qd: &D::Vector,
+        terms: &mut D::Links<VelocityTerms>,
+    ) {
+        self.outward(
+            Vector3::zeros(),
+            #[inline(always)]
+            |place, w| {
+                let Place { k, link, .. } = place;
+                let centripetal = w.cross(&w.cross(&joints[k].origin));
+                let mut w = joints[k].outward(w);
+                let mut added = Acceleration {
+                    angular: Vector3::zeros(),
+                    linear: joints[k].outward(&centripetal),
+                };
+                let rate = Vector3::new(0.0, 0.0, place.of(qd));
+                let turned = w.cross(&rate);
+                match link.joint_type {
+                    JointType::Revolute => {
+                        added.angular = turned;
+                        w += rate;
+                    }
+                    JointType::Prismatic => added.linear += turned * 2.0,
                 }
-                JointType::Prismatic => added.linear += turned * 2.0,
-            }
-            let body = Articulated::rigid(&link.inertia);
-            let needed = Wrench {
-                force: w.cross(&w.cross(&link.inertia.first_moment)),
-                moment: w.cross(&(body.a * w)),
-            };
-            VelocityTerms {
-                angular_velocity: w,
-                added,
-                needed,
-            }
-        });
-        terms
+                let body = Articulated::rigid(&link.inertia);
+                let needed = Wrench {
+                    force: w.cross(&w.cross(&link.inertia.first_moment)),
+                    moment: w.cross(&(body.a * w)),
+                };
+                terms[k] = VelocityTerms { added, needed };
+                w
+            },
+        );
     }
 
     /// From the tip inwards: the pivots are those of M's factorisation, and so is their scale.
@@ -231,51 +262,52 @@ impl<D: Size> NumericArm<D> {
         joints: &D::Links<Joint>,
         terms: &D::Links<VelocityTerms>,
         available: &D::Vector,
-    ) -> Result<D::Links<Pass>, SingularMassMatrix> {
-        let mut passes = self.per_link(Pass {
-            free: 0.0,
-            response: Wrench::ZERO,
-        });
-        let mut bodies = self.per_link(Articulated::rigid(&Inertia::ZERO));
-        let mut composites = self.per_link(Inertia::ZERO);
-        let mut needed = self.per_link(Wrench::ZERO);
-        self.walk_outward(|Place { k, link, .. }| {
-            bodies[k] = Articulated::rigid(&link.inertia);
-            composites[k] = link.inertia;
-            needed[k] = terms[k].needed;
-        });
+        passes: &mut D::Links<Pass>,
+    ) -> Result<(), SingularMassMatrix> {
         let mut singular = Ok(());
-        self.walk_inward(|place| {
-            if singular.is_err() {
-                return;
-            }
-            let Place { k, link, joint, .. } = place;
-            let (body, composite) = (bodies[k], composites[k]);
-            let inertia =
-                |wrench: Wrench| wrench.along_joint(link.joint_type) + link.reflected_inertia;
-            let unit = body.unit_wrench(link.joint_type);
-            let pivot = inertia(unit);
-            let rigid = inertia(composite.unit_wrench(link.joint_type));
-            singular = SingularMassMatrix::test(joint, pivot, rigid);
+        self.inward(
+            #[inline(always)]
+            |Place { k, link, .. }| Beyond {
+                body: Articulated::rigid(&link.inertia),
+                composite: link.inertia,
+                needed: terms[k].needed,
+            },
+            #[inline(always)]
+            |place, beyond| {
+                let Place { k, link, joint, .. } = place;
+                let Beyond {
+                    body,
+                    composite,
+                    needed,
+                } = beyond;
+                let inertia =
+                    |wrench: Wrench| wrench.along_joint(link.joint_type) + link.reflected_inertia;
+                let unit = body.unit_wrench(link.joint_type);
+                let pivot = inertia(unit);
+                let rigid = inertia(composite.unit_wrench(link.joint_type));
+                singular = singular.and(SingularMassMatrix::test(joint, pivot, rigid));
 
-            let free = (available[joint] - needed[k].along_joint(link.joint_type)) / pivot;
-            let response = Wrench {
-                force: unit.force / pivot,
-                moment: unit.moment / pivot,
-            };
-            passes[k] = Pass { free, response };
-            if let Some(carrier) = place.carrier {
-                let freed = body.freed(&unit, &response);
-                let moved = freed.wrench(&terms[k].added);
-                let wrench = Wrench {
-                    force: needed[k].force + moved.force + unit.force * free,
-                    moment: needed[k].moment + moved.moment + unit.moment * free,
+                let free = (available[joint] - needed.along_joint(link.joint_type)) / pivot;
+                let response = Wrench {
+                    force: unit.force / pivot,
+                    moment: unit.moment / pivot,
                 };
-                needed[carrier] = needed[carrier] + wrench.inward(&joints[k]);
-                bodies[carrier] = bodies[carrier].plus(&freed.inward(&joints[k]));
-                composites[carrier] = composites[carrier] + joints[k].inertia_inward(&composite);
-            }
-        });
-        singular.map(|()| passes)
+                passes[k] = Pass { free, response };
+                place.hand_on(|| {
+                    let held = body.with_free_joint(&unit, &response);
+                    let moved = held.wrench(&terms[k].added);
+                    let needed = Wrench {
+                        force: needed.force + moved.force + unit.force * free,
+                        moment: needed.moment + moved.moment + unit.moment * free,
+                    };
+                    Beyond {
+                        body: held.inward(&joints[k]),
+                        composite: joints[k].inertia_inward(&composite),
+                        needed: needed.inward(&joints[k]),
+                    }
+                })
+            },
+        );
+        singular
     }
 }

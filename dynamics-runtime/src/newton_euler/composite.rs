@@ -36,26 +36,30 @@ impl<D: Size> NumericArm<D> {
     /// M at the joints' positions (Featherstone 2008, table 6.2).
     #[inline(always)]
     pub(super) fn composite_bodies(&self, joints: &D::Links<Joint>) -> D::Matrix {
-        let mut composites = self.per_link(Inertia::ZERO);
-        self.walk_outward(|Place { k, link, .. }| composites[k] = link.inertia);
         let mut mass_matrix = self.size.matrix();
         self.inward(
-            &mut composites,
-            |k, body| joints[k].inertia_inward(&body),
+            #[inline(always)]
+            |place| place.link.inertia,
+            #[inline(always)]
             |place, body| {
                 let Place { joint, factor, .. } = place;
                 let mut wrench = body.unit_wrench(place.link.joint_type);
                 let own = wrench.along_joint(place.link.joint_type) + place.link.reflected_inertia;
                 mass_matrix[(joint, joint)] += factor * factor * own;
                 let mut from = place.k;
-                self.walk_carriers(place.k, |carrier| {
-                    wrench = wrench.inward(&joints[from]);
-                    from = carrier.k;
-                    let along = wrench.along_joint(carrier.link.joint_type);
-                    let entry = factor * carrier.factor * along;
-                    mass_matrix[(joint, carrier.joint)] += entry;
-                    mass_matrix[(carrier.joint, joint)] += entry;
-                });
+                self.walk_carriers(
+                    place.k,
+                    #[inline(always)]
+                    |carrier| {
+                        wrench = wrench.inward(&joints[from]);
+                        from = carrier.k;
+                        let along = wrench.along_joint(carrier.link.joint_type);
+                        let entry = factor * carrier.factor * along;
+                        mass_matrix[(joint, carrier.joint)] += entry;
+                        mass_matrix[(carrier.joint, joint)] += entry;
+                    },
+                );
+                place.hand_on(|| joints[place.k].inertia_inward(&body))
             },
         );
         mass_matrix
@@ -65,31 +69,34 @@ impl<D: Size> NumericArm<D> {
     /// centre of mass, so that joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic).
     #[inline(always)]
     pub(super) fn weights(&self, joints: &D::Links<Joint>) -> D::Vector {
-        let mut gravity = self.per_link(self.gravity);
-        self.outward(self.gravity, &mut gravity, |Place { k, .. }, gravity| {
-            joints[k].outward(gravity)
-        });
-        let mut moments = self.per_link(Moments::NONE);
-        self.walk_outward(|Place { k, link, .. }| {
-            moments[k] = Moments {
-                mass: link.inertia.mass,
-                first: link.inertia.first_moment,
-            };
-        });
+        let mut gravity = self.per_link(Vector3::zeros());
+        self.outward(
+            self.gravity,
+            #[inline(always)]
+            |Place { k, .. }, carried| {
+                gravity[k] = joints[k].outward(carried);
+                gravity[k]
+            },
+        );
         let mut torques = self.size.vector();
         self.inward(
-            &mut moments,
-            |k, Moments { mass, first }| Moments {
-                mass,
-                first: joints[k].inward(&first) + joints[k].origin * mass,
+            #[inline(always)]
+            |place| Moments {
+                mass: place.link.inertia.mass,
+                first: place.link.inertia.first_moment,
             },
+            #[inline(always)]
             |place, Moments { mass, first: h }| {
-                let g = &gravity[place.k];
+                let (joint, g) = (&joints[place.k], &gravity[place.k]);
                 let own = match place.link.joint_type {
                     JointType::Revolute => h.y * g.x - h.x * g.y,
                     JointType::Prismatic => -mass * g.z,
                 };
                 place.add(&mut torques, own);
+                place.hand_on(|| Moments {
+                    mass,
+                    first: joint.inward(&h) + joint.origin * mass,
+                })
             },
         );
         torques
@@ -101,13 +108,6 @@ impl<D: Size> NumericArm<D> {
 struct Moments {
     mass: f64,
     first: Vector3<f64>,
-}
-
-impl Moments {
-    const NONE: Moments = Moments {
-        mass: 0.0,
-        first: Vector3::new(0.0, 0.0, 0.0),
-    };
 }
 
 impl Add for Moments {

@@ -73,11 +73,11 @@ impl<D: Size> NumericArm<D> {
         X: Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>,
     {
         // The value with the joint moved by a turn or by a distance, less that with it moved the other way.
-        let difference = |turn: SinCos, distance: f64| {
-            let moved = |turn, distance| {
-                let mut joints = joints.clone();
-                joints[k] = joints[k].moved(turn, distance);
-                value(&joints)
+        let mut all = joints.clone();
+        let mut difference = |turn: SinCos, distance: f64| {
+            let mut moved = |turn, distance| {
+                all[k] = joints[k].moved(turn, distance);
+                value(&all)
             };
             moved(turn, distance) - moved(turn.opposite(), -distance)
         };

@@ -14,27 +14,27 @@ impl<D: Size> NumericArm<D> {
     /// `w_{i+1} = R w_i + qd z`, `v_{i+1} = R (v_i + w_i x p)` for a revolute joint,
     /// `w_{i+1} = R w_i`, `v_{i+1} = R (v_i + w_i x p) + qd z` for a prismatic one.
     pub fn kinetic_energy(&self, q: &D::Vector, qd: &D::Vector) -> f64 {
-        let joints = self.joints(q);
         let rest = [Vector3::zeros(); 2];
-        let mut velocities = self.per_link(rest);
-        self.outward(rest, &mut velocities, |place, [angular, linear]| {
-            let (joint, rate) = (&joints[place.k], place.of(qd));
-            let moved: Vector3<f64> = linear + angular.cross(&joint.origin);
-            let (mut linear, mut angular) = (joint.outward(&moved), joint.outward(angular));
-            match place.link.joint_type {
-                JointType::Revolute => angular.z += rate,
-                JointType::Prismatic => linear.z += rate,
-            }
-            [angular, linear]
-        });
         let mut energy = 0.0;
-        self.walk_outward(|place| {
-            let ([angular, linear], rate) = (velocities[place.k], place.of(qd));
-            let link = place.link;
-            let centre: Vector3<f64> = linear + angular.cross(&link.com);
-            energy += link.mass * centre.norm_squared()
-                + angular.dot(&(link.tensor * angular))
-                + link.reflected_inertia * rate * rate;
+        self.at(q, |joints| {
+            self.outward(
+                rest,
+                #[inline(always)]
+                |place, [angular, linear]| {
+                    let (link, joint, rate) = (place.link, &joints[place.k], place.of(qd));
+                    let moved: Vector3<f64> = linear + angular.cross(&joint.origin);
+                    let (mut linear, mut angular) = (joint.outward(&moved), joint.outward(angular));
+                    match link.joint_type {
+                        JointType::Revolute => angular.z += rate,
+                        JointType::Prismatic => linear.z += rate,
+                    }
+                    let centre: Vector3<f64> = linear + angular.cross(&link.com);
+                    energy += link.mass * centre.norm_squared()
+                        + angular.dot(&(link.tensor * angular))
+                        + link.reflected_inertia * rate * rate;
+                    [angular, linear]
+                },
+            );
         });
         0.5 * energy
     }
@@ -42,12 +42,15 @@ impl<D: Size> NumericArm<D> {
     /// Potential energy of gravity and springs, U = -sum m g.c + sum 1/2 stiffness (q - rest)^2. That of gravity is
     /// zero if all centres of mass are at the world's origin.
     pub fn potential_energy(&self, q: &D::Vector) -> f64 {
-        let poses = self.poses_in_world(q);
         let mut energy = 0.0;
-        self.walk_outward(|place| {
-            let (link, pose) = (place.link, &poses[place.k]);
-            let centre = pose.rotation * link.com + pose.position;
-            energy += link.spring.energy(place.of(q)) - link.mass * self.world_gravity.dot(&centre);
+        self.at(q, |joints| {
+            self.outward(self.base, |place, before| {
+                let (link, pose) = (place.link, before.then(&joints[place.k].pose()));
+                let centre = pose.rotation * link.com + pose.position;
+                energy +=
+                    link.spring.energy(place.of(q)) - link.mass * self.world_gravity.dot(&centre);
+                pose
+            });
         });
         energy
     }

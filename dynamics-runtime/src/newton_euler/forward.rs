@@ -18,10 +18,11 @@ impl<D: Size> NumericArm<D> {
         qd: &D::Vector,
         tau: &D::Vector,
     ) -> Result<D::Vector, SingularMassMatrix> {
-        let joints = self.joints(q);
-        let bias = self.recursion(&joints, qd, &self.size.vector(), &self.gravity);
-        let available = tau.clone() - bias - self.joint_forces(q, qd);
-        solve(self.composite_bodies(&joints), &available)
+        self.at(q, |joints| {
+            let bias = self.recursion(joints, qd, &self.size.vector(), &self.gravity);
+            let available = tau.clone() - bias - self.joint_forces(q, qd);
+            solve(self.composite_bodies(joints), &available)
+        })
     }
 
     /// How near M(q) is to singular: which joint, and how many digits accelerations lose there.

@@ -23,6 +23,14 @@ pub(super) struct Joint {
 }
 
 impl Joint {
+    /// No joint, whose place another one takes. All zeros: a list of these is written the fastest.
+    pub(super) const NONE: Joint = Joint {
+        before: None,
+        alpha: SinCos { sin: 0.0, cos: 0.0 },
+        theta: SinCos { sin: 0.0, cos: 0.0 },
+        origin: Vector3::new(0.0, 0.0, 0.0),
+    };
+
     #[inline(always)]
     pub(super) fn new(alpha: SinCos, a: f64, theta: SinCos, d: f64) -> Self {
         let origin = Vector3::new(a, -alpha.sin * d, alpha.cos * d);

@@ -211,6 +211,12 @@ impl Link {
         }
     }
 
+    /// The torque or force of friction at a velocity.
+    #[inline(always)]
+    pub(super) fn friction(&self, qd: f64) -> f64 {
+        self.viscous * qd + self.dry.force(qd)
+    }
+
     /// The joint at position `q`, of which the sine and cosine are `turned`.
     #[inline(always)]
     pub(super) fn joint(&self, q: f64, turned: SinCos) -> Joint {

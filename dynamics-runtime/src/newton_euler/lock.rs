@@ -41,20 +41,9 @@ impl<const N: usize> Table<N> {
         rows: [Row; L],
         motions: [JointMotion; L],
     ) -> Self {
-        Self::couple_rows(convention, gravity, &rows, &motions)
-    }
-
-    /// [`Table::couple`] with a slice of rows.
-    #[doc(hidden)]
-    pub fn couple_rows(
-        convention: Convention,
-        gravity: [f64; 3],
-        rows: &[Row],
-        motions: &[JointMotion],
-    ) -> Self {
         let mut joints = [Row::new(JointType::Revolute); N];
         let (mut followers, mut free) = (Followers::NONE, 0);
-        for_moving_rows(convention, rows, motions, |row| match row {
+        for_moving_rows(convention, &rows, &motions, |row| match row {
             Read::Joint(row) => {
                 assert!(free < N, "{N} joints move by themselves");
                 joints[free] = row;
@@ -208,10 +197,7 @@ fn join(row: &mut Row, locked: &Row, pose: &Pose) {
     let mass = row.mass + locked.mass;
     let com = Vector3::from(row.com);
     let apart = pose.rotation * Vector3::from(locked.com) + pose.position - com;
-    let share = match mass == 0.0 {
-        true => 0.0,
-        false => locked.mass / mass,
-    };
+    let share = if mass == 0.0 { 0.0 } else { locked.mass / mass };
     let reduced = row.mass * share;
     let steiner = Matrix3::from_diagonal_element(apart.norm_squared()) - apart * apart.transpose();
     let tensor = tensor(row)

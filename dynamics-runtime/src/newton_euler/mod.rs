@@ -95,6 +95,8 @@ pub struct NumericArm<D: Size> {
     /// From the base outwards. Those of joints that follow others are among them.
     links: D::Links<Link>,
     count: usize,
+    /// Whether a link is carried by another one than the link before it.
+    has_branches: bool,
     /// In the axes of the base.
     gravity: Vector3<f64>,
     /// In the axes of the world.
@@ -118,6 +120,7 @@ impl<D: Size> NumericArm<D> {
         NumericArm {
             size,
             table: table.clone(),
+            has_branches: (0..count).any(|k| links[k].carrier != k.checked_sub(1)),
             links,
             count,
             gravity: base.rotation.tr_mul(&world_gravity),

@@ -164,10 +164,11 @@ impl<D: Size> NumericArm<D> {
             linear: minus(fixed(self.gravity)),
         };
         let mut frames = self.per_link(base);
-        self.outward(base, &mut frames, |place, frame| {
+        self.outward(base, |place, frame| {
             let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| place.of(rate));
             let pose = joints[place.k].pose();
-            frame.next(place.link, &pose, [v, a, jerk], [a, jerk, snap])
+            frames[place.k] = frame.next(place.link, &pose, [v, a, jerk], [a, jerk, snap]);
+            frames[place.k]
         });
         let mut torques = (self.size.vector(), self.size.vector());
         let mut add = |place: Place<'_>, [first, second]: [f64; 2]| {

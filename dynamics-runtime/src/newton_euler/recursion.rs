@@ -102,40 +102,51 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
         gravity: &Vector3<f64>,
     ) -> D::Vector {
-        let mut motions = self.per_link(FrameMotion::base(gravity));
-        self.move_frames(joints, [qd, qdd], gravity, &mut motions);
         let mut wrenches = self.per_link(Wrench::ZERO);
-        self.walk_outward(|Place { k, link, .. }| {
-            let motion = &motions[k];
-            let inertia = &link.inertia;
-            wrenches[k] = inertia.wrench(&motion.linear_acceleration, &motion.spread);
-        });
+        self.move_frames(
+            joints,
+            [qd, qdd],
+            gravity,
+            #[inline(always)]
+            |Place { k, link, .. }, motion| {
+                let inertia = &link.inertia;
+                wrenches[k] = inertia.wrench(&motion.linear_acceleration, &motion.spread);
+            },
+        );
         // f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_{i+1} x R f_{i+1}.
         let mut tau = self.size.vector();
         self.inward(
-            &mut wrenches,
-            |k, wrench| wrench.inward(&joints[k]),
+            #[inline(always)]
+            |place| wrenches[place.k],
+            #[inline(always)]
             |place, wrench| {
                 let link = place.link;
                 let motor = link.reflected_inertia * place.of(qdd);
                 place.add(&mut tau, wrench.along_joint(link.joint_type) + motor);
+                place.hand_on(|| wrench.inward(&joints[place.k]))
             },
         );
         tau
     }
 
-    /// How the link frames move.
+    /// How the link frames move, from the base outwards.
     #[inline(always)]
     pub(super) fn move_frames(
         &self,
         joints: &D::Links<Joint>,
         [qd, qdd]: [&D::Vector; 2],
         gravity: &Vector3<f64>,
-        motions: &mut D::Links<FrameMotion>,
+        mut visit: impl FnMut(Place<'_>, &FrameMotion),
     ) {
-        self.outward(FrameMotion::base(gravity), motions, |place, motion| {
-            let (qd, qdd) = (place.of(qd), place.of(qdd));
-            motion.outward(place.link.joint_type, &joints[place.k], qd, qdd)
-        });
+        self.outward(
+            FrameMotion::base(gravity),
+            #[inline(always)]
+            |place, motion| {
+                let (qd, qdd) = (place.of(qd), place.of(qdd));
+                let motion = motion.outward(place.link.joint_type, &joints[place.k], qd, qdd);
+                visit(place, &motion);
+                motion
+            },
+        );
     }
 }

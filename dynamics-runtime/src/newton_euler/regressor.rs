@@ -140,8 +140,7 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
     ) -> D::Each<D::Rows<10>> {
         let joints = self.joints(q);
-        let mut motions = self.per_link(FrameMotion::base(&self.gravity));
-        self.move_frames(&joints, [qd, qdd], &self.gravity, &mut motions);
+        let motions = self.motions(&joints, qd, qdd);
         self.per_joint(|k| self.block(k, &joints, &motions))
     }
 
@@ -154,10 +153,23 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
     ) -> impl Iterator<Item = D::Rows<10>> {
         let joints = self.joints(q);
-        let mut motions = self.per_link(FrameMotion::base(&self.gravity));
-        self.move_frames(&joints, [qd, qdd], &self.gravity, &mut motions);
+        let motions = self.motions(&joints, qd, qdd);
         let followers = (0..self.count).filter(|k| self.links[*k].is_follower);
         followers.map(move |k| self.block(k, &joints, &motions))
+    }
+
+    /// How the link frames move.
+    fn motions(
+        &self,
+        joints: &D::Links<Joint>,
+        qd: &D::Vector,
+        qdd: &D::Vector,
+    ) -> D::Links<FrameMotion> {
+        let mut motions = self.per_link(FrameMotion::base(&self.gravity));
+        self.move_frames(joints, [qd, qdd], &self.gravity, |place, motion| {
+            motions[place.k] = *motion;
+        });
+        motions
     }
 
     /// The columns of a link's parameters.

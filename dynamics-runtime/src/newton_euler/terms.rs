@@ -4,53 +4,60 @@ use nalgebra::Vector3;
 
 use super::NumericArm;
 use super::joint::Joint;
-use super::link::Link;
+use super::walk::Place;
 use crate::size::{JointVector as _, Size};
 
 impl<D: Size> NumericArm<D> {
     /// Mass matrix M(q), both triangles: column j is the torque of a unit acceleration of joint j,
     /// at rest and without gravity. Reflected inertias are on the diagonal.
     pub fn mass_matrix(&self, q: &D::Vector) -> D::Matrix {
-        self.composite_bodies(&self.joints(q))
+        self.at(q, |joints| self.composite_bodies(joints))
     }
 
     /// Coriolis and centrifugal torques V(q, qd): no acceleration, no gravity.
     pub fn coriolis_vector(&self, q: &D::Vector, qd: &D::Vector) -> D::Vector {
-        self.velocity_torques(&self.joints(q), qd)
+        self.at(q, |joints| self.velocity_torques(joints, qd))
     }
 
     /// Gravity torques G(q): no velocity, no acceleration, no springs.
     pub fn gravity_vector(&self, q: &D::Vector) -> D::Vector {
-        self.weights(&self.joints(q))
+        self.at(q, |joints| self.weights(joints))
     }
 
     /// Friction torques F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), sign(0) = 0, with C
     /// that of the direction.
     pub fn friction_vector(&self, qd: &D::Vector) -> D::Vector {
-        self.gathered(qd, |link, qd| link.viscous * qd + link.dry.force(qd))
+        self.gathered(|place| place.link.friction(place.of(qd)))
     }
 
     /// Spring torques K(q) = stiffness (q - rest).
     pub fn spring_vector(&self, q: &D::Vector) -> D::Vector {
-        self.gathered(q, |link, q| link.spring.force(q))
+        self.gathered(|place| place.link.spring.force(place.of(q)))
     }
 
     /// K + F, what acts at the joints themselves.
     pub(super) fn joint_forces(&self, q: &D::Vector, qd: &D::Vector) -> D::Vector {
-        self.spring_vector(q) + self.friction_vector(qd)
+        self.gathered(|place| {
+            place.link.spring.force(place.of(q)) + place.link.friction(place.of(qd))
+        })
     }
 
     /// Forces at the joints of all links, as the joints of q feel them: a force f on a follower that moves k times as
     /// far as its leader is k f to the leader.
-    fn gathered(&self, at: &D::Vector, force: impl Fn(&Link, f64) -> f64) -> D::Vector {
+    #[inline(always)]
+    fn gathered(&self, force: impl Fn(&Place<'_>) -> f64) -> D::Vector {
         let mut sum = self.size.vector();
-        self.walk_outward(|place| place.add(&mut sum, force(place.link, place.of(at))));
+        self.walk_outward(
+            #[inline(always)]
+            |place| place.add(&mut sum, force(&place)),
+        );
         sum
     }
 
     /// Torques of a motion, M qdd + V + G + K + F.
     pub fn inverse_dynamics(&self, q: &D::Vector, qd: &D::Vector, qdd: &D::Vector) -> D::Vector {
-        self.recursion(&self.joints(q), qd, qdd, &self.gravity) + self.joint_forces(q, qd)
+        let tau = self.at(q, |joints| self.recursion(joints, qd, qdd, &self.gravity));
+        tau + self.joint_forces(q, qd)
     }
 
     /// Torques without acceleration, V + G + K + F.
@@ -65,7 +72,7 @@ impl<D: Size> NumericArm<D> {
     /// distance h is the derivative itself: `C e_j = (V(qd + h e_j) - V(qd - h e_j)) / (4 h)`. The
     /// greatest speed is taken for h, which keeps rounding at the scale of C.
     pub fn coriolis_matrix(&self, q: &D::Vector, qd: &D::Vector) -> D::Matrix {
-        self.coriolis_matrix_of(&self.joints(q), qd)
+        self.at(q, |joints| self.coriolis_matrix_of(joints, qd))
     }
 
     /// C where the joints are so.

@@ -553,3 +553,55 @@ fn arms_of_a_size_known_at_run_time_are_the_same() {
     assert_eq!(sized.jacobian(&x).as_slice(), fixed.jacobian(&q).as_slice());
     assert_eq!(sized.dof(), 2);
 }
+
+/// Two links on the first one: all that is a sum over bodies is that of both arms, less the first link counted twice.
+#[test]
+fn branches_add_up() {
+    for seed in seeds() {
+        let table = general_table::<3>(Convention::Modified, seed);
+        let [first, second, third] = table.rows;
+        let arm = |rows| NewtonEuler::new(&Table::new(table.convention, table.gravity, rows));
+        let [left, right] = [second, third].map(|row| arm([first, row]));
+        let root = NewtonEuler::new(&Table::new(table.convention, table.gravity, [first]));
+        let mut tree = NewtonEuler::new(&Table::new(table.convention, table.gravity, table.rows));
+        tree.links[2].carrier = Some(0);
+        tree.has_branches = true;
+
+        let State { q, qd, qdd } = random_state::<3>(seed);
+        let [on_left, on_right] = [[0, 1], [0, 2]].map(|joints| {
+            [q, qd, qdd].map(|x| SVector::<f64, 2>::from(joints.map(|joint: usize| x[joint])))
+        });
+        let on_root = [q, qd, qdd].map(|x| SVector::from([x[0]]));
+        let joined = |[l, r]: [SVector<f64, 2>; 2], root: SVector<f64, 1>| {
+            SVector::from([l[0] + r[0] - root[0], l[1], r[1]])
+        };
+        let tau = |arm: &NewtonEuler<2>, [q, qd, qdd]: &[SVector<f64, 2>; 3]| {
+            arm.inverse_dynamics(q, qd, qdd)
+        };
+        let expected = joined(
+            [tau(&left, &on_left), tau(&right, &on_right)],
+            root.inverse_dynamics(&on_root[0], &on_root[1], &on_root[2]),
+        );
+        let found = tree.inverse_dynamics(&q, &qd, &qdd);
+        assert_near(found, expected, 1e-13);
+        let gravity = joined(
+            [
+                left.gravity_vector(&on_left[0]),
+                right.gravity_vector(&on_right[0]),
+            ],
+            root.gravity_vector(&on_root[0]),
+        );
+        assert_near(tree.gravity_vector(&q), gravity, 1e-13);
+        let kinetic = left.kinetic_energy(&on_left[0], &on_left[1])
+            + right.kinetic_energy(&on_right[0], &on_right[1])
+            - root.kinetic_energy(&on_root[0], &on_root[1]);
+        assert!((tree.kinetic_energy(&q, &qd) / kinetic - 1.0).abs() < 1e-12);
+        assert_eq!(tree.mass_matrix(&q)[(1, 2)], 0.0);
+        for found in [
+            tree.forward_dynamics(&q, &qd, &found),
+            tree.forward_dynamics_aba(&q, &qd, &found),
+        ] {
+            assert_near(found.expect("regular"), qdd, 1e-9);
+        }
+    }
+}

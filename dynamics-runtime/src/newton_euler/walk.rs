@@ -34,6 +34,12 @@ impl Place<'_> {
         forces[self.joint] += self.factor * force;
     }
 
+    /// The value that the link hands on to the one that carries it; none if it is on the base.
+    #[inline(always)]
+    pub(super) fn hand_on<X>(&self, value: impl FnOnce() -> X) -> Option<X> {
+        self.carrier.map(|_| value())
+    }
+
     /// Adds a column that belongs to this joint to those of the joints of q.
     #[inline(always)]
     pub(super) fn add_column(
@@ -118,39 +124,58 @@ impl<D: Size> NumericArm<D> {
         self.size.each(|joint| value(own[joint]))
     }
 
-    /// From the base outwards: each link gets what `step` makes of the value of the link that carries it.
+    /// From the base outwards: `step` makes the value of a link of that of the link that carries it.
+    ///
+    /// Along a row of links the value stays in registers: only that of a link with branches is read again.
     #[inline(always)]
     pub(super) fn outward<X: Copy + Debug>(
         &self,
         base: X,
-        values: &mut D::Links<X>,
         mut step: impl FnMut(Place<'_>, &X) -> X,
     ) {
-        self.walk_outward(|place| {
-            let before = match place.carrier {
-                Some(carrier) => &values[carrier],
-                None => &base,
-            };
-            let value = step(place, before);
-            values[place.k] = value;
-        });
+        let mut kept = self.has_branches.then(|| self.per_link(base));
+        let mut last = base;
+        self.walk_outward(
+            #[inline(always)]
+            |place| {
+                if let Some(kept) = &kept {
+                    last = place.carrier.map_or(base, |carrier| kept[carrier]);
+                }
+                last = step(place, &last);
+                if let Some(kept) = &mut kept {
+                    kept[place.k] = last;
+                }
+            },
+        );
     }
 
-    /// From the tips inwards: a link hands on to the one that carries it what `carry` makes of the sum that it carries
-    /// itself. `visit` is shown these sums.
+    /// From the tips inwards: `step` is given the sum of a link's `own` value and of the values that the links it
+    /// carries hand on to it, and makes of it the value that this link hands on, if a link carries it.
     #[inline(always)]
     pub(super) fn inward<X: Copy + Debug + Add<Output = X>>(
         &self,
-        values: &mut D::Links<X>,
-        carry: impl Fn(usize, X) -> X,
-        mut visit: impl FnMut(Place<'_>, &X),
+        own: impl Fn(Place<'_>) -> X,
+        mut step: impl FnMut(Place<'_>, X) -> Option<X>,
     ) {
-        self.walk_inward(|place| {
-            let sum = values[place.k];
-            if let Some(carrier) = place.carrier {
-                values[carrier] = values[carrier] + carry(place.k, sum);
-            }
-            visit(place, &sum);
-        });
+        let mut kept = self.has_branches.then(|| self.per_link(None::<X>));
+        let mut handed_on = None;
+        self.walk_inward(
+            #[inline(always)]
+            |place| {
+                if let Some(kept) = &kept {
+                    handed_on = kept[place.k];
+                }
+                let sum = match handed_on {
+                    Some(value) => own(place) + value,
+                    None => own(place),
+                };
+                handed_on = step(place, sum);
+                if let (Some(kept), Some(value), Some(carrier)) =
+                    (&mut kept, handed_on, place.carrier)
+                {
+                    kept[carrier] = Some(kept[carrier].map_or(value, |sum| sum + value));
+                }
+            },
+        );
     }
 }

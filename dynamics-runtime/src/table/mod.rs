@@ -79,6 +79,8 @@ impl Spring {
 ///
 /// Where `alpha` or `theta` is the double nearest to a multiple of pi/2, it means exactly that multiple.
 /// A generated table has whole turns taken off the angles that lose digits by them.
+///
+/// A row is written as `Row { mass: 2.0, ..Row::new(JointType::Revolute) }`, because later versions may have more cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Row {
@@ -123,6 +125,10 @@ pub struct Row {
     /// The last link frame of the table, in the frame of this row; it is read in the last row alone. It is
     /// [`Placement::IDENTITY`], unless joints behind that row are locked.
     pub tip: Placement,
+    /// New cells break no literal that ends with `..Row::new(joint_type)`.
+    #[doc(hidden)]
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub non_exhaustive: (),
 }
 
 impl Row {
@@ -147,6 +153,7 @@ impl Row {
             mount: Placement::IDENTITY,
             link_frame: Placement::IDENTITY,
             tip: Placement::IDENTITY,
+            non_exhaustive: (),
         }
     }
 
@@ -158,6 +165,9 @@ impl Row {
 }
 
 /// The table of an arm with `N` joints, as numbers. Nothing is validated.
+///
+/// A table is written as `Table { tool, ..Table::new(convention, gravity, rows) }`, because later versions may have more
+/// entries.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Table<const N: usize> {
@@ -175,6 +185,10 @@ pub struct Table<const N: usize> {
     pub followers: Followers,
     /// What is fixed to the last link of the table, whether its joint is locked or not.
     pub tool: Tool,
+    /// New entries break no literal that ends with `..Table::new(convention, gravity, rows)`.
+    #[doc(hidden)]
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub non_exhaustive: (),
 }
 
 impl<const N: usize> Table<N> {
@@ -187,6 +201,7 @@ impl<const N: usize> Table<N> {
             rows,
             followers: Followers::NONE,
             tool: Tool::NONE,
+            non_exhaustive: (),
         }
     }
 

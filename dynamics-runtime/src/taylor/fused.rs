@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, dispatch};
 
 use crate::Scalar;
-use crate::operators::impl_operators;
+use crate::operators::{impl_operators, scalar_methods};
 use crate::sine::{Sines, level};
 
 /// A double whose [`mul_add`](Scalar::mul_add) is fused, for processors that have the instruction although the build may
@@ -31,14 +31,14 @@ impl_operators! {
 }
 
 impl Scalar for Fused {
-    #[inline(always)]
-    fn from_f64(x: f64) -> Self {
-        Fused(x)
-    }
-
-    #[inline(always)]
-    fn epsilon() -> Self {
-        Fused(f64::EPSILON)
+    scalar_methods! {
+        from_f64(x) => Fused(x);
+        epsilon() => Fused(f64::EPSILON);
+        sqrt(x) => Fused(x.0.sqrt());
+        mul_add(x, a, b) => Fused(x.0.mul_add(a.0, b.0));
+        sign(x) => Fused(Scalar::sign(x.0));
+        is_positive(x) => x.0 > 0.0;
+        ratio_to_f64(x, of) => x.0 / of.0;
     }
 
     #[inline(always)]
@@ -50,31 +50,6 @@ impl Scalar for Fused {
     #[inline(always)]
     fn sin_cos_array<const K: usize>(angles: [Self; K]) -> [(Self, Self); K] {
         f64::of_array(angles.map(|x| x.0)).map(|(s, c)| (Fused(s), Fused(c)))
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Fused(self.0.sqrt())
-    }
-
-    #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        Fused(self.0.mul_add(a.0, b.0))
-    }
-
-    #[inline(always)]
-    fn sign(self) -> Self {
-        Fused(Scalar::sign(self.0))
-    }
-
-    #[inline(always)]
-    fn is_positive(self) -> bool {
-        self.0 > 0.0
-    }
-
-    #[inline(always)]
-    fn ratio_to_f64(self, of: Self) -> f64 {
-        self.0 / of.0
     }
 
     #[inline(always)]

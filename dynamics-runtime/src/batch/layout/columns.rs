@@ -16,15 +16,16 @@ pub struct Columns<'a, E, const N: usize>([&'a [E]; N]);
 /// Room in a column for each entry.
 pub struct ColumnsMut<'a, E, const R: usize, const C: usize>([[&'a mut [E]; R]; C]);
 
-impl<'a, E: Precision, const N: usize> Source<N, E> for Columns<'a, E, N> {
+impl<'a, E: Precision, const N: usize> Source<Entries<N, 1>, E> for Columns<'a, E, N> {
     type Room = [SMatrix<E, MOST_LANES, 1>; N];
     type Copied<'r>
         = Columns<'r, E, N>
     where
         Self: 'r;
 
-    fn states(&self) -> (usize, Option<usize>) {
-        lengths(self.0.iter().map(|column| (column.len(), None)))
+    fn states(&self, tell: &mut dyn FnMut(usize, Option<usize>)) {
+        let (states, other) = lengths(self.0.iter().map(|column| (column.len(), None)));
+        tell(states, other);
     }
 
     #[cfg(feature = "rayon")]

@@ -9,7 +9,7 @@ use fearless_simd::Simd;
 use nalgebra::{ArrayStorage, SVector};
 
 use crate::batch::wide::{Precision, Wide};
-use crate::function::{Arrangement, Of};
+use crate::function::{Arrangement, Entries, Of};
 
 /// `N` numbers for each of many states: an argument of a batch. `T` is `f64` or `f32`.
 ///
@@ -27,7 +27,7 @@ use crate::function::{Arrangement, Of};
 )]
 pub trait States<const N: usize, T: Precision = f64> {
     #[doc(hidden)]
-    type Source: Source<N, T>;
+    type Source: Source<Entries<N, 1>, T>;
 
     #[doc(hidden)]
     fn source(self) -> Self::Source;
@@ -61,25 +61,25 @@ pub trait StatesMut<A: Arrangement, T: Precision = f64> {
 /// The number of lanes of the widest vectors, of single precision.
 pub(super) const MOST_LANES: usize = 16;
 
-/// Where the lanes read.
-pub trait Source<const N: usize, E: Precision>: Copy + Send {
+/// Where the lanes read: an argument, a vector for each state, or a tuple of arguments.
+pub trait Source<A: Arrangement, E: Precision>: Copy + Send {
     /// Room for as many states as there are lanes.
     type Room;
 
     /// The source that reads there.
-    type Copied<'r>: Source<N, E>
+    type Copied<'r>: Source<A, E>
     where
         Self: 'r;
 
-    /// The number of states, and one that differs from it, if the columns are not all as long.
-    fn states(&self) -> (usize, Option<usize>);
+    /// Tells of each argument the number of states, and one that differs from it, if the columns are not all as long.
+    fn states(&self, tell: &mut dyn FnMut(usize, Option<usize>));
 
     /// The first states, and the others.
     #[cfg(feature = "rayon")]
     fn split(self, states: usize) -> (Self, Self);
 
     /// One state.
-    fn state(&self, state: usize) -> SVector<E, N>;
+    fn state(&self, state: usize) -> Of<A, E>;
 
     /// Empty room.
     fn room() -> Self::Room;
@@ -91,7 +91,7 @@ pub trait Source<const N: usize, E: Precision>: Copy + Send {
         Self: 'r;
 
     /// As many states as there are lanes, from the first on.
-    fn load<S: Simd>(&self, simd: S, first: usize) -> SVector<Wide<S, E>, N>;
+    fn load<S: Simd>(&self, simd: S, first: usize) -> Of<A, Wide<S, E>>;
 }
 
 /// Where the lanes write.

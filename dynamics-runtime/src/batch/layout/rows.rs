@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use super::transposition::transposed;
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
 use crate::batch::wide::{Precision, Wide, lanes};
-use crate::function::{Arrangement, Of};
+use crate::function::{Arrangement, Entries, Of};
 
 /// A vector for each state.
 #[derive(Clone, Copy)]
@@ -15,15 +15,15 @@ pub struct Rows<'a, E, const N: usize>(&'a [SVector<E, N>]);
 /// Room for a value for each state.
 pub struct RowsMut<'a, A: Arrangement, E: Precision>(&'a mut [Of<A, E>]);
 
-impl<'a, E: Precision, const N: usize> Source<N, E> for Rows<'a, E, N> {
+impl<'a, E: Precision, const N: usize> Source<Entries<N, 1>, E> for Rows<'a, E, N> {
     type Room = [SVector<E, N>; MOST_LANES];
     type Copied<'r>
         = Rows<'r, E, N>
     where
         Self: 'r;
 
-    fn states(&self) -> (usize, Option<usize>) {
-        (self.0.len(), None)
+    fn states(&self, tell: &mut dyn FnMut(usize, Option<usize>)) {
+        tell(self.0.len(), None);
     }
 
     #[cfg(feature = "rayon")]

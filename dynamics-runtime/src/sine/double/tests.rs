@@ -168,9 +168,10 @@ impl Mul for Enclosed {
             }),
             rounding: 0.0,
         };
-        match self.is_power_of_two() || b.is_power_of_two() {
-            true => product,
-            false => product.rounded(),
+        if self.is_power_of_two() || b.is_power_of_two() {
+            product
+        } else {
+            product.rounded()
         }
     }
 }
@@ -258,9 +259,10 @@ impl Distance {
 fn units(before: f64, smallest: f64, largest: f64) -> f64 {
     let (low, high) = (unit(smallest), unit(largest));
     let below = (before + before.max(0.5 * low)) / low;
-    match low == high {
-        true => before / low + 0.5,
-        false => below.max(before / high + 0.5),
+    if low == high {
+        before / low + 0.5
+    } else {
+        below.max(before / high + 0.5)
     }
 }
 
