@@ -55,24 +55,6 @@ pub fn generate(call: TokenStream) -> TokenStream {
     generate_by(call, &dynamics_symbolic::derive::derive_together)
 }
 
-/// The runtime's own items of the table of functions: the types by which its trait `Function` knows them.
-#[doc(hidden)]
-pub fn function_names() -> TokenStream {
-    expand::functions::function_names()
-}
-
-/// The methods of the functions for a robot at run time.
-#[doc(hidden)]
-pub fn runtime_methods() -> TokenStream {
-    expand::functions::runtime_methods()
-}
-
-/// The same: a trait or an implementation with a method for each function that evaluates it at many states.
-#[doc(hidden)]
-pub fn batch_methods(item: TokenStream) -> TokenStream {
-    expand::batch::batch_methods(item)
-}
-
 /// The same without the engine: the struct, its table and its traits, with no method derived and
 /// nothing neglected.
 pub fn outline(call: TokenStream) -> TokenStream {

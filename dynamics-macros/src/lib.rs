@@ -9,6 +9,7 @@
 /// Generates a struct and the equations of motion of a robot arm as its methods, from
 /// the arm's Denavit-Hartenberg table. The crate `robot-dynamics` documents the table
 /// and the methods.
+#[cfg(feature = "robots")]
 #[proc_macro]
 pub fn robot_dynamics(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     dynamics_codegen::generate(input.into()).into()
@@ -19,7 +20,7 @@ pub fn robot_dynamics(input: proc_macro::TokenStream) -> proc_macro::TokenStream
 #[doc(hidden)]
 #[proc_macro]
 pub fn function_names(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    dynamics_codegen::function_names().into()
+    dynamics_functions::function_names().into()
 }
 
 /// A trait or an implementation with a method for each function that evaluates it at many states: for the
@@ -27,12 +28,12 @@ pub fn function_names(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
 #[doc(hidden)]
 #[proc_macro]
 pub fn batch_methods(item: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    dynamics_codegen::batch_methods(item.into()).into()
+    dynamics_functions::batch_methods(item.into()).into()
 }
 
 /// The methods of the functions for a robot at run time: for `dynamics-evaluation` alone.
 #[doc(hidden)]
 #[proc_macro]
 pub fn runtime_methods(_: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    dynamics_codegen::runtime_methods().into()
+    dynamics_functions::runtime_methods().into()
 }

@@ -145,6 +145,7 @@ pub use taylor::{
     TaylorDynamics,
 };
 
+#[cfg(feature = "macro")]
 #[doc(hidden)]
 pub mod __private {
     pub use dynamics_macros::robot_dynamics as expand;

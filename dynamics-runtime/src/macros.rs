@@ -3,6 +3,7 @@
 #[doc = include_str!("robot_dynamics.md")]
 // `$crate` is this crate under whatever name and through whatever re-export the caller sees it, so
 // that the generated code finds the runtime without a dependency of its own.
+#[cfg(feature = "macro")]
 #[macro_export]
 macro_rules! robot_dynamics {
     ($($tokens:tt)*) => {

@@ -13,7 +13,6 @@ pub mod emit;
 pub mod exact;
 pub mod expr;
 pub mod formula;
-pub mod function;
 mod interval;
 pub mod linear;
 pub mod mechanism;
@@ -28,6 +27,7 @@ pub mod rounding;
 pub mod simplify;
 pub mod spatial;
 
+pub use dynamics_functions as function;
 pub use emit::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
     stub_of_trait,

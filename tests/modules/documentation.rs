@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 /// The crates behind the facade, by the names that Rust code has for them.
-const BEHIND: [&str; 5] = [
+const BEHIND: [&str; 6] = [
+    "dynamics_functions",
     "dynamics_runtime",
     "dynamics_evaluation",
     "dynamics_symbolic",

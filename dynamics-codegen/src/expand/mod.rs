@@ -1,8 +1,7 @@
 //! A model to the items of its struct. Nothing in here can fail.
 
-pub(crate) mod batch;
+mod batch;
 mod evaluate;
-pub(crate) mod functions;
 pub(crate) mod names;
 mod scene;
 mod structure;

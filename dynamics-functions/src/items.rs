@@ -1,13 +1,13 @@
 //! Items of this project's own crates that follow from the table of functions.
 
-use dynamics_symbolic::function::{Argument, Shape, Size};
-use dynamics_symbolic::{Function, Request};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use crate::{Argument, Function, Request, Shape, Size};
+
 /// The types by which the trait `Function` knows the functions, their names, and the trait by which the compiler says
 /// what to do about a method that was not asked for.
-pub(crate) fn function_names() -> TokenStream {
+pub fn function_names() -> TokenStream {
     let functions = Function::ALL.into_iter().map(|function| {
         let name = format_ident!("{function:?}");
         let documentation = format!(" `{}`.", function.name());
@@ -62,43 +62,44 @@ pub(crate) fn function_names() -> TokenStream {
 }
 
 /// The methods of a robot at run time: for each function that is a program over numbers one for a state, and one for many.
-pub(crate) fn runtime_methods() -> TokenStream {
-    let programs = Function::ALL.into_iter();
-    let programs = programs.filter(|function| *function.shape() != Shape::Series);
-    let methods = programs.map(|function| {
-        let name = function.name();
-        let (method, batch) = (format_ident!("{name}"), format_ident!("{name}_batch"));
-        let arguments = function.arguments().iter();
-        let arguments = arguments.map(|argument| format_ident!("{}", argument.name()));
-        let arguments: Vec<Ident> = arguments.collect();
-        let value = dynamic_type(function.shape());
-        let meaning = format!(" {}", description(function));
-        let of_many = format!(" [`{name}`](RuntimeRobot::{name}) at many states.");
-        quote! {
-            #[doc = #meaning]
-            ///
-            /// # Errors
-            ///
-            /// Those of [`evaluate`](RuntimeRobot::evaluate).
-            #[allow(clippy::type_complexity)]
-            pub fn #method(&self #(, #arguments: &[f64])*) -> Result<#value, EvaluationError> {
-                self.of_kind(#name, &[#(#arguments),*])
-            }
+pub fn runtime_methods() -> TokenStream {
+    let is_program = |function: &Function| *function.shape() != Shape::Series;
+    let methods = Function::ALL
+        .into_iter()
+        .filter(is_program)
+        .map(|function| {
+            let name = function.name();
+            let (method, batch) = (format_ident!("{name}"), format_ident!("{name}_batch"));
+            let argument = |argument: &Argument| format_ident!("{}", argument.name());
+            let arguments: Vec<Ident> = function.arguments().iter().map(argument).collect();
+            let value = dynamic_type(function.shape());
+            let meaning = format!(" {}", description(function));
+            let of_many = format!(" [`{name}`](RuntimeRobot::{name}) at many states.");
+            quote! {
+                #[doc = #meaning]
+                ///
+                /// # Errors
+                ///
+                /// Those of [`evaluate`](RuntimeRobot::evaluate).
+                #[allow(clippy::type_complexity)]
+                pub fn #method(&self #(, #arguments: &[f64])*) -> Result<#value, EvaluationError> {
+                    self.of_kind(#name, &[#(#arguments),*])
+                }
 
-            #[doc = #of_many]
-            ///
-            /// # Errors
-            ///
-            /// Those of [`batch`](RuntimeRobot::batch).
-            pub fn #batch(
-                &self,
-                #(#arguments: &[f64],)*
-                results: &mut [f64],
-            ) -> Result<(), EvaluationError> {
-                self.batch(#name, &[#(#arguments),*], results)
+                #[doc = #of_many]
+                ///
+                /// # Errors
+                ///
+                /// Those of [`batch`](RuntimeRobot::batch).
+                pub fn #batch(
+                    &self,
+                    #(#arguments: &[f64],)*
+                    results: &mut [f64],
+                ) -> Result<(), EvaluationError> {
+                    self.batch(#name, &[#(#arguments),*], results)
+                }
             }
-        }
-    });
+        });
     quote! {
         /// Every function that is generated has a method of the same name here, for a state, and one for
         /// many: see [`evaluate`](RuntimeRobot::evaluate) and [`batch`](RuntimeRobot::batch), which have
@@ -128,18 +129,13 @@ fn dynamic_type(shape: &Shape) -> TokenStream {
 }
 
 /// The description of a function of any robot.
-pub(super) fn description(function: Function) -> String {
-    let description = function.row().description;
-    let description = description.replace("{frame}", "world");
+pub(crate) fn description(function: Function) -> String {
+    let description = function.row().description.replace("{frame}", "world");
     description.replace("{tip}", "tip")
 }
 
 /// Arguments that are the same for all states.
-pub(super) fn settings(arguments: &[Argument]) -> Vec<Ident> {
-    let settings = arguments
-        .iter()
-        .filter(|argument| argument.shape().is_none());
-    settings
-        .map(|argument| format_ident!("{}", argument.name()))
-        .collect()
+pub(crate) fn settings(arguments: &[Argument]) -> Vec<Ident> {
+    let settings = arguments.iter().filter(|a| a.shape().is_none());
+    settings.map(|a| format_ident!("{}", a.name())).collect()
 }

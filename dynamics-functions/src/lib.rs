@@ -3,13 +3,19 @@
 //! A function is described by its [`Row`]. Its outputs and their definition are formulas, and stand where these are
 //! derived and proven, in one exhaustive match each.
 
+#![forbid(unsafe_code)]
+
 mod argument;
+mod batch;
+mod items;
 mod request;
 mod row;
 mod shape;
 mod table;
 
 pub use argument::Argument;
+pub use batch::{Batch, batch_methods};
+pub use items::{function_names, runtime_methods};
 pub use request::{Fused, Request, sizes_of, spans};
 pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Shape, Size, Sizes};

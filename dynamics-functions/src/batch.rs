@@ -1,0 +1,262 @@
+//! Functions at many states at once: the methods of the runtime's trait `Batch`, and one of several functions that
+//! belong to a robot.
+//!
+//! All that there is to say about a method follows from the function's row: its arguments, whether it may
+//! refuse, its description.
+
+use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
+
+use crate::items::{description, settings};
+use crate::{Argument, Function, Request, Shape, Size};
+
+/// Whose methods they are.
+#[derive(Clone, Copy, PartialEq)]
+enum Receiver {
+    /// One arm for all states, `Self`.
+    Arm,
+    /// An arm for each state, of type `R`.
+    Each,
+}
+
+/// A trait or an implementation with the batches of all functions among its items. In a trait they are those of
+/// `Self`, in an implementation those of many arms of the type `R`.
+pub fn batch_methods(item: TokenStream) -> TokenStream {
+    let mut tokens: Vec<TokenTree> = item.into_iter().collect();
+    let is_trait = |token: &TokenTree| token.to_string() == "trait";
+    let receiver = if tokens.iter().any(is_trait) {
+        Receiver::Arm
+    } else {
+        Receiver::Each
+    };
+    if let Some(TokenTree::Group(items)) = tokens.pop() {
+        let mut items = items.stream();
+        for parallel in [false, true] {
+            items.extend(Function::ALL.into_iter().map(|function| {
+                let batch = Batch::of_table(function, receiver);
+                batch.method(parallel)
+            }));
+        }
+        tokens.push(Group::new(Delimiter::Brace, items).into());
+    }
+    tokens.into_iter().collect()
+}
+
+/// A function at many states.
+pub struct Batch {
+    /// The name of the function.
+    name: String,
+    description: String,
+    arguments: Vec<Argument>,
+    /// The name of the results.
+    result: Ident,
+    refuses: bool,
+    receiver: Receiver,
+    /// The type of the function for the trait `Function`, and its value.
+    function: [TokenStream; 2],
+    /// The number of joints, where it is known.
+    joints: Option<Literal>,
+    /// Where the methods' types are.
+    path: TokenStream,
+}
+
+impl Batch {
+    /// Of the runtime's own methods.
+    fn of_table(function: Function, receiver: Receiver) -> Batch {
+        let request = Request::One(function);
+        let settings = settings(function.arguments());
+        let name = format_ident!("{function:?}");
+        let value = if settings.is_empty() {
+            quote!(functions::#name)
+        } else {
+            quote!(functions::#name { #(#settings),* })
+        };
+        Batch {
+            name: function.name().to_owned(),
+            description: description(function),
+            arguments: function.arguments().to_vec(),
+            result: format_ident!("{}", request.result()),
+            refuses: request.refuses(),
+            receiver,
+            function: [quote!(functions::#name), value],
+            joints: None,
+            path: quote!(crate),
+        }
+    }
+
+    /// Of several functions as one, which are the robot's request of this index. `path` is that of the runtime.
+    pub fn of_robot(
+        request: &Request,
+        index: usize,
+        method: &Ident,
+        joints: Option<Literal>,
+        path: &TokenStream,
+    ) -> Batch {
+        let index = Literal::usize_unsuffixed(index);
+        let function = quote!(#path::functions::Fused);
+        Batch {
+            name: request.name().to_owned(),
+            description: format!("What `{method}` returns."),
+            arguments: request.arguments(),
+            result: Ident::new("all_values", Span::call_site()),
+            refuses: request.refuses(),
+            receiver: Receiver::Arm,
+            function: [quote!(#function<#index>), quote!(#function::<#index>)],
+            joints,
+            path: path.clone(),
+        }
+    }
+
+    /// The method, on one core or on all.
+    pub fn method(&self, parallel: bool) -> TokenStream {
+        let Batch { path, result, .. } = self;
+        let [function, value] = &self.function;
+        let is_of_table = self.joints.is_none();
+        let name = if parallel {
+            format_ident!("par_{}_batch", self.name)
+        } else {
+            format_ident!("{}_batch", self.name)
+        };
+        let visibility = (self.receiver == Receiver::Each || !is_of_table).then(|| quote!(pub));
+        let n = match &self.joints {
+            Some(n) => n.to_token_stream(),
+            None => quote!(N),
+        };
+        let generic = is_of_table.then(|| quote!(, const N: usize));
+        let (arm, arms) = match self.receiver {
+            Receiver::Arm => (quote!(Self), quote!(self)),
+            Receiver::Each => (quote!(R), quote!(self.0)),
+        };
+        let arguments = self.arguments.iter().map(|argument| {
+            let name = format_ident!("{}", argument.name());
+            match argument.shape().map(|shape| length(shape, &n)) {
+                Some(length) => quote!(#name: impl #path::States<#length, T>),
+                None => quote!(#name: usize),
+            }
+        });
+        let vectors = self.arguments.iter().filter(|a| a.shape().is_some());
+        let names = vectors.map(|argument| format_ident!("{}", argument.name()));
+        let bounds = self.bounds(parallel, &n);
+        let run = if parallel {
+            quote!(on_all_cores)
+        } else {
+            quote!(on_one_core)
+        };
+        let done = quote! {
+            #path::#run::<_, #arm, T, _, _, _, #n>(
+                #value,
+                #arms,
+                (#(#path::States::source(#names),)*),
+                #path::StatesMut::sink(#result),
+            )
+        };
+        let (error, body) = if self.refuses {
+            (quote!(BatchError), quote!(#path::failing(#done)))
+        } else {
+            (quote!(LengthMismatch), quote!(#done.map(|_| ())))
+        };
+        let cfg = (parallel && is_of_table).then(|| quote!(#[cfg(feature = "rayon")]));
+        let documentation = self.documentation(parallel);
+        quote! {
+            #cfg
+            #(#[doc = #documentation])*
+            #[allow(clippy::too_many_arguments)]
+            #visibility fn #name<T: #path::Precision #generic>(
+                &self,
+                #(#arguments,)*
+                #result: impl #path::StatesMut<<#arm as #path::Function<#function, #n>>::Values, T>,
+            ) -> ::core::result::Result<(), #path::#error>
+            #bounds
+            {
+                #body
+            }
+        }
+    }
+
+    /// What the arm has to be, where that is not known.
+    fn bounds(&self, parallel: bool, n: &TokenStream) -> Option<TokenStream> {
+        if self.joints.is_some() {
+            return None;
+        }
+        let (path, [function, _]) = (&self.path, &self.function);
+        let sync = parallel.then(|| quote!(+ Sync));
+        let shapes = self.arguments.iter().filter_map(|a| a.shape());
+        let lengths = shapes.map(|shape| length(shape, n));
+        let function =
+            quote!(#path::Function<#function, #n, Arguments = (#(#path::Entries<#lengths, 1>,)*)>);
+        Some(match self.receiver {
+            Receiver::Arm => quote!(where Self: #function + Sized #sync),
+            Receiver::Each => quote!(where R: #function + #path::Fields #sync),
+        })
+    }
+
+    fn documentation(&self, parallel: bool) -> Vec<String> {
+        let name = &self.name;
+        let errors = if self.refuses {
+            [
+                " [`BatchError::Length`] where an argument or the results have another number of states than the",
+                " first argument: nothing is written then; [`BatchError::Singular`] where a mass matrix is not positive",
+                " definite: the first such state with what a single call says of it. The values of all states are",
+                " written then too; they are NaN where there are none.",
+            ]
+            .as_slice()
+        } else {
+            [
+                " [`LengthMismatch`] where an argument or the results have another number of states than the first",
+                " argument; nothing is written then.",
+            ]
+            .as_slice()
+        };
+        let mut lines = match (parallel, self.receiver) {
+            (true, _) => vec![
+                format!(" `{name}_batch` on all cores, by rayon's global thread pool."),
+                String::new(),
+                " What takes less than some twenty microseconds stays on this core.".to_owned(),
+            ],
+            (false, Receiver::Each) => {
+                vec![format!(
+                    " `{name}_batch` with an arm for each state: see [`Batch`]."
+                )]
+            }
+            (false, Receiver::Arm) => self.in_full(),
+        };
+        lines.extend([String::new(), " # Errors".to_owned(), String::new()]);
+        lines.extend(errors.iter().map(|line| (*line).to_owned()));
+        if self.joints.is_some() {
+            // The types are not in the reach of the user's documentation.
+            lines = lines
+                .iter()
+                .map(|line| line.replace("[`", "`").replace("`]", "`"))
+                .collect();
+        }
+        lines
+    }
+
+    /// What it is and what it takes.
+    fn in_full(&self) -> Vec<String> {
+        let mut lines = vec![
+            format!(" At every state: {}", self.description),
+            String::new(),
+        ];
+        for argument in &self.arguments {
+            if let Some(meaning) = argument.meaning("rad or m", "N m or N") {
+                lines.push(format!(" - `{}`: {meaning};", argument.name()));
+            }
+        }
+        lines.push(format!(
+            " - `{}`: room for what `{}` returns.",
+            self.result, self.name
+        ));
+        lines
+    }
+}
+
+/// The number of entries of an argument.
+fn length(shape: Shape, joints: &TokenStream) -> TokenStream {
+    match shape {
+        Shape::Matrix(Size::Fixed(length), _) => {
+            Literal::usize_unsuffixed(length).into_token_stream()
+        }
+        _ => joints.clone(),
+    }
+}
