@@ -3,11 +3,10 @@
 use super::{Equations, Phase, Tolerance};
 use crate::size::Size;
 
-/// A step size at which an Euler step is about as good as the tolerance asks (Hairer, Nørsett,
+/// A step size at t = 0 at which an Euler step is about as good as the tolerance asks (Hairer, Nørsett,
 /// Wanner I, section II.4, "starting step size").
 pub(super) fn initial_step<S: Equations<D>, D: Size>(
     system: &S,
-    t: f64,
     phase: &Phase<D>,
     rate: &Phase<D>,
     tolerance: &Tolerance,
@@ -19,7 +18,7 @@ pub(super) fn initial_step<S: Equations<D>, D: Size>(
     let first = if small { 1e-6 } else { 0.01 * size / speed };
 
     let ahead = phase.plus(first, rate);
-    let Ok(rate_ahead) = system.rate(t + first, &ahead) else {
+    let Ok(rate_ahead) = system.rate(first, &ahead) else {
         return first;
     };
     let bending = norm(&rate_ahead.minus(rate)) / first;

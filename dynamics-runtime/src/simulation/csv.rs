@@ -266,21 +266,16 @@ impl<'t> Rows<'t> {
         let least = if names.is_some() { 1 } else { 2 };
         for (k, (symbol, _)) in QUANTITIES.iter().enumerate() {
             let first = 1 + k * joints;
-            // Columns of positions may have other names; the last quantities may be missing, as a whole.
+            // Columns of positions may have other names in points; the last quantities may be missing, as a whole.
             let is_free = names.is_some() && k == 0;
-            if let Some(i) = (0..joints).find(|i| !is_free && !has(first + i, symbol)) {
-                let is_end = i == 0 && k >= least;
-                return if is_end {
-                    Ok(k)
-                } else {
-                    expected(first + i, symbol)
-                };
+            match (0..joints).find(|i| !is_free && !has(first + i, symbol)) {
+                Some(0) if k >= least => return Ok(k),
+                Some(i) => return expected(first + i, symbol),
+                None => {}
             }
             if has(first + joints, symbol) {
-                return expected(
-                    first + joints,
-                    QUANTITIES.get(k + 1).map_or("", |next| next.0),
-                );
+                let next = QUANTITIES.get(k + 1).map_or("", |next| next.0);
+                return expected(first + joints, next);
             }
         }
         Ok(QUANTITIES.len())
@@ -290,11 +285,8 @@ impl<'t> Rows<'t> {
     fn in_order(&self, names: &[&str]) -> Result<(), CsvError> {
         let names_joint = |cell: &str, name: &str| {
             let word = cell.split(" [").next().unwrap_or_default();
-            word == name
-                || word
-                    .strip_prefix(['q'])
-                    .and_then(|w| w.strip_prefix(['.', '_']))
-                    == Some(name)
+            let [dotted, joined] = ["q.", "q_"].map(|symbol| word.strip_prefix(symbol));
+            word == name || dotted.or(joined) == Some(name)
         };
         for (i, (cell, expected)) in self.row.iter().skip(1).zip(names).enumerate() {
             let is_right = names_joint(cell, expected);

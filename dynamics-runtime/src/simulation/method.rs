@@ -181,24 +181,6 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for 
     }
 }
 
-/// Asks sampled laws, takes the first sample, and finds what friction and stops do to the joints.
-pub(super) fn begin<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
-    recorder: &mut Recorder<D>,
-) -> Result<(), Cause> {
-    let initial = recorder.phase.clone();
-    let mut begun = motion
-        .torque
-        .sample(0.0, &initial)
-        .map(|()| initial.clone());
-    if motion.has_events() {
-        begun = begun.and_then(|phase| motion.settle_at_start(&phase));
-    }
-    recorder.push(motion.sample_at(0.0, initial));
-    recorder.phase = begun?;
-    Ok(())
-}
-
 fn fixed<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     method: impl OneStep<S, Cause, D>,
     step: f64,

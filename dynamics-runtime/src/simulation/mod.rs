@@ -31,7 +31,7 @@ use crate::table::AsArm as _;
 use error::Outcome;
 use friction::Law;
 use limits::{AtLimit, Limits};
-use method::{Integrator, begin};
+use method::Integrator;
 use motion::Motion;
 use plan::{Plan, plan_setters};
 use recorder::Recorder;
@@ -426,7 +426,14 @@ impl<D: Size, M> Setting<D, M> {
         self.limits.validate(&self.plan.initial)?;
         self.method.validate(self.plan.duration, &self.friction)?;
         recorder.plan(&self.plan)?;
-        begin(motion, recorder)?;
+        let (laws, initial) = (motion.torque, recorder.phase.clone());
+        let mut begun = laws.sample(0.0, &initial).map(|()| initial.clone());
+        if motion.has_events() {
+            begun = begun.and_then(|phase| motion.settle_at_start(&phase));
+        }
+        // The first sample is the state as it was given, also where the laws or the contacts are refused.
+        recorder.push(motion.sample_at(0.0, initial));
+        recorder.phase = begun?;
         self.method.integrate(motion, recorder)
     }
 }

@@ -34,7 +34,7 @@ impl<M: Embedded<D>, D: Size> Adaptive<M, D> {
     ) -> Result<Self, S::Refusal> {
         let t = 0.0;
         let rate = system.rate(t, &phase)?;
-        let first = initial_step(system, t, &phase, &rate, &tolerance, M::CONTROL.order);
+        let first = initial_step(system, &phase, &rate, &tolerance, M::CONTROL.order);
         let next = Start { t, phase, h: first };
         Ok(Adaptive {
             last: next.clone(),

@@ -91,7 +91,7 @@ impl<D: Size> Radau<D> {
             absolute: relative * (wanted.absolute / wanted.relative),
         };
         let least = 10.0 * f64::EPSILON / relative;
-        let first = initial_step(system, t, &phase, &rate, &wanted, 4.0);
+        let first = initial_step(system, &phase, &rate, &wanted, 4.0);
         let jacobian = Jacobian::zeros(phase.size());
         let here = Place { t, phase, rate };
         Ok(Radau {
