@@ -36,18 +36,6 @@ struct Motion {
     qdd: Vec<f64>,
 }
 
-impl Motion {
-    /// Adds a time with position, velocity and acceleration of each joint.
-    fn add(&mut self, t: f64, joints: impl Iterator<Item = [f64; 3]>) {
-        self.t.push(t);
-        for [q, qd, qdd] in joints {
-            self.q.push(q);
-            self.qd.push(qd);
-            self.qdd.push(qdd);
-        }
-    }
-}
-
 fn torques(arm: &RuntimeRobot, motion: Motion) -> Result<Csv, Failure> {
     let Motion { t, q, qd, qdd } = motion;
     let mut tau = vec![0.0; q.len()];
@@ -55,9 +43,9 @@ fn torques(arm: &RuntimeRobot, motion: Motion) -> Result<Csv, Failure> {
     let mut csv = Csv::new("t", &["q", "qd", "qdd", "tau"], arm.joint_names());
     let dof = arm.dof();
     for (sample, t) in t.iter().enumerate() {
-        let of_sample = sample * dof..(sample + 1) * dof;
-        let vectors = [&q, &qd, &qdd, &tau].map(|vector| &vector[of_sample.clone()]);
-        csv.row([*t].into_iter().chain(vectors.concat()))?;
+        let entries = [&q, &qd, &qdd, &tau].into_iter();
+        let entries = entries.flat_map(|vector| vector[sample * dof..(sample + 1) * dof].iter());
+        csv.row([*t].into_iter().chain(entries.copied()))?;
     }
     Ok(csv)
 }
@@ -79,12 +67,19 @@ fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion
     };
     let paths: Vec<Cycloidal<1>> = from.iter().zip(&to).map(path).collect::<Result<_, _>>()?;
     let mut motion = Motion::default();
-    for (t, _) in paths.iter().take(1).flat_map(|path| path.samples(samples)) {
-        let states = paths.iter().map(|path| path.at(t));
-        motion.add(
-            t,
-            states.map(|state| [state.q[0], state.qd[0], state.qdd[0]]),
-        );
+    let mut joints: Vec<_> = paths.iter().map(|path| path.samples(samples)).collect();
+    for _ in 0..samples {
+        let mut t = 0.0;
+        for joint in &mut joints {
+            let Some((time, state)) = joint.next() else {
+                return Ok(motion);
+            };
+            t = time;
+            motion.q.push(state.q[0]);
+            motion.qd.push(state.qd[0]);
+            motion.qdd.push(state.qdd[0]);
+        }
+        motion.t.push(t);
     }
     Ok(motion)
 }
@@ -99,15 +94,15 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
         }
     }
     let times_of_rows: Vec<f64> = rows.iter().map(|row| row[0]).collect();
-    let through = |joint: usize| {
-        let positions = rows.iter().map(|row| row[joint]).collect();
+    let splines = (1..=joints.len()).map(|joint| {
+        let positions: Vec<f64> = rows.iter().map(|row| row[joint]).collect();
         Spline::new(&times_of_rows, positions)
-    };
-    let splines: Vec<_> = (1..=joints.len()).map(through).collect();
+    });
+    let splines: Vec<_> = splines.collect();
     let mut motion = Motion::default();
+    let is_finite = |spline: &Spline, t: f64| spline.at(t).iter().all(|x| x.is_finite());
     for t in times(times_of_rows[0], times_of_rows[rows.len() - 1], samples) {
-        let joints: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();
-        if !joints.iter().flatten().all(|x| x.is_finite()) {
+        if !splines.iter().all(|spline| is_finite(spline, t)) {
             let message = format!(
                 "rates or accelerations between the rows are not finite at t = {}: the times are too short for the \
                  positions, or the positions too large",
@@ -115,7 +110,13 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
             );
             return Err(Failure::of_file(path, message));
         }
-        motion.add(t, joints.into_iter());
+        motion.t.push(t);
+        for spline in &splines {
+            let [q, qd, qdd] = spline.at(t);
+            motion.q.push(q);
+            motion.qd.push(qd);
+            motion.qdd.push(qdd);
+        }
     }
     Ok(motion)
 }

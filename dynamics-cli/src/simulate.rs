@@ -19,7 +19,7 @@ use crate::progress::Progress;
 /// The motion as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let arm = arm_with(given, Function::default_set(false))?;
-    let start = Start::read(given, arm.robot())?;
+    let start = Start::of(given, arm.robot())?;
     Ok(motion(&arm, &start, given)?.text())
 }
 
@@ -31,7 +31,7 @@ struct Start {
 }
 
 impl Start {
-    fn read(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
+    fn of(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
         Ok(Start {
             q: positions(given, "from", robot)?,
             qd: vector(given, "velocity", robot.dof())?,
@@ -62,7 +62,7 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Csv, 
         .duration(duration)
         .samples(count(given, "samples"))
         .run()
-        .map_err(|error| Failure::after(String::new(), explanation(&error, duration)))?;
+        .map_err(|error| Failure::after(String::new(), told(&error, duration)))?;
     let mut csv = Csv::new("t", &["q", "qd"], arm.joint_names()).with("energy");
     for ((t, q), qd) in motion.t.iter().zip(&motion.q).zip(&motion.qd) {
         let energies = arm_in_motion.sized_energies(q, qd);
@@ -73,8 +73,8 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Csv, 
     Ok(csv)
 }
 
-/// The reason why a motion of so many seconds was not followed to its end, and the option to blame.
-fn explanation(error: &SizedSimulationError<Dyn>, duration: f64) -> String {
+/// Why a motion of so many seconds was not followed to its end, and which option is to blame.
+fn told(error: &SizedSimulationError<Dyn>, duration: f64) -> String {
     let lost = 16.0 * f64::EPSILON * duration;
     let reached = error.trajectory.t.last().copied().unwrap_or(0.0);
     match error.cause {
