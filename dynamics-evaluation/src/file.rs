@@ -118,58 +118,52 @@ impl ReadOptions {
     /// the file's, and a name in `let` that of the same name. `convention` and `joint` are the file's alone.
     ///
     /// They are lines behind those that were given before.
-    pub fn entries(self, toml: &str) -> Self {
-        let entries = self.entries + toml + "\n";
-        ReadOptions { entries, ..self }
+    pub fn entries(mut self, toml: &str) -> Self {
+        self.entries += toml;
+        self.entries.push('\n');
+        self
     }
 
     /// The names of the functions, in place of those that the file asks for: `default` are those of a file that asks for
     /// none. A method that returns several functions is an entry, `functions = [{ control_terms = ["mass_matrix", ..] }]`.
-    pub fn functions(self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
-        let functions = Some(owned(names));
-        ReadOptions { functions, ..self }
+    pub fn functions(mut self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.functions = Some(owned(names));
+        self
     }
 
     /// The first and the last link of the arm, which a URDF file needs; passed over for a table.
-    pub fn chain(self, links: [impl Into<String>; 2]) -> Self {
-        let chain = Some(links.map(Into::into));
-        ReadOptions { chain, ..self }
+    pub fn chain(mut self, links: [impl Into<String>; 2]) -> Self {
+        self.chain = Some(links.map(Into::into));
+        self
     }
 
     /// Joints of a URDF file that are left out, with all that hangs on them; passed over for a table. `rest`, where no
     /// joint has that name, is all joints beside the chain that are not named; it may be locked, too.
-    pub fn ignore(self, joints: impl IntoIterator<Item = impl Into<String>>) -> Self {
-        let ignore = owned(joints);
-        ReadOptions { ignore, ..self }
+    pub fn ignore(mut self, joints: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.ignore = owned(joints);
+        self
     }
 
     /// The distance from a multiple of a quarter turn, rad, within which an angle of a URDF file is taken for it. Smaller
     /// shares of an axis are zero. Passed over for a table.
-    pub fn round_angles(self, within: f64) -> Self {
-        let round_angles = Some(within);
-        ReadOptions {
-            round_angles,
-            ..self
-        }
+    pub fn round_angles(mut self, within: f64) -> Self {
+        self.round_angles = Some(within);
+        self
     }
 
     /// Names that cells may use without a value, as those of the fields of a struct: they become the
     /// robot's fields, in this order.
-    pub fn fields(self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
-        let fields = owned(names);
-        ReadOptions { fields, ..self }
+    pub fn fields(mut self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.fields = owned(names);
+        self
     }
 
     /// Functions that are derived besides those that are asked for: if one reads masses, the file has to have them.
     /// Messages speak to somebody who typed a command line.
     #[doc(hidden)]
-    pub fn for_command(self, needed: Vec<Function>) -> Self {
-        let audience = Audience::Command;
-        ReadOptions {
-            needed,
-            audience,
-            ..self
-        }
+    pub fn for_command(mut self, needed: Vec<Function>) -> Self {
+        (self.needed, self.audience) = (needed, Audience::Command);
+        self
     }
 
     /// As a table, whose lines are counted behind the `lines` of the file: no mistake in them is taken for one in the file.

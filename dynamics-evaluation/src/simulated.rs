@@ -1,5 +1,7 @@
 //! A robot at run time as simulations take it: its number of joints is known at run time alone.
 
+use core::marker::PhantomData;
+
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::{
     Dual, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
@@ -19,20 +21,14 @@ use crate::{EvaluationError, RuntimeRobot};
 pub struct RuntimeDynamics<'a, K = ()> {
     arm: &'a RuntimeRobot,
     table: RuntimeTable,
-    mass_matrix: &'a Compiled,
-    inverse_dynamics: &'a Compiled,
-    forward_dynamics: &'a Compiled,
-    kinetic_energy: &'a Compiled,
-    potential_energy: &'a Compiled,
-    tip: K,
+    /// The functions of [`OF_SIMULATIONS`] in their order, as far as they are needed.
+    functions: Vec<&'a Compiled>,
+    tip: PhantomData<K>,
 }
 
-/// The functions of the tip of a [`RuntimeDynamics`].
+/// The mark of a [`RuntimeDynamics`] that has the functions of its tip.
 #[derive(Clone, Copy, Debug)]
-pub struct Tip<'a> {
-    forward_kinematics: &'a Compiled,
-    jacobian: &'a Compiled,
-}
+pub enum Tip {}
 
 /// The functions of [`RuntimeRobot::dynamics`], then those of [`RuntimeDynamics::with_tip`].
 const OF_SIMULATIONS: [Function; 7] = [
@@ -55,12 +51,23 @@ impl RuntimeRobot {
         OF_SIMULATIONS.map(Function::name)
     }
 
-    /// A function by itself, not a method of several that has its name.
-    fn simulated(&self, function: Function) -> Result<&Compiled, EvaluationError> {
-        let mut known = self.functions().iter();
-        known
-            .find(|known| known.request == Request::One(function))
-            .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
+    /// The motion by functions, each by itself, not a method of several that has its name.
+    fn simulated<K>(
+        &self,
+        functions: &[Function],
+    ) -> Result<RuntimeDynamics<'_, K>, EvaluationError> {
+        let compiled = |function: &Function| {
+            let mut known = self.functions().iter();
+            known
+                .find(|known| known.request == Request::One(*function))
+                .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
+        };
+        Ok(RuntimeDynamics {
+            arm: self,
+            table: self.table(),
+            functions: functions.iter().map(compiled).collect::<Result<_, _>>()?,
+            tip: PhantomData,
+        })
     }
 
     /// The arm with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
@@ -86,16 +93,7 @@ impl RuntimeRobot {
     /// [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
     /// two of the tip were asked for.
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
-        Ok(RuntimeDynamics {
-            arm: self,
-            table: self.table(),
-            mass_matrix: self.simulated(Function::MassMatrix)?,
-            inverse_dynamics: self.simulated(Function::InverseDynamics)?,
-            forward_dynamics: self.simulated(Function::ForwardDynamics)?,
-            kinetic_energy: self.simulated(Function::KineticEnergy)?,
-            potential_energy: self.simulated(Function::PotentialEnergy)?,
-            tip: (),
-        })
+        self.simulated(&OF_SIMULATIONS[..5])
     }
 }
 
@@ -105,39 +103,32 @@ impl<'a> RuntimeDynamics<'a> {
     /// # Errors
     ///
     /// [`EvaluationError::NotSimulated`] where `forward_kinematics` or `jacobian` was not asked for.
-    pub fn with_tip(self) -> Result<RuntimeDynamics<'a, Tip<'a>>, EvaluationError> {
-        let tip = Tip {
-            forward_kinematics: self.arm.simulated(Function::ForwardKinematics)?,
-            jacobian: self.arm.simulated(Function::Jacobian)?,
-        };
-        Ok(RuntimeDynamics {
-            arm: self.arm,
-            table: self.table,
-            mass_matrix: self.mass_matrix,
-            inverse_dynamics: self.inverse_dynamics,
-            forward_dynamics: self.forward_dynamics,
-            kinetic_energy: self.kinetic_energy,
-            potential_energy: self.potential_energy,
-            tip,
-        })
+    pub fn with_tip(self) -> Result<RuntimeDynamics<'a, Tip>, EvaluationError> {
+        self.arm.simulated(&OF_SIMULATIONS)
     }
 }
 
 impl<K> RuntimeDynamics<'_, K> {
+    fn compiled(&self, function: Function) -> &Compiled {
+        let place = OF_SIMULATIONS.iter().position(|known| *known == function);
+        self.functions[place.expect("a function of simulations")]
+    }
+
     /// The values of a function, in the arithmetic of its arguments.
     fn at<T: Scalar>(
         &self,
-        function: &Compiled,
+        function: Function,
         arguments: &[&[T]],
     ) -> Result<Vec<T>, SingularMassMatrix> {
+        let function = self.compiled(function);
         let shared = function.tape.shared(self.arm.fields(), &T::from_f64);
         let entry = function.entry(arguments, &T::from_f64);
         self.arm.values(function, &shared, &entry, &T::from_f64)
     }
 
     /// The values of a function that does not solve with M.
-    fn numbers<T: Scalar>(&self, function: &Compiled, arguments: &[&[T]]) -> Vec<T> {
-        let entries = function.layout.entries();
+    fn numbers<T: Scalar>(&self, function: Function, arguments: &[&[T]]) -> Vec<T> {
+        let entries = self.compiled(function).layout.entries();
         let unknown = |_| vec![T::from_f64(f64::NAN); entries];
         self.at(function, arguments).unwrap_or_else(unknown)
     }
@@ -161,7 +152,7 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         tau: &DVector<f64>,
     ) -> Result<DVector<f64>, SingularMassMatrix> {
         let arguments = [q, qd, tau].map(DVector::as_slice);
-        Ok(self.at(self.forward_dynamics, &arguments)?.into())
+        Ok(self.at(Function::ForwardDynamics, &arguments)?.into())
     }
 
     /// A column of M^-1 is the derivative by a torque, which a dual number carries along.
@@ -177,7 +168,7 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         let mut free = None;
         for j in (0..q.len()).filter(|j| joints[*j]) {
             let tau = duals(tau, |i| f64::from(u8::from(i == j)));
-            let entries = self.at(self.forward_dynamics, &[&positions, &velocities, &tau])?;
+            let entries = self.at(Function::ForwardDynamics, &[&positions, &velocities, &tau])?;
             let qdd = DVector::from_vec(entries);
             columns.set_column(j, &qdd.map(|x| x.slope));
             free = Some(qdd.map(|x| x.value));
@@ -195,18 +186,21 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
 
 impl<K> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
     fn inertia(&self, q: &DVector<f64>) -> DMatrix<f64> {
-        let entries = self.numbers(self.mass_matrix, &[q.as_slice()]);
+        let entries = self.numbers(Function::MassMatrix, &[q.as_slice()]);
         DMatrix::from_vec(q.len(), q.len(), entries)
     }
 
     /// As that of generated arms: dT/dq = M' qd - V, with the rate M' of M along qd.
     fn force(&self, q: &DVector<f64>, qd: &DVector<f64>, tau: &DVector<f64>) -> DVector<f64> {
         let along = duals(q, |i| qd[i]);
-        let entries = self.numbers(self.mass_matrix, &[&along]);
+        let entries = self.numbers(Function::MassMatrix, &[&along]);
         let slopes = entries.iter().map(|entry| entry.slope);
         let mass_rate = DMatrix::from_iterator(q.len(), q.len(), slopes);
         let rest = vec![0.0; q.len()];
-        let bias = self.numbers(self.inverse_dynamics, &[q.as_slice(), qd.as_slice(), &rest]);
+        let bias = self.numbers(
+            Function::InverseDynamics,
+            &[q.as_slice(), qd.as_slice(), &rest],
+        );
         tau + mass_rate * qd - DVector::from_vec(bias)
     }
 }
@@ -221,22 +215,22 @@ impl<K> SizedModel<Dyn> for RuntimeDynamics<'_, K> {
     }
 
     fn sized_energies(&self, q: &DVector<f64>, qd: &DVector<f64>) -> Option<[f64; 2]> {
-        let kinetic = self.numbers(self.kinetic_energy, &[q.as_slice(), qd.as_slice()])[0];
+        let kinetic = self.numbers(Function::KineticEnergy, &[q.as_slice(), qd.as_slice()])[0];
         Some([
             kinetic,
-            self.numbers(self.potential_energy, &[q.as_slice()])[0],
+            self.numbers(Function::PotentialEnergy, &[q.as_slice()])[0],
         ])
     }
 }
 
-impl<'a> SizedKinematics<Dyn> for RuntimeDynamics<'a, Tip<'a>> {
+impl SizedKinematics<Dyn> for RuntimeDynamics<'_, Tip> {
     fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
-        let entries = self.numbers(self.tip.forward_kinematics, &[q.as_slice()]);
+        let entries = self.numbers(Function::ForwardKinematics, &[q.as_slice()]);
         Matrix4::from_column_slice(&entries)
     }
 
     fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
-        let entries = self.numbers(self.tip.jacobian, &[q.as_slice()]);
+        let entries = self.numbers(Function::Jacobian, &[q.as_slice()]);
         Matrix6xX::from_vec(entries)
     }
 }
