@@ -218,15 +218,22 @@ pub struct Placement {
 pub struct Tool {
     /// Its frame in the last link's.
     pub placement: Placement,
-    /// Mass of its body, kg.
+    /// What is fixed to it.
+    pub body: Body,
+}
+
+/// The body of a link or of the tool.
+#[derive(Debug, Default)]
+pub struct Body {
+    /// Its mass, kg.
     pub mass: Given<Expr>,
-    /// The body's centre of mass in the tool's frame, m.
+    /// Its centre of mass in the frame of the link or tool, m.
     pub com: Given<Vector>,
-    /// The body's inertia about the centre of mass.
+    /// Its inertia about the centre of mass.
     pub inertia: Given<Inertia>,
     /// The same about the frame's origin, in place of `inertia`.
     pub inertia_at_origin: Given<Tensor>,
-    /// What is accepted all the same.
+    /// What is accepted all the same, there and in the rest of the row.
     pub allow: Given<Allow>,
 }
 
@@ -299,14 +306,8 @@ pub struct Row {
     pub d: Given<Expr>,
     /// Angle about the axis, rad.
     pub theta: Given<Expr>,
-    /// Mass of the link, kg.
-    pub mass: Given<Expr>,
-    /// Its centre of mass in the link's frame, m.
-    pub com: Given<Vector>,
-    /// Its inertia about the centre of mass.
-    pub inertia: Given<Inertia>,
-    /// The same about the frame's origin, in place of `inertia`.
-    pub inertia_at_origin: Given<Tensor>,
+    /// The body of the link.
+    pub body: Body,
     /// What turns with the joint: inertia of the rotor, kg m^2, and its speed over that of the joint.
     pub motor: Given<Part<2>>,
     /// Friction of the joint.
@@ -315,8 +316,6 @@ pub struct Row {
     pub spring: Given<Part<2>>,
     /// The range of the joint.
     pub limits: Given<Limits>,
-    /// What is accepted all the same.
-    pub allow: Given<Allow>,
     /// Where the joint is, in a file that has no cells a, alpha, d and theta.
     pub mount: Option<Mount>,
 }

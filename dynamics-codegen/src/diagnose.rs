@@ -43,9 +43,10 @@ impl Diagnostics {
     pub(crate) fn error(&self, at: impl Into<Place>, mistake: Mistake) -> Reported {
         let shown = self.errors.borrow().len();
         if shown < MOST_ERRORS {
-            let mistake = match shown + 1 == MOST_ERRORS {
-                true => mistake.with_others(),
-                false => mistake,
+            let mistake = if shown + 1 == MOST_ERRORS {
+                mistake.with_others()
+            } else {
+                mistake
             };
             self.errors.borrow_mut().push((at.into(), mistake));
         }

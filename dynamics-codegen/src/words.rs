@@ -75,9 +75,10 @@ pub(crate) fn shortened(text: &str) -> String {
 /// A number as it is written shortest: `90`, `0.5`, `1e300`.
 pub(crate) fn number(x: f64) -> String {
     let (decimal, scientific) = (x.to_string(), format!("{x:e}"));
-    match decimal.len() <= scientific.len() + 2 {
-        true => decimal,
-        false => scientific,
+    if decimal.len() <= scientific.len() + 2 {
+        decimal
+    } else {
+        scientific
     }
 }
 

@@ -105,9 +105,10 @@ pub fn table(
 /// The table of a robot of that name, unless there were mistakes.
 fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
     put_name(name, &mut table);
-    match diagnostics.is_empty() {
-        true => Ok(table),
-        false => Err(crate::errors(diagnostics, table.audience)),
+    if diagnostics.is_empty() {
+        Ok(table)
+    } else {
+        Err(crate::errors(diagnostics, table.audience))
     }
 }
 

@@ -126,9 +126,10 @@ mod tests {
             kind => panic!("{kind:?}"),
         };
         assert!(faults.iter().all(|(place, _)| place.position() == (2, 3)));
-        match faults.is_empty() {
-            true => Ok(()),
-            false => Err(faults.into_iter().map(|(_, m)| m.to_string()).collect()),
+        if faults.is_empty() {
+            Ok(())
+        } else {
+            Err(faults.into_iter().map(|(_, m)| m.to_string()).collect())
         }
     }
 

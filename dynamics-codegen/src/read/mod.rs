@@ -14,7 +14,7 @@ use crate::description::{
     Allow, Asked, Entry, FileName, Name, Placement, Positioned, Share, Table, Tool, Vector,
 };
 use crate::diagnose::Diagnostics;
-use crate::keys::{ALLOWANCES_OF_BODY, BASE, CALL, DEFAULT, FILE, TOOL};
+use crate::keys::{BASE, CALL, DEFAULT, FILE, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
@@ -306,20 +306,13 @@ impl Reader<'_> {
 
     fn tool(&mut self, node: &Node) -> Read<Tool> {
         let mut tool = Tool::default();
-        let incomplete = self.table(node, &TOOL, |reader, item| {
-            let node = item.node;
-            match item.name {
-                "mass" => put(&mut tool.mass, reader.value(node)),
-                "com" => put(&mut tool.com, reader.xyz(node)),
-                "inertia" => put(&mut tool.inertia, reader.inertia(node)),
-                "inertia_at_origin" => put(&mut tool.inertia_at_origin, reader.tensor(node)),
-                "allow" => put(&mut tool.allow, reader.allow(node, ALLOWANCES_OF_BODY)),
-                _ => reader.placement(item, &mut tool.placement),
-            }
+        let incomplete = self.table(node, &TOOL, |reader, item| match item.name {
+            "xyz" | "rpy" => reader.placement(item, &mut tool.placement),
+            _ => reader.cell_of_body(item, &mut tool.body),
         })?;
         if incomplete {
-            tool.mass.doubt();
-            tool.com.doubt();
+            tool.body.mass.doubt();
+            tool.body.com.doubt();
         }
         Ok(tool)
     }

@@ -117,6 +117,11 @@ impl<'d> Scope<'d> {
         self.body.map_or(self.everywhere, |(allow, _)| allow)
     }
 
+    /// The row or the tool that is read, as messages call it.
+    pub(super) fn place(&self) -> &'static str {
+        self.body.map_or("row", |(_, place)| place)
+    }
+
     /// Where it is allowed, as a message says it.
     pub(super) fn place_of_allow(&self) -> &'static str {
         match self.body {
