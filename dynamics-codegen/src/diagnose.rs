@@ -33,7 +33,7 @@ impl Diagnostics {
         Diagnostics::default()
     }
 
-    /// Says which file the places in a file are in, and in whose words its mistakes are told.
+    /// Says which file the places in a file are in, and in whose words its mistakes are reported.
     #[cfg(feature = "files")]
     pub(crate) fn reading(&self, file: &FileName, audience: Audience) {
         *self.file.borrow_mut() = Some((file.clone(), audience));
@@ -96,8 +96,11 @@ impl Diagnostics {
         let errors = errors.map(|(place, mistake)| {
             let (tokens, message) = match (&file, place) {
                 (Some((file, audience)), Place::File { line, column }) => {
-                    let told = mistake.told_to(*audience);
-                    (file.place, format!("{}:{line}:{column}: {told}", file.path))
+                    let message = mistake.text_for(*audience);
+                    (
+                        file.place,
+                        format!("{}:{line}:{column}: {message}", file.path),
+                    )
                 }
                 _ => (place, mistake.to_string()),
             };

@@ -23,7 +23,7 @@ enum Receiver {
 
 /// A trait or an implementation with the batches of all functions among its items. In a trait they are those of
 /// `Self`, in an implementation those of many arms of the type `R`.
-pub(crate) fn batch_methods(item: TokenStream) -> TokenStream {
+pub fn batch_methods(item: TokenStream) -> TokenStream {
     let mut tokens: Vec<TokenTree> = item.into_iter().collect();
     let is_trait = |token: &TokenTree| token.to_string() == "trait";
     let receiver = if tokens.iter().any(is_trait) {
@@ -90,7 +90,7 @@ struct Batch {
 }
 
 impl Batch {
-    /// Of the runtime's own methods.
+    /// A batch of the runtime's own.
     fn of_table(function: Function, receiver: Receiver) -> Batch {
         let request = Request::One(function);
         let settings = settings(function.arguments());
@@ -109,7 +109,7 @@ impl Batch {
         }
     }
 
-    /// Of a robot's several functions as one.
+    /// The batch of several functions of a robot as one.
     fn of_robot(target: &Target, request: &Request, index: usize) -> Batch {
         let path = target.path;
         let name = method_name(request);
@@ -196,7 +196,7 @@ impl Batch {
         }
     }
 
-    /// What the arm has to be, where that is not known.
+    /// The bounds on the arm, where its type is not known.
     fn bounds(&self, parallel: bool, n: &TokenStream) -> Option<TokenStream> {
         if self.joints.is_some() {
             return None;
@@ -258,7 +258,7 @@ impl Batch {
         lines
     }
 
-    /// What it is and what it takes.
+    /// The description, the arguments and the results.
     fn in_full(&self) -> Vec<String> {
         let mut lines = vec![
             format!(" At every state: {}", self.description),

@@ -5,9 +5,9 @@ use dynamics_symbolic::{Function, Request};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// The types by which the trait `Function` knows the functions, their names, and the trait by which the compiler says
-/// what to do about a method that was not asked for.
-pub(crate) fn function_names() -> TokenStream {
+/// The types by which the trait `Function` knows the functions, and their names. A trait besides, by which the compiler
+/// says what to do about a method that was not asked for.
+pub fn function_names() -> TokenStream {
     let functions = Function::ALL.into_iter().map(|function| {
         let name = format_ident!("{function:?}");
         let documentation = format!(" `{}`.", function.name());
@@ -62,7 +62,7 @@ pub(crate) fn function_names() -> TokenStream {
 }
 
 /// The methods of a robot at run time: for each function that is a program over numbers one for a state, and one for many.
-pub(crate) fn runtime_methods() -> TokenStream {
+pub fn runtime_methods() -> TokenStream {
     let programs = Function::ALL.into_iter();
     let programs = programs.filter(|function| *function.shape() != Shape::Series);
     let methods = programs.map(|function| {

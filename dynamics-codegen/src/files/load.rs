@@ -20,7 +20,7 @@ const INSTEAD: [&str; 2] = ["convention", "joints"];
 
 /// Reads the file and puts its entries where the call names it.
 pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
-    // What a URDF file leaves open is said in the call.
+    // A call says what a URDF file leaves open.
     let audience = match Format::of(Path::new(&file.path)) {
         Some(Format::Urdf) => Audience::Call,
         _ => Audience::File,
@@ -62,7 +62,7 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     table.mentions.extend(read.mentions);
 }
 
-/// What the call asks of the file; none where that could not be read.
+/// The request of a call to its file; none where that could not be read.
 pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
     let mut request = Request {
         unphysical_inertia: table.allow().unphysical_inertia,

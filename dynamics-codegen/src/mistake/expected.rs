@@ -1,11 +1,11 @@
-//! What was expected where something else stands.
+//! Things that are expected where something else stands.
 
 use std::fmt;
 
 use crate::description::Name;
 use crate::words::either;
 
-/// What was expected.
+/// A thing that was expected.
 pub(crate) struct Expected(String);
 
 impl fmt::Display for Expected {
@@ -14,12 +14,12 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Makes a function of each thing that may be expected: its name, what it is told, and the text.
+/// Makes a function of each thing that may be expected: its name, its arguments, and the text.
 macro_rules! expectations {
-    ($($(#[$about:meta])* $name:ident($($told:ident: $type:ty $(=> $shown:ident)?),*) $text:literal;)*) => {$(
+    ($($(#[$about:meta])* $name:ident($($given:ident: $type:ty $(=> $shown:ident)?),*) $text:literal;)*) => {$(
         $(#[$about])*
-        pub(crate) fn $name($($told: $type),*) -> Expected {
-            $($(let $told = $shown($told);)?)*
+        pub(crate) fn $name($($given: $type),*) -> Expected {
+            $($(let $given = $shown($given);)?)*
             Expected(format!($text))
         }
     )*};
@@ -59,7 +59,7 @@ expectations! {
     joint() "a joint: `name: revolute {{ ... }}` or `name: prismatic {{ ... }}`";
     joint_type(name: &impl fmt::Display, known: &[&str] => either) "the type of joint `{name}`: {known}";
     cells(joint: &str) "the cells of {joint}: `{{ ... }}`";
-    /// What may be allowed.
+    /// Words that may be allowed.
     allowances(known: &[&str] => either) "`[...]` with {known}";
     inertia()
         "a tensor of named entries, `{{ xx, yy, zz, xy, yz, xz }}`, or a solid: `cuboid(x, y, z)`, `cylinder(radius, \

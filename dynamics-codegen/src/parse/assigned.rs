@@ -11,7 +11,7 @@ use crate::mistake::expected::{self, Expected};
 use crate::mistake::{Mistake, couple, entry, file};
 use crate::tree::{Key, Kind, Node};
 
-/// What is said where a list of joints is wrong.
+/// The texts about a list of joints that is wrong.
 pub(super) struct Texts {
     list: fn() -> Expected,
     /// A joint's name was expected.

@@ -157,7 +157,7 @@ impl From<&Ident> for Key {
     }
 }
 
-/// What stands in place of a key and its value.
+/// The item for tokens in place of a key and its value.
 pub(super) fn stray(cursor: &Cursor, faults: Vec<Fault>) -> (Key, Node) {
     let key = Key {
         word: cursor.found().unwrap_or_default(),

@@ -1,5 +1,5 @@
-//! The meaning of a tree: the words of a table, what may stand behind each of them, and the mistakes of it, whatever
-//! language it is written in.
+//! The meaning of a tree, whatever language it is written in: the words of a table, the values that may stand behind
+//! each of them, and the mistakes.
 
 mod reader;
 mod row;
@@ -21,7 +21,7 @@ use crate::words;
 use reader::{Item, Read, Reader, put};
 use unknown::unknown;
 
-/// What a tree says of the robot, in the order in which it stands there.
+/// The table of a tree, its entries in the order in which they are written.
 pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) -> Table {
     let mut reader = Reader {
         language,

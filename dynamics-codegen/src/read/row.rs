@@ -22,12 +22,12 @@ const SOLIDS: [(&str, Solid, &[&str]); 4] = [
     ("sphere", Solid::Sphere, &["radius"]),
 ];
 
-/// Makes the words of a row and the readers of a cell, of what reads each of them: cells of the row and, in the second
-/// braces, of its body. The compiler names a cell of the description that is not listed.
+/// Makes the words of a row and the readers of its cells, of the method that reads each. The second braces have cells of
+/// the body. The compiler names a cell of the description that is not listed.
 macro_rules! cells {
     ($(
-        {$($cell:ident: $read:ident($($told:expr),*)),*}
-        {$($of_body:ident: $read_body:ident($($told_body:expr),*)),*}
+        {$($cell:ident: $read:ident($($with:expr),*)),*}
+        {$($of_body:ident: $read_body:ident($($with_body:expr),*)),*}
     )*) => {
         const WORDS: &[&str] = word_list![name type $($($cell)* $($of_body)*)*];
 
@@ -35,7 +35,7 @@ macro_rules! cells {
             fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
                 let Row { name: _, joint_type: _, mount: _, body, $($($cell),*),* } = row;
                 match item.name {
-                    $($(stringify!($cell) => put($cell, self.$read(item.node, $($told),*)),)*)*
+                    $($(stringify!($cell) => put($cell, self.$read(item.node, $($with),*)),)*)*
                     _ => self.cell_of_body(item, body),
                 }
             }
@@ -44,7 +44,7 @@ macro_rules! cells {
             pub(super) fn cell_of_body(&mut self, item: &Item, body: &mut Body) -> Read<()> {
                 let Body { $($($of_body),*),* } = body;
                 match item.name {
-                    $($(stringify!($of_body) => put($of_body, self.$read_body(item.node, $($told_body),*)),)*)*
+                    $($(stringify!($of_body) => put($of_body, self.$read_body(item.node, $($with_body),*)),)*)*
                     _ => Ok(()),
                 }
             }

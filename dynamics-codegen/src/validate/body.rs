@@ -222,8 +222,8 @@ fn is_semidefinite(matrix: &[Option<Rational>; 6], scale: &Rational) -> bool {
     .all(|(minor, slack)| minor.is_none_or(|minor| minor >= -slack.clone()))
 }
 
-/// A relative error of 1e-11: a slender rod's moments in twelve digits, of which the last may be off by one, and
-/// zeros that another program computed.
+/// A relative error of 1e-11: a slender rod's moments in twelve digits, the last of which may be off by one, or zeros
+/// that another program computed.
 fn slack() -> Rational {
     Rational::from_parts(1.into(), 100_000_000_000_u64.into())
 }

@@ -44,7 +44,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> 
     })
 }
 
-/// What is asked for, each with its place; the functions of the default set have none.
+/// The functions that are asked for, each with its place; those of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
     let default_set = Function::default_set(has_friction(robot)).into_iter();
     let default_set: Vec<_> = default_set.map(|f| (Request::One(f), None)).collect();
@@ -225,8 +225,8 @@ fn report_parts(name: &Name, parts: &[(Function, Place)], scope: &Scope) {
     }
 }
 
-/// Functions that are asked for of a robot with so many joints that they, or all of them together, would
-/// be too long, or take too long to find.
+/// Reports functions that would be too long, or take too long to find, for so many joints: each by itself, or all of
+/// them together.
 pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
     report_long_functions(asked, joints, scope);
     let tuples = asked.iter().filter_map(|asked| match asked {

@@ -27,11 +27,11 @@ pub(super) struct Scope<'d> {
     used: Vec<bool>,
     /// Whether all fields are known; if not, any name may be one.
     complete: bool,
-    /// What the values so far are in all.
+    /// The size of all values so far.
     total: Total,
-    /// What is allowed everywhere in the table.
+    /// The allowances of the whole table.
     everywhere: Allow,
-    /// What is allowed besides in what is read, and what messages call that.
+    /// The allowances of the row or tool that is read, and how messages call it.
     body: Option<(Allow, &'static str)>,
     /// The cell that is read, where the joint's variable is added to it.
     variable: Option<&'static str>,
@@ -103,7 +103,7 @@ impl<'d> Scope<'d> {
         value
     }
 
-    /// What is allowed where that is allowed besides.
+    /// The allowances of a row or tool, and of the whole table.
     pub(super) fn with(&self, allow: &Given<Allow>) -> Allow {
         self.everywhere.or(match allow {
             Given::Absent => Allow::default(),
@@ -112,7 +112,7 @@ impl<'d> Scope<'d> {
         })
     }
 
-    /// What is allowed in what is read.
+    /// The allowances where the scope is now.
     pub(super) fn allowed(&self) -> Allow {
         self.body.map_or(self.everywhere, |(allow, _)| allow)
     }
@@ -451,7 +451,7 @@ impl<'d> Scope<'d> {
         }
     }
 
-    /// What to say about a name that is not in scope. A field that was meant is used.
+    /// The mistake of a name that is not in scope. A field that was meant is used.
     fn unknown(&mut self, name: &str) -> Mistake {
         if self.lets.iter().any(|bound| bound == name) {
             return mistake::bound_below(name);
