@@ -71,9 +71,18 @@ impl Diagnostics {
         taken
     }
 
-    /// Drops what was reported: the same is said elsewhere.
+    /// Drops the errors: the same is said elsewhere.
     pub(crate) fn forget(self) {
         self.errors.take();
+    }
+
+    /// Reads something of which no errors are reported.
+    #[cfg(feature = "files")]
+    pub(crate) fn without<T>(read: impl FnOnce(&Diagnostics) -> T) -> T {
+        let diagnostics = Diagnostics::new();
+        let value = read(&diagnostics);
+        diagnostics.forget();
+        value
     }
 
     /// Whether nothing was reported.

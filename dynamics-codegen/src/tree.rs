@@ -132,10 +132,15 @@ impl Node {
             Kind::Other(what) => what,
             _ => "a value",
         };
+        Node::found(place, Found::Sign(found), kind)
+    }
+
+    /// A value without mistakes around it.
+    pub(crate) fn found(place: Place, found: Found, kind: Kind) -> Node {
         Node {
             place,
             kind,
-            found: Found::Sign(found),
+            found,
             faults: Vec::new(),
             behind: Vec::new(),
         }

@@ -16,10 +16,16 @@ impl fmt::Display for Expected {
 
 /// Makes a function of each thing that may be expected: its name, its arguments, and the text.
 macro_rules! expectations {
-    ($($(#[$about:meta])* $name:ident($($given:ident: $type:ty $(=> $shown:ident)?),*) $text:literal;)*) => {$(
+    ($(
+        $(#[$about:meta])* $name:ident($($given:ident: $type:ty $(=> $shown:ident)?),*)
+        $text:literal $(if $is_first:ident else $other:literal)?;
+    )*) => {$(
         $(#[$about])*
         pub(crate) fn $name($($given: $type),*) -> Expected {
             $($(let $given = $shown($given);)?)*
+            $(if !$is_first {
+                return Expected(format!($other));
+            })?
             Expected(format!($text))
         }
     )*};
@@ -46,12 +52,15 @@ expectations! {
     name_after_let() "a name after `let`: `let name = value;`";
     equals_after_let(name: &impl fmt::Display) "`=` after `let {name}`";
     rows() "`[name: revolute {{ ... }}, ...]`";
-    locks() "`[joint = position, ...]`";
-    locked_joint() "the name of a joint: `joint = position`";
-    position_after(name: &Name) "`=` and a position after `{name}`";
-    couplings() "`[follower = factor * leader + offset, ...]`";
-    follower() "the name of a joint: `follower = factor * leader + offset`";
-    leader_after(name: &Name) "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`";
+    /// The joints that are locked, or those that follow others.
+    joints(are_followers: bool)
+        "`[follower = factor * leader + offset, ...]`" if are_followers else "`[joint = position, ...]`";
+    named_joint(are_followers: bool)
+        "the name of a joint: `follower = factor * leader + offset`" if are_followers
+        else "the name of a joint: `joint = position`";
+    value_after(name: &Name, are_followers: bool)
+        "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`" if are_followers
+        else "`=` and a position after `{name}`";
     functions() "`[function, ...]`";
     function() "the name of a function";
     name_of_tuple() "a name for the tuple: `name = (function, function)`";

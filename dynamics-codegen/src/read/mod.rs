@@ -209,13 +209,13 @@ impl Reader<'_> {
     }
 
     fn lock(&mut self, node: &Node) -> Read<Vec<Positioned>> {
-        let what = self.either(expected::locks(), "a table of joints and positions");
+        let what = self.either(expected::joints(false), "a table of joints and positions");
         self.positions(node, &what, mistake::entry::no_lock())
     }
 
     fn couple(&mut self, node: &Node) -> Read<Vec<Positioned>> {
         let file = "a table of joints and those that they follow";
-        let what = self.either(expected::couplings(), file);
+        let what = self.either(expected::joints(true), file);
         self.positions(node, &what, mistake::couple::none())
     }
 

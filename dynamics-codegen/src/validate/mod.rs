@@ -82,14 +82,11 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
 /// The value of an expression without fields and `let`.
 #[cfg(feature = "files")]
 pub(crate) fn constant(expr: &Expr) -> Option<Value> {
-    let diagnostics = Diagnostics::new();
     let table = Table {
         entries: vec![Entry::Allow(Some(Allow::EVERYTHING))],
         ..Table::default()
     };
-    let value = Scope::new(&table, &diagnostics).value(expr);
-    diagnostics.forget();
-    value
+    Diagnostics::without(|diagnostics| Scope::new(&table, diagnostics).value(expr))
 }
 
 /// Reports the fields that no value uses. Where there are errors, the value that uses

@@ -269,7 +269,8 @@ impl<'d> Scope<'d> {
     fn measured_cell(&mut self, expr: &Expr) -> Option<Measured> {
         let measured = self.counted(expr)?;
         let value = &measured.value;
-        self.total.bits += bits(value);
+        // Those of the exact numbers in it.
+        self.total.bits += size_of(value, |leaf| leaf.as_rational().map_or(0, bit_length));
         if self.total.bits > MOST_BITS_IN_ALL {
             // Said once: the table would have to be as long again.
             self.total.bits = 0;
@@ -384,7 +385,7 @@ impl<'d> Scope<'d> {
 
     /// A value that was put together of values that are good, or `None` where it is longer than a value may be.
     pub(super) fn limited(&self, value: Value, place: Place) -> Option<Value> {
-        self.limit(terms(&value), place)?;
+        self.limit(size_of(&value, |_| 1), place)?;
         self.limit_digits(&value, place)?;
         Some(value)
     }
@@ -474,22 +475,14 @@ impl<'d> Scope<'d> {
     }
 }
 
-/// Terms of the value.
-fn terms(value: &Value) -> usize {
+/// The sum of the sizes of all numbers, constants and fields in the value.
+fn size_of(value: &Value, leaf: fn(&Value) -> usize) -> usize {
     match value {
-        Value::Rational(_) | Value::Pi | Value::Field(_) => 1,
-        Value::Neg(a) => terms(a),
-        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => terms(a) + terms(b),
-    }
-}
-
-/// Bits of the exact numbers in the value.
-fn bits(value: &Value) -> usize {
-    match value {
-        Value::Rational(r) => bit_length(r),
-        Value::Pi | Value::Field(_) => 0,
-        Value::Neg(a) => bits(a),
-        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => bits(a) + bits(b),
+        Value::Rational(_) | Value::Pi | Value::Field(_) => leaf(value),
+        Value::Neg(a) => size_of(a, leaf),
+        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => {
+            size_of(a, leaf) + size_of(b, leaf)
+        }
     }
 }
 
