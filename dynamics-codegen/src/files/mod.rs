@@ -86,7 +86,9 @@ pub(crate) fn load(call: &mut Call, diagnostics: &Diagnostics) {
         _ => None,
     });
     match file {
-        Some(Some(file)) => insert(call, &file, diagnostics),
+        Some(Some(file)) => {
+            insert(call, &file, diagnostics);
+        }
         Some(None) => {}
         None => report_without_file(call, diagnostics),
     }
@@ -101,6 +103,11 @@ fn report_without_file(call: &Call, diagnostics: &Diagnostics) {
 }
 
 #[cfg(not(feature = "files"))]
-fn insert(_: &mut Call, file: &crate::description::FileName, diagnostics: &Diagnostics) {
+fn insert(
+    _: &mut Call,
+    file: &crate::description::FileName,
+    diagnostics: &Diagnostics,
+) -> Option<()> {
     diagnostics.error(file.place, mistake::switched_off());
+    None
 }

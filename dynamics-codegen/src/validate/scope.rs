@@ -269,7 +269,7 @@ impl<'d> Scope<'d> {
     fn measured_cell(&mut self, expr: &Expr) -> Option<Measured> {
         let measured = self.counted(expr)?;
         let value = &measured.value;
-        // Those of the exact numbers in it.
+        // Bits of the exact numbers in it.
         self.total.bits += size_of(value, |leaf| leaf.as_rational().map_or(0, bit_length));
         if self.total.bits > MOST_BITS_IN_ALL {
             // Said once: the table would have to be as long again.
