@@ -103,9 +103,10 @@ impl Audience {
 fn quoted(name: &str) -> String {
     let is_word = name.chars().all(|c| c.is_alphanumeric() || c == '_');
     let name = shortened(name);
-    match is_word && !name.starts_with(|c: char| c.is_ascii_digit()) {
-        true => name,
-        false => format!("\"{name}\""),
+    if is_word && !name.starts_with(|c: char| c.is_ascii_digit()) {
+        name
+    } else {
+        format!("\"{name}\"")
     }
 }
 
@@ -113,8 +114,9 @@ fn quoted(name: &str) -> String {
 fn argument(word: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "_-.,=/+:@%".contains(c);
     let shown = shortened(word);
-    match word.chars().all(is_plain) {
-        true => shown,
-        false => format!("'{shown}'"),
+    if word.chars().all(is_plain) {
+        shown
+    } else {
+        format!("'{shown}'")
     }
 }

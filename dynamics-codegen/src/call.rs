@@ -10,7 +10,7 @@ pub(crate) struct Call {
     pub(crate) path: TokenStream,
     /// The struct item, where one could be read.
     pub(crate) structure: Option<Structure>,
-    /// What the call says of the robot.
+    /// The robot as the call describes it.
     pub(crate) table: Table,
     /// Whether it was too much to be read: that has been reported.
     pub(crate) is_refused: bool,
@@ -35,7 +35,7 @@ impl Call {
 pub(crate) struct Structure {
     /// Attributes, doc comments among them.
     pub(crate) attributes: TokenStream,
-    /// Those of the attributes that switch the item on and off.
+    /// Attributes that switch the item on and off.
     pub(crate) cfgs: TokenStream,
     /// Whether one of the attributes is a `derive`.
     pub(crate) has_derive: bool,
@@ -43,7 +43,7 @@ pub(crate) struct Structure {
     pub(crate) visibility: TokenStream,
     /// Name of the struct.
     pub(crate) name: Ident,
-    /// What follows the name.
+    /// The form of its body.
     pub(crate) shape: Shape,
     /// The fields that could be read.
     pub(crate) fields: Vec<Field>,
@@ -70,7 +70,7 @@ impl Structure {
     }
 }
 
-/// What follows a struct's name.
+/// The form of a struct's body.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Shape {
     /// `;`

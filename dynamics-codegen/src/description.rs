@@ -91,7 +91,7 @@ impl Table {
         })
     }
 
-    /// What is allowed everywhere in the table.
+    /// The allowances of the whole table.
     pub(crate) fn allow(&self) -> Allow {
         let allowed = self.entries.iter().filter_map(|entry| match entry {
             Entry::Allow(allow) => Some(allow.unwrap_or(Allow::EVERYTHING)),
@@ -157,7 +157,7 @@ pub enum Asked {
     One(Function, Place),
     /// `control_terms = (mass_matrix, gravity_vector)`
     Fused(Name, Vec<(Function, Place)>),
-    /// What could not be read: the error has been reported.
+    /// An entry that could not be read: the error has been reported.
     Unreadable,
 }
 
@@ -218,15 +218,22 @@ pub struct Placement {
 pub struct Tool {
     /// Its frame in the last link's.
     pub placement: Placement,
-    /// Mass of its body, kg.
+    /// The body that is fixed to it.
+    pub body: Body,
+}
+
+/// The body of a link or of the tool.
+#[derive(Debug, Default)]
+pub struct Body {
+    /// Its mass, kg.
     pub mass: Given<Expr>,
-    /// The body's centre of mass in the tool's frame, m.
+    /// Its centre of mass in the frame of the link or tool, m.
     pub com: Given<Vector>,
-    /// The body's inertia about the centre of mass.
+    /// Its inertia about the centre of mass.
     pub inertia: Given<Inertia>,
     /// The same about the frame's origin, in place of `inertia`.
     pub inertia_at_origin: Given<Tensor>,
-    /// What is accepted all the same.
+    /// Odd values that are accepted, there and in the rest of the row.
     pub allow: Given<Allow>,
 }
 
@@ -243,7 +250,7 @@ pub enum Given<T> {
 }
 
 impl<T> Given<T> {
-    /// What was left out may be what could not be read next to it: then it is unreadable.
+    /// Makes a thing that was left out unreadable: what could not be read next to it may be this one.
     pub fn doubt(&mut self) {
         if self.is_absent() {
             *self = Given::Unreadable;
@@ -255,7 +262,7 @@ impl<T> Given<T> {
         matches!(self, Given::Absent)
     }
 
-    /// What `read` makes of it; of what was left out, `absent`.
+    /// The result of `read`, or `absent` if it was left out.
     pub(crate) fn read<U>(&self, absent: U, read: impl FnOnce(&T) -> Option<U>) -> Option<U> {
         match self {
             Given::Absent => Some(absent),
@@ -264,7 +271,7 @@ impl<T> Given<T> {
         }
     }
 
-    /// What was written, where it could be read.
+    /// The value, if one was written that could be read.
     pub fn value(&self) -> Option<&T> {
         match self {
             Given::As(value) => Some(value),
@@ -299,15 +306,9 @@ pub struct Row {
     pub d: Given<Expr>,
     /// Angle about the axis, rad.
     pub theta: Given<Expr>,
-    /// Mass of the link, kg.
-    pub mass: Given<Expr>,
-    /// Its centre of mass in the link's frame, m.
-    pub com: Given<Vector>,
-    /// Its inertia about the centre of mass.
-    pub inertia: Given<Inertia>,
-    /// The same about the frame's origin, in place of `inertia`.
-    pub inertia_at_origin: Given<Tensor>,
-    /// What turns with the joint: inertia of the rotor, kg m^2, and its speed over that of the joint.
+    /// The body of the link.
+    pub body: Body,
+    /// The motor: inertia of its rotor, kg m^2, and its speed over that of the joint.
     pub motor: Given<Part<2>>,
     /// Friction of the joint.
     pub friction: Given<Friction>,
@@ -315,8 +316,6 @@ pub struct Row {
     pub spring: Given<Part<2>>,
     /// The range of the joint.
     pub limits: Given<Limits>,
-    /// What is accepted all the same.
-    pub allow: Given<Allow>,
     /// Where the joint is, in a file that has no cells a, alpha, d and theta.
     pub mount: Option<Mount>,
 }
@@ -398,7 +397,7 @@ pub struct Friction {
 pub enum Coulomb {
     /// The same in both directions.
     Both(Given<Expr>),
-    /// Of positive velocities and of negative ones.
+    /// At positive velocities and at negative ones.
     ByDirection(Part<2>),
 }
 
@@ -422,7 +421,7 @@ macro_rules! allowances {
             /// All of it: what is meant to be allowed is not known.
             pub const EVERYTHING: Allow = Allow { $($word: true,)* };
 
-            /// What this or the other one allows.
+            /// The allowances of this or the other one.
             pub fn or(self, other: Allow) -> Allow {
                 Allow { $($word: self.$word || other.$word,)* }
             }
@@ -455,7 +454,7 @@ allowances! {
 /// A constant expression.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it is made of.
+    /// Its kind.
     pub kind: ExprKind,
     /// Where it stands.
     pub place: Place,

@@ -33,7 +33,7 @@ impl Diagnostics {
         Diagnostics::default()
     }
 
-    /// Says which file the places in a file are in, and in whose words its mistakes are told.
+    /// Says which file the places in a file are in, and in whose words its mistakes are reported.
     #[cfg(feature = "files")]
     pub(crate) fn reading(&self, file: &FileName, audience: Audience) {
         *self.file.borrow_mut() = Some((file.clone(), audience));
@@ -43,9 +43,10 @@ impl Diagnostics {
     pub(crate) fn error(&self, at: impl Into<Place>, mistake: Mistake) -> Reported {
         let shown = self.errors.borrow().len();
         if shown < MOST_ERRORS {
-            let mistake = match shown + 1 == MOST_ERRORS {
-                true => mistake.with_others(),
-                false => mistake,
+            let mistake = if shown + 1 == MOST_ERRORS {
+                mistake.with_others()
+            } else {
+                mistake
             };
             self.errors.borrow_mut().push((at.into(), mistake));
         }
@@ -70,9 +71,18 @@ impl Diagnostics {
         taken
     }
 
-    /// Drops what was reported: the same is said elsewhere.
+    /// Drops the errors: the same is said elsewhere.
     pub(crate) fn forget(self) {
         self.errors.take();
+    }
+
+    /// Reads something of which no errors are reported.
+    #[cfg(feature = "files")]
+    pub(crate) fn without<T>(read: impl FnOnce(&Diagnostics) -> T) -> T {
+        let diagnostics = Diagnostics::new();
+        let value = read(&diagnostics);
+        diagnostics.forget();
+        value
     }
 
     /// Whether nothing was reported.
@@ -95,8 +105,11 @@ impl Diagnostics {
         let errors = errors.map(|(place, mistake)| {
             let (tokens, message) = match (&file, place) {
                 (Some((file, audience)), Place::File { line, column }) => {
-                    let told = mistake.told_to(*audience);
-                    (file.place, format!("{}:{line}:{column}: {told}", file.path))
+                    let message = mistake.text_for(*audience);
+                    (
+                        file.place,
+                        format!("{}:{line}:{column}: {message}", file.path),
+                    )
                 }
                 _ => (place, mistake.to_string()),
             };

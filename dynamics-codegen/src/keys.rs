@@ -73,7 +73,7 @@ parts! {
 
 pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 
-/// What a row or the tool may allow.
+/// The allowances of a row or the tool.
 pub(crate) const ALLOWANCES_OF_BODY: &[&str] =
     word_list![odd_angle odd_com odd_mass unphysical_inertia];
 

@@ -1,4 +1,4 @@
-//! What `robot_dynamics!` expands to, as an ordinary library: `dynamics-macros` hands it the tokens
+//! The expansion of `robot_dynamics!`, as an ordinary library: `dynamics-macros` hands it the tokens
 //! that the compiler gives, fuzzing and tests those that they make.
 //!
 //! A call passes through these modules:
@@ -39,6 +39,8 @@ mod validate;
 mod words;
 
 pub use audience::Audience;
+#[doc(hidden)]
+pub use expand::{batch::batch_methods, functions::function_names, functions::runtime_methods};
 pub use validate::Model;
 pub use words::visible;
 
@@ -55,7 +57,7 @@ pub fn generate(call: TokenStream) -> TokenStream {
     generate_by(call, &dynamics_symbolic::derive::derive_together)
 }
 
-/// The same without the engine: the struct, its table and its traits, with no method derived and
+/// The items of a call without the engine: the struct, its table and its traits, with no method derived and
 /// nothing neglected.
 pub fn outline(call: TokenStream) -> TokenStream {
     let diagnostics = Diagnostics::new();
@@ -97,7 +99,7 @@ fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
     (!call.is_refused).then(|| validate::model(&call.table, diagnostics))?
 }
 
-/// What a table says, wherever it was read: the robot and what is asked for, or every reason why there is
+/// The robot of a table, wherever it was read, and the functions that are asked for; or every reason why there is
 /// no such robot, from the top to the end.
 pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
@@ -110,7 +112,7 @@ fn errors(diagnostics: Diagnostics, audience: Audience) -> Vec<Error> {
     let errors = diagnostics.into_errors().into_iter();
     let error = |(place, mistake): (_, mistake::Mistake)| Error {
         place,
-        message: mistake.told_to(audience).to_owned(),
+        message: mistake.text_for(audience).to_owned(),
     };
     errors.map(error).collect()
 }
@@ -147,7 +149,7 @@ pub fn items_of(
     }
 }
 
-/// What is wrong with a table.
+/// A mistake in a table.
 #[derive(Clone, Debug)]
 pub struct Error {
     /// Where.

@@ -1,5 +1,5 @@
-//! The tree that a call or a file becomes before anybody knows what its words mean: words, values and groups of them, and
-//! where each stands.
+//! The tree that a call or a file becomes before its words have a meaning: words, values and groups of them, and where
+//! each stands.
 
 use proc_macro2::TokenTree;
 
@@ -33,7 +33,7 @@ pub(crate) struct Node {
     pub(crate) behind: Vec<Fault>,
 }
 
-/// What a message says is there.
+/// The thing that a message says is there.
 #[derive(Clone, Debug)]
 pub(crate) enum Found {
     /// The first word or number of a value in a call.
@@ -79,7 +79,7 @@ pub(crate) enum Kind {
     Solid(Name, Box<Node>, Vec<Fault>),
     /// `name = value` in a list.
     Pair(Key, Box<Node>),
-    /// The rows of a call, and whether all of them could be told apart.
+    /// The rows of a call, and whether all of them could be recognised.
     Rows(Vec<Node>, bool),
     /// A row of a call: its name, its type and its cells.
     Row(Option<Name>, Option<Box<Node>>, Box<Node>),
@@ -132,10 +132,15 @@ impl Node {
             Kind::Other(what) => what,
             _ => "a value",
         };
+        Node::found(place, Found::Sign(found), kind)
+    }
+
+    /// A value without mistakes around it.
+    pub(crate) fn found(place: Place, found: Found, kind: Kind) -> Node {
         Node {
             place,
             kind,
-            found: Found::Sign(found),
+            found,
             faults: Vec::new(),
             behind: Vec::new(),
         }

@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 
 use crate::keys::word_list;
 
-/// The known word that was meant by one that is none: a near one, one of which it is the first part, or
-/// what other books call so.
+/// The known word that was meant by an unknown one: a near one, one of which it is the first part, or one that other
+/// books call so.
 pub(crate) fn meant(word: &str, known: &[&'static str]) -> Option<&'static str> {
     nearest(word, known)
         .or_else(|| begun(word, known))
@@ -75,9 +75,10 @@ pub(crate) fn shortened(text: &str) -> String {
 /// A number as it is written shortest: `90`, `0.5`, `1e300`.
 pub(crate) fn number(x: f64) -> String {
     let (decimal, scientific) = (x.to_string(), format!("{x:e}"));
-    match decimal.len() <= scientific.len() + 2 {
-        true => decimal,
-        false => scientific,
+    if decimal.len() <= scientific.len() + 2 {
+        decimal
+    } else {
+        scientific
     }
 }
 

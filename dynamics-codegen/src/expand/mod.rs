@@ -141,8 +141,8 @@ fn without_others(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<Strin
     Some(names)
 }
 
-/// The methods that the user's code may call: those asked for, all functions where that is not
-/// known, the default set where nothing was asked for.
+/// The methods that the user's code may call: those asked for, or all functions where that is not known. Where nothing
+/// was asked for it is the default set.
 fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
     let asked = entries.iter().find_map(|entry| match entry {
         Entry::Functions(functions) => Some(functions),
@@ -163,7 +163,7 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
             requests.flatten().collect()
         }
     };
-    // What has the name of something else has been reported.
+    // A method with the name of something else has been reported.
     let mut names = BTreeSet::new();
     let is_method = |request: &Request| {
         let name = request.name();
@@ -172,15 +172,15 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
     requests.into_iter().filter(is_method).collect()
 }
 
-/// Of each joint, whether the sine and cosine of its position are read by one of the methods that can
-/// also be called with sines that were evaluated before: those of the runtime's traits of single functions. One of
-/// these traits, `ForwardDynamics`, may be by articulated bodies.
+/// Whether a method of the runtime's traits of single functions reads the sine and cosine of each joint's position. Such
+/// a method can be called with sines that were evaluated before. One of these traits, `ForwardDynamics`, may be by
+/// articulated bodies.
 fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
     let by_bodies = Some(Function::ForwardDynamicsAba);
-    let is_told =
+    let reads_sines =
         |method: &&Method| method.provided.is_some() || method.request.function() == by_bodies;
-    let told = methods.iter().filter(is_told);
-    let joints: Vec<usize> = told.flat_map(|method| method.angles.clone()).collect();
+    let reading = methods.iter().filter(reads_sines);
+    let joints: Vec<usize> = reading.flat_map(|method| method.angles.clone()).collect();
     (0..dof).map(|joint| joints.contains(&joint)).collect()
 }
 

@@ -1,5 +1,5 @@
-//! What the struct's documentation says of the base, of the tool, of joints that are locked or follow
-//! others and of terms that are neglected.
+//! The lines of the struct's documentation about the base, the tool, joints that are locked or follow others, and terms
+//! that are neglected.
 
 use dynamics_symbolic::robot::{
     Coupling, Neglected, Parameter, Placement, Robot, Row, Tool, Value,

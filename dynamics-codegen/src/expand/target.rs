@@ -1,4 +1,4 @@
-//! What every piece of generated code needs to know of the struct that it belongs to.
+//! The struct that a piece of generated code belongs to.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 

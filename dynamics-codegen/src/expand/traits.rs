@@ -118,8 +118,8 @@ fn field(name: &str) -> Ident {
     }
 }
 
-/// What structure-preserving integration asks an arm with forward dynamics for, where there are the
-/// functions that it takes.
+/// The method by which structure-preserving integration asks an arm with forward dynamics for momenta, where there are
+/// the functions that it takes.
 pub(super) fn momenta(target: &Target, functions: &[Function]) -> Option<TokenStream> {
     let (path, n) = (target.path, target.n());
     let needed = [Function::MassMatrix, Function::InverseDynamics];

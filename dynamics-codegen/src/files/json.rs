@@ -89,7 +89,12 @@ fn with_words_of_toml(root: &mut Node) {
                     }
                 }
             }
-            "tool" => tool(value, is_published),
+            "tool" => {
+                let place = value.place;
+                if let Some(cells) = value.items_mut() {
+                    body(cells, place, is_published);
+                }
+            }
             _ => {}
         }
     }
@@ -123,13 +128,6 @@ fn joint(row: &mut Node, index: usize, is_published: bool) {
     }
     let friction = take(cells, &[("viscous", "viscous"), ("coulomb", "coulomb")]);
     put(cells, "friction", friction);
-}
-
-fn tool(tool: &mut Node, is_published: bool) {
-    let place = tool.place;
-    if let Some(cells) = tool.items_mut() {
-        body(cells, place, is_published);
-    }
 }
 
 /// Cells of a body, whose tensor is a list.

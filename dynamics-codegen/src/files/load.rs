@@ -18,9 +18,9 @@ use crate::validate::{constant, functions::read_masses};
 /// Entries in place of which a file stands.
 const INSTEAD: [&str; 2] = ["convention", "joints"];
 
-/// Reads the file and puts its entries where the call names it.
-pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics) {
-    // What a URDF file leaves open is said in the call.
+/// Reads the file and puts its entries where the call names it; `None` if that was not possible.
+pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics) -> Option<()> {
+    // A call says what a URDF file leaves open.
     let audience = match Format::of(Path::new(&file.path)) {
         Some(Format::Urdf) => Audience::Call,
         _ => Audience::File,
@@ -31,22 +31,14 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
             diagnostics.error(*place, mistake::instead_of(key, &file.path));
         }
     }
-    let Some(format) = format(file, diagnostics) else {
-        return;
-    };
-    let Some(text) = text(&mut call.tracked, file, diagnostics) else {
-        return;
-    };
+    let format = format(file, diagnostics)?;
+    let text = text(&mut call.tracked, file, diagnostics)?;
     if format != Format::Urdf {
         report_without_file(call, diagnostics);
     }
-    let Some(request) = request(&call.table, diagnostics) else {
-        return;
-    };
+    let request = request(&call.table, diagnostics)?;
     let used = &mut Vec::new();
-    let Some(read) = read(&text, format, &request, used, diagnostics) else {
-        return;
-    };
+    let read = read(&text, format, &request, used, diagnostics)?;
     for (key, place) in &call.table.keys {
         let is_in_file = read.keys.iter().any(|(other, _)| other == key);
         if is_in_file && !INSTEAD.contains(key) && !ADDING.contains(key) {
@@ -60,9 +52,10 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     let at = table.entries.iter().position(is_file).unwrap_or(0);
     table.entries.splice(at..=at, read.entries);
     table.mentions.extend(read.mentions);
+    Some(())
 }
 
-/// What the call asks of the file; none where that could not be read.
+/// The request of a call to its file; none where that could not be read.
 pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
     let mut request = Request {
         unphysical_inertia: table.allow().unphysical_inertia,

@@ -1,6 +1,6 @@
 //! Files of robots: what the entry `file` of a call names, or another program reads.
 //!
-//! The formats are read by crates that keep the text and the place of every number, so that decimals stay exact
+//! The formats are read by crates that keep the text and the place of every number. Decimals stay exact by that,
 //! and mistakes are reported with line and column. The result is a [`Table`](crate::description::Table), as that of a
 //! call.
 
@@ -56,7 +56,7 @@ impl Format {
     }
 }
 
-/// What is asked of a URDF file.
+/// A request to a URDF file.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
     /// The first and the last link of the arm.
@@ -86,7 +86,9 @@ pub(crate) fn load(call: &mut Call, diagnostics: &Diagnostics) {
         _ => None,
     });
     match file {
-        Some(Some(file)) => insert(call, &file, diagnostics),
+        Some(Some(file)) => {
+            insert(call, &file, diagnostics);
+        }
         Some(None) => {}
         None => report_without_file(call, diagnostics),
     }
@@ -101,6 +103,11 @@ fn report_without_file(call: &Call, diagnostics: &Diagnostics) {
 }
 
 #[cfg(not(feature = "files"))]
-fn insert(_: &mut Call, file: &crate::description::FileName, diagnostics: &Diagnostics) {
+fn insert(
+    _: &mut Call,
+    file: &crate::description::FileName,
+    diagnostics: &Diagnostics,
+) -> Option<()> {
     diagnostics.error(file.place, mistake::switched_off());
+    None
 }

@@ -105,9 +105,10 @@ pub fn table(
 /// The table of a robot of that name, unless there were mistakes.
 fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
     put_name(name, &mut table);
-    match diagnostics.is_empty() {
-        true => Ok(table),
-        false => Err(crate::errors(diagnostics, table.audience)),
+    if diagnostics.is_empty() {
+        Ok(table)
+    } else {
+        Err(crate::errors(diagnostics, table.audience))
     }
 }
 
@@ -214,45 +215,40 @@ fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
 /// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot
 /// be read.
 pub fn joint_names(text: &str, format: Format) -> Vec<String> {
-    let diagnostics = Diagnostics::new();
-    let names = match format {
-        Format::Urdf => urdf::joint_names(text, &diagnostics),
-        _ => {
-            let used = &mut Vec::new();
-            let table = read(text, format, &Request::default(), used, &diagnostics);
-            let entries = table.into_iter().flat_map(|table| table.entries);
-            let rows = entries.filter_map(|entry| match entry {
-                Entry::Joints(_, joints) => Some(joints?.rows),
-                _ => None,
-            });
-            let names = rows.flatten().filter_map(|row| row.name);
-            names.map(|name| name.plain().to_owned()).collect()
+    Diagnostics::without(|diagnostics| {
+        if format == Format::Urdf {
+            return urdf::joint_names(text, diagnostics);
         }
-    };
-    diagnostics.forget();
-    names
+        let table = read(
+            text,
+            format,
+            &Request::default(),
+            &mut Vec::new(),
+            diagnostics,
+        );
+        let table = table.unwrap_or_default();
+        let names = table.rows().iter().filter_map(|row| row.name.as_ref());
+        names.map(|name| name.plain().to_owned()).collect()
+    })
 }
 
-/// The links of the text of a URDF file to which no joint leads, and those from which none does: where an arm may begin
-/// and end. None where it cannot be read.
+/// The links of the text of a URDF file to which no joint leads, and those from which none does. There an arm may begin
+/// and end. None if it cannot be read.
 pub fn ends(text: &str) -> Option<[Vec<String>; 2]> {
-    let diagnostics = Diagnostics::new();
-    let ends = urdf::ends(text, &diagnostics);
-    diagnostics.forget();
-    ends
+    Diagnostics::without(|diagnostics| urdf::ends(text, diagnostics))
 }
 
 /// The names in the values of the text of a table.
 pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
-    let diagnostics = Diagnostics::new();
-    let table = read(
-        text,
-        format,
-        &Request::default(),
-        &mut Vec::new(),
-        &diagnostics,
-    );
-    diagnostics.forget();
+    let table = Diagnostics::without(|diagnostics| {
+        read(
+            text,
+            format,
+            &Request::default(),
+            &mut Vec::new(),
+            diagnostics,
+        )
+    });
     table.map_or(BTreeSet::new(), |table| table.mentions)
 }
 

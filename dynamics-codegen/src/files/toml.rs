@@ -14,9 +14,10 @@ pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
     let start = |error: &toml::de::Error| error.span().map_or(0, |span| span.start);
     if let Some(error) = errors.iter().min_by_key(|error| start(error)) {
         let start = start(error);
-        let mistake = match is_single_joint(text, start) {
-            true => mistake::single_brackets(),
-            false => mistake::syntax("TOML", error.message()),
+        let mistake = if is_single_joint(text, start) {
+            mistake::single_brackets()
+        } else {
+            mistake::syntax("TOML", error.message())
         };
         diagnostics.error(lines.place(start), mistake);
     }

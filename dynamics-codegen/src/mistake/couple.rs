@@ -1,14 +1,11 @@
 //! Mistakes in joints that follow others.
 
 use super::{Mistake, hint};
-use crate::description::Name;
 use crate::limits::MOST_FOLLOWERS;
 use crate::words::{all, quoted, shortened};
 
 mistakes! {
     none() "no joint follows another one: name one, `[follower = factor * leader + offset]`, or leave `couple` out";
-    /// `follower: leader`
-    by_colon(name: &Name) "a joint follows another one by `=`: write `{name} = factor * leader + offset`";
     twice(name: &str) "`{name}` follows twice: a joint follows one other joint";
     itself(name: &str) "`{name}` follows itself: name the joint that moves it";
     locked(name: &str) "`{name}` is locked, and follows another joint: leave it out of `lock` or of `couple`";

@@ -45,8 +45,10 @@ mistakes! {
     odd_gravity(magnitude: f64 => number) [allow: allow("odd_gravity", AT_THE_END)]
         "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none ({allow} accepts it)";
     no_lock() "no joint is locked: name one, `[joint = position]`, or leave `lock` out";
-    /// `joint: position`
-    lock_by_colon(name: &Name) "a joint is locked by `=`: write `{name} = position`";
+    /// `joint: position`, or `follower: leader`
+    joint_by_colon(name: &Name, is_follower: bool)
+        "a joint follows another one by `=`: write `{name} = factor * leader + offset`" if is_follower
+        else "a joint is locked by `=`: write `{name} = position`";
     locked_twice(name: &str) "`{name}` is locked twice";
     all_locked() "all joints are locked: an arm has at least one that moves";
     share_with_field() "a share is a number: it does not depend on a field";

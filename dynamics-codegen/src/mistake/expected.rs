@@ -1,11 +1,11 @@
-//! What was expected where something else stands.
+//! Things that are expected where something else stands.
 
 use std::fmt;
 
 use crate::description::Name;
 use crate::words::either;
 
-/// What was expected.
+/// A thing that was expected.
 pub(crate) struct Expected(String);
 
 impl fmt::Display for Expected {
@@ -14,12 +14,18 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Makes a function of each thing that may be expected: its name, what it is told, and the text.
+/// Makes a function of each thing that may be expected: its name, its arguments, and the text.
 macro_rules! expectations {
-    ($($(#[$about:meta])* $name:ident($($told:ident: $type:ty $(=> $shown:ident)?),*) $text:literal;)*) => {$(
+    ($(
+        $(#[$about:meta])* $name:ident($($given:ident: $type:ty $(=> $shown:ident)?),*)
+        $text:literal $(if $is_first:ident else $other:literal)?;
+    )*) => {$(
         $(#[$about])*
-        pub(crate) fn $name($($told: $type),*) -> Expected {
-            $($(let $told = $shown($told);)?)*
+        pub(crate) fn $name($($given: $type),*) -> Expected {
+            $($(let $given = $shown($given);)?)*
+            $(if !$is_first {
+                return Expected(format!($other));
+            })?
             Expected(format!($text))
         }
     )*};
@@ -46,12 +52,15 @@ expectations! {
     name_after_let() "a name after `let`: `let name = value;`";
     equals_after_let(name: &impl fmt::Display) "`=` after `let {name}`";
     rows() "`[name: revolute {{ ... }}, ...]`";
-    locks() "`[joint = position, ...]`";
-    locked_joint() "the name of a joint: `joint = position`";
-    position_after(name: &Name) "`=` and a position after `{name}`";
-    couplings() "`[follower = factor * leader + offset, ...]`";
-    follower() "the name of a joint: `follower = factor * leader + offset`";
-    leader_after(name: &Name) "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`";
+    /// The joints that are locked, or those that follow others.
+    joints(are_followers: bool)
+        "`[follower = factor * leader + offset, ...]`" if are_followers else "`[joint = position, ...]`";
+    named_joint(are_followers: bool)
+        "the name of a joint: `follower = factor * leader + offset`" if are_followers
+        else "the name of a joint: `joint = position`";
+    value_after(name: &Name, are_followers: bool)
+        "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`" if are_followers
+        else "`=` and a position after `{name}`";
     functions() "`[function, ...]`";
     function() "the name of a function";
     name_of_tuple() "a name for the tuple: `name = (function, function)`";
@@ -59,7 +68,7 @@ expectations! {
     joint() "a joint: `name: revolute {{ ... }}` or `name: prismatic {{ ... }}`";
     joint_type(name: &impl fmt::Display, known: &[&str] => either) "the type of joint `{name}`: {known}";
     cells(joint: &str) "the cells of {joint}: `{{ ... }}`";
-    /// What may be allowed.
+    /// Words that may be allowed.
     allowances(known: &[&str] => either) "`[...]` with {known}";
     inertia()
         "a tensor of named entries, `{{ xx, yy, zz, xy, yz, xz }}`, or a solid: `cuboid(x, y, z)`, `cylinder(radius, \

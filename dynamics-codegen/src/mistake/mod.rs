@@ -3,20 +3,20 @@
 //!
 //! A [`Mistake`] can be made in this module alone, and nothing else can be reported.
 
-/// Makes a function of each mistake: its name, its arguments (`=> shown` shows one by that function), in braces what
-/// follows from them, in brackets the advice in words of the audience, and the text, or two texts and when to take the
-/// first of them.
+/// Makes a function of each mistake, of its name, its arguments (`=> shown` shows one by that function) and the text.
+/// In braces stand values that follow from the arguments, in brackets the advice in words of the audience. With `if`
+/// there are two texts, and the first is taken if that is true.
 macro_rules! mistakes {
     ($(
         $(#[$about:meta])*
-        $name:ident($($told:ident: $type:ty $(=> $shown:ident)?),*)
+        $name:ident($($given:ident: $type:ty $(=> $shown:ident)?),*)
             $({$($part:ident: $value:expr),*})?
             $([$($advice:ident: $say:ident($($word:expr),*)),*])?
             $text:literal $(if $is_first:ident else $other:literal)?;
     )*) => {$(
         $(#[$about])*
-        pub(crate) fn $name($($told: $type),*) -> Mistake {
-            $($(let $told = $shown($told);)?)*
+        pub(crate) fn $name($($given: $type),*) -> Mistake {
+            $($(let $given = $shown($given);)?)*
             $($(let $part = $value;)*)?
             Mistake::advice(|_audience| {
                 $($(let $advice = _audience.$say($($word),*);)*)?
@@ -32,7 +32,7 @@ macro_rules! mistakes {
 pub(crate) mod couple;
 pub(crate) mod entry;
 pub(crate) mod expected;
-// What is wrong in a file is said where files are read.
+// Mistakes in files are reported where files are read.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) mod file;
 pub(crate) mod joint;
@@ -50,7 +50,7 @@ use dynamics_symbolic::neglect::NotPositiveDefinite;
 use crate::audience::Audience;
 use crate::words::{either, shortened, visible};
 
-/// What is wrong, as it is shown to each [`Audience`].
+/// A mistake, as it is shown to each [`Audience`].
 #[derive(Clone, Debug)]
 pub(crate) struct Mistake {
     texts: [String; Audience::ALL.len()],
@@ -79,7 +79,7 @@ impl Mistake {
     }
 
     /// The text for an audience.
-    pub(crate) fn told_to(&self, audience: Audience) -> &str {
+    pub(crate) fn text_for(&self, audience: Audience) -> &str {
         let [call, file, command] = &self.texts;
         match audience {
             Audience::Call => call,
@@ -91,7 +91,7 @@ impl Mistake {
 
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(self.told_to(Audience::Call))
+        f.write_str(self.text_for(Audience::Call))
     }
 }
 
@@ -119,7 +119,7 @@ pub(crate) fn instead(what: &expected::Expected, found: Option<&str>) -> Mistake
     })
 }
 
-/// What to write: the word that was probably meant, or one of those that are known.
+/// The advice: the word that was probably meant, or those that are known.
 fn hint(meant: Option<&str>, known: &[&str], which: &str) -> String {
     match meant {
         Some(right) => format!("did you mean `{right}`?"),

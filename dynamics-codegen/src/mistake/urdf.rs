@@ -122,7 +122,7 @@ impl Audience {
         self.lock(joint, &number(0.0_f64.clamp(lower, upper)))
     }
 
-    /// What can be done about a joint beside the chain.
+    /// The ways out for a joint beside the chain.
     fn lock_or_leave_out(self, joint: Still) -> String {
         let (lock, ignore) = (self.lock_still(joint), self.ignore(joint.joint));
         format!(

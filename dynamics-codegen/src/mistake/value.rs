@@ -8,7 +8,7 @@ use crate::limits::MOST_LISTED;
 use crate::words::{either, shortened};
 
 mistakes! {
-    /// What is no part of a value, a path or a method call for example.
+    /// Something that is no part of a value, such as a path or a method call.
     foreign(what: &str)
         "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, `sqrt(x)`, `sin(x)`, `cos(x)`, \
          fields, `let` names, `+ - * /` and parentheses";
@@ -25,7 +25,7 @@ mistakes! {
     /// `sqrt(PI)`
     root_of_pi() "`sqrt` takes a number without `PI`: write its value in decimals";
     root_of_negative() "`sqrt` of a negative number";
-    /// Of so huge an angle that nothing is known of its sine.
+    /// An angle so huge that nothing is known of its sine.
     sine_unknown() "the sine of so large an angle is not known";
     degrees_of_nothing() "`deg` takes an angle in degrees: `deg(90)`";
     empty_parentheses() "expected a value between the parentheses";

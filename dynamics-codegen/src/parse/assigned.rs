@@ -8,46 +8,24 @@ use super::structure::name;
 use super::value::{absent, list, pair, stray, value};
 use crate::description::Name;
 use crate::mistake::expected::{self, Expected};
-use crate::mistake::{Mistake, couple, entry, file};
+use crate::mistake::{Mistake, entry, file};
 use crate::tree::{Key, Kind, Node};
 
-/// What is said where a list of joints is wrong.
-pub(super) struct Texts {
-    list: fn() -> Expected,
-    /// A joint's name was expected.
-    joint: fn() -> Expected,
-    /// `=` and a value were expected behind that name.
-    value: fn(&Name) -> Expected,
-    /// `joint: value`
-    by_colon: fn(&Name) -> Mistake,
-}
-
-pub(super) const LOCK: Texts = Texts {
-    list: expected::locks,
-    joint: expected::locked_joint,
-    value: expected::position_after,
-    by_colon: entry::lock_by_colon,
-};
-
-pub(super) const COUPLE: Texts = Texts {
-    list: expected::couplings,
-    joint: expected::follower,
-    value: expected::leader_after,
-    by_colon: couple::by_colon,
-};
-
-/// Reads `[joint = value, ...]`, a table of joints.
-pub(super) fn joints(cursor: &mut Cursor, texts: &Texts) -> Node {
+/// Reads `[joint = value, ...]`, a table of joints that are locked, or of followers.
+pub(super) fn joints(cursor: &mut Cursor, are_followers: bool) -> Node {
     let start = absent(cursor);
     let errors = cursor.errors();
-    let group = cursor.take_list(Delimiter::Bracket, (texts.list)());
+    let group = cursor.take_list(Delimiter::Bracket, expected::joints(are_followers));
     let faults = cursor.take_errors(errors);
     let Ok(group) = group else {
         return Node { faults, ..start };
     };
     let items = comma_separated(cursor.inside(&group), at_name, |cursor| {
         let Some(name) = take_name(cursor) else {
-            let faults = vec![(cursor.here(), no_name(cursor, (texts.joint)()))];
+            let faults = vec![(
+                cursor.here(),
+                no_name(cursor, expected::named_joint(are_followers)),
+            )];
             return (stray(cursor, faults), String::new());
         };
         let sign = cursor.here();
@@ -55,9 +33,9 @@ pub(super) fn joints(cursor: &mut Cursor, texts: &Texts) -> Node {
             value(cursor)
         } else {
             if cursor.take_char(':').is_some() {
-                cursor.error(sign, (texts.by_colon)(&name));
+                cursor.error(sign, entry::joint_by_colon(&name, are_followers));
             } else {
-                cursor.expected((texts.value)(&name));
+                cursor.expected(expected::value_after(&name, are_followers));
             }
             absent(cursor)
         };

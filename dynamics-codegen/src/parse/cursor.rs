@@ -94,7 +94,7 @@ impl<'t> Cursor<'t> {
         self.error(self.here(), mistake::instead(&what, found.as_deref()))
     }
 
-    /// What comes next, as a message shows it.
+    /// The next token, as a message shows it.
     pub(crate) fn found(&self) -> Option<String> {
         self.start().1.shown()
     }

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident};
 
-use super::assigned::{COUPLE, LOCK, functions, joints};
+use super::assigned::{functions, joints};
 use super::cursor::Cursor;
 use super::list::one;
 use super::row::rows;
@@ -54,8 +54,8 @@ fn value_of(cursor: &mut Cursor, key: &str) -> Node {
     match words::meant(key, KEYS).unwrap_or(key) {
         "joints" => rows(cursor),
         "functions" => functions(cursor),
-        "lock" => joints(cursor, &LOCK),
-        "couple" => joints(cursor, &COUPLE),
+        "lock" => joints(cursor, false),
+        "couple" => joints(cursor, true),
         _ => value(cursor),
     }
 }
@@ -116,19 +116,21 @@ fn constant(cursor: &mut Cursor) -> (Key, Node) {
     let has_value = cursor.take_char('=').is_some();
     let shown = has_value.then(|| cursor.shown_until(&[';', ',']));
     cursor.error(place, mistake::value::constant(&name, shown.as_deref()));
+    bound(cursor, &name, has_value)
+}
+
+/// The binding of a name to the value that comes next, where there is one.
+fn bound(cursor: &mut Cursor, name: &Ident, has_value: bool) -> (Key, Node) {
+    let key = Key {
+        kind: KeyKind::Let,
+        ..Key::from(name)
+    };
     let node = if has_value {
         value(cursor)
     } else {
         absent(cursor)
     };
-    (bound(&name), node)
-}
-
-fn bound(name: &Ident) -> Key {
-    Key {
-        kind: KeyKind::Let,
-        ..Key::from(name)
-    }
+    (key, node)
 }
 
 /// Reads `name = value`, behind `let`.
@@ -140,11 +142,9 @@ fn binding(cursor: &mut Cursor) -> (Key, Node) {
         cursor.expected(expected::name_after_let());
         return stray(cursor, Vec::new());
     };
-    let node = if cursor.take_char('=').is_some() {
-        value(cursor)
-    } else {
+    let has_value = cursor.take_char('=').is_some();
+    if !has_value {
         cursor.expected(expected::equals_after_let(&name));
-        absent(cursor)
-    };
-    (bound(&name), node)
+    }
+    bound(cursor, &name, has_value)
 }

@@ -28,7 +28,7 @@ pub(super) fn at_value(cursor: &Cursor) -> bool {
         )
 }
 
-/// What was read of one value, against the [limits](crate::limits).
+/// The size of a value so far, against the [limits](crate::limits).
 #[derive(Default)]
 struct Limits {
     depth: usize,
@@ -209,7 +209,7 @@ fn never_a_value(word: &str) -> Option<Mistake> {
     construct(word).map(mistake::foreign)
 }
 
-/// What a keyword starts, where that is never a value.
+/// The thing that a keyword starts, if that is never a value.
 fn construct(keyword: &str) -> Option<&'static str> {
     match keyword {
         "if" => Some("`if`"),
@@ -268,7 +268,7 @@ fn within<'t>(
     })
 }
 
-/// Refuses what would make more of a value than the operators of this grammar do.
+/// Refuses anything that would make more of a value than the operators of this grammar do.
 fn no_other_operator(cursor: &mut Cursor) -> Result<(), Reported> {
     match other_operator(cursor) {
         Some(what) => Err(cursor.error(cursor.here(), mistake::foreign(what))),
@@ -276,7 +276,7 @@ fn no_other_operator(cursor: &mut Cursor) -> Result<(), Reported> {
     }
 }
 
-/// What would make more of a value than the operators of this grammar do.
+/// The next thing, if it would make more of a value than the operators of this grammar do.
 fn other_operator(cursor: &Cursor) -> Option<&'static str> {
     if cursor.at_fragment() {
         return None;

@@ -1,7 +1,7 @@
 //! Tokens to a tree.
 //!
 //! Reading goes on behind every error: it skips to the next comma or to the next
-//! `name:`, so that an error in one cell hides no error in another.
+//! `name:`. An error in one cell hides no error in another.
 
 mod assigned;
 mod cursor;
@@ -78,7 +78,7 @@ fn head(cursor: &mut Cursor) -> Call {
     }
 }
 
-/// What the struct says of the robot.
+/// The parts of a table that the struct says.
 fn table(structure: Option<&Structure>) -> Table {
     let fields = structure.iter().flat_map(|structure| &structure.fields);
     Table {

@@ -118,7 +118,7 @@ fn exponent_value(text: &str) -> i64 {
     }
 }
 
-/// `digits` times ten to the power of `scale`. What is out of the range of f64 is
+/// `digits` times ten to the power of `scale`. A number out of the range of f64 is
 /// refused before the power is computed.
 fn decimal(digits: &str, scale: i64) -> Result<Rational, Mistake> {
     match scale.saturating_add(digits.len() as i64) {

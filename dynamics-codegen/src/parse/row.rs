@@ -25,7 +25,7 @@ pub(super) fn rows(cursor: &mut Cursor) -> Node {
     };
     let faults = cursor.take_errors(errors);
     let complete = Cell::new(true);
-    // What is no row behind a missing comma is skipped.
+    // Tokens behind a missing comma that are no row are skipped.
     let at_row = |cursor: &Cursor| {
         let at_row = cursor.at_key();
         complete.set(complete.get() && at_row);

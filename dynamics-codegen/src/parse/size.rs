@@ -34,7 +34,7 @@ pub(super) fn check(
     Ok(())
 }
 
-/// What is too much with the `count`th token, that many groups deep.
+/// The limit that the `count`th token exceeds, that many groups deep.
 fn excess(token: &TokenTree, count: usize, depth: usize) -> Option<Mistake> {
     if count > MOST_TOKENS {
         return Some(size::tokens());

@@ -39,7 +39,7 @@ pub(crate) fn read(text: &str, place: Place) -> Result<(Node, TokenStream), Faul
     Ok((node, tokens))
 }
 
-/// What is wrong with a number that is written as it is elsewhere: `100mm`, `30°`, `0,5`.
+/// The mistake of a number that is written as it is elsewhere: `100mm`, `30°`, `0,5`.
 fn otherwise(text: &str) -> Option<Mistake> {
     let text = text.trim();
     let number = text.trim_start_matches(['-', '+']).trim_start();
@@ -126,9 +126,10 @@ mod tests {
             kind => panic!("{kind:?}"),
         };
         assert!(faults.iter().all(|(place, _)| place.position() == (2, 3)));
-        match faults.is_empty() {
-            true => Ok(()),
-            false => Err(faults.into_iter().map(|(_, m)| m.to_string()).collect()),
+        if faults.is_empty() {
+            Ok(())
+        } else {
+            Err(faults.into_iter().map(|(_, m)| m.to_string()).collect())
         }
     }
 

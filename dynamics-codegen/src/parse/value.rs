@@ -18,13 +18,7 @@ pub(super) fn value(cursor: &mut Cursor) -> Node {
 /// The node of a value that is not there: something else is, or nothing.
 pub(super) fn absent(cursor: &Cursor) -> Node {
     let (place, found) = cursor.start();
-    Node {
-        place,
-        kind: Kind::Absent,
-        found,
-        faults: Vec::new(),
-        behind: Vec::new(),
-    }
+    Node::found(place, found, Kind::Absent)
 }
 
 fn kind(cursor: &mut Cursor) -> Kind {
@@ -116,14 +110,8 @@ pub(super) fn pair<'t>(
     read: impl FnOnce(&mut Cursor<'t>) -> Node,
 ) -> Node {
     cursor.take_char('=');
-    let value = read(cursor);
-    Node {
-        place: name.span().into(),
-        found: Found::Token(name.clone().into()),
-        kind: Kind::Pair(Key::from(name), Box::new(value)),
-        faults: Vec::new(),
-        behind: Vec::new(),
-    }
+    let kind = Kind::Pair(Key::from(name), Box::new(read(cursor)));
+    Node::found(name.into(), Found::Token(name.clone().into()), kind)
 }
 
 /// Reads `key: value` items. A message calls each of them `kind` and its key.
@@ -157,7 +145,7 @@ impl From<&Ident> for Key {
     }
 }
 
-/// What stands in place of a key and its value.
+/// The item for tokens in place of a key and its value.
 pub(super) fn stray(cursor: &Cursor, faults: Vec<Fault>) -> (Key, Node) {
     let key = Key {
         word: cursor.found().unwrap_or_default(),

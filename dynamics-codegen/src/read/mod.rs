@@ -1,5 +1,5 @@
-//! The meaning of a tree: the words of a table, what may stand behind each of them, and the mistakes of it, whatever
-//! language it is written in.
+//! The meaning of a tree, whatever language it is written in: the words of a table, the values that may stand behind
+//! each of them, and the mistakes.
 
 mod reader;
 mod row;
@@ -14,14 +14,14 @@ use crate::description::{
     Allow, Asked, Entry, FileName, Name, Placement, Positioned, Share, Table, Tool, Vector,
 };
 use crate::diagnose::Diagnostics;
-use crate::keys::{ALLOWANCES_OF_BODY, BASE, CALL, DEFAULT, FILE, TOOL};
+use crate::keys::{BASE, CALL, DEFAULT, FILE, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
 use reader::{Item, Read, Reader, put};
 use unknown::unknown;
 
-/// What a tree says of the robot, in the order in which it stands there.
+/// The table of a tree, its entries in the order in which they are written.
 pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) -> Table {
     let mut reader = Reader {
         language,
@@ -209,13 +209,13 @@ impl Reader<'_> {
     }
 
     fn lock(&mut self, node: &Node) -> Read<Vec<Positioned>> {
-        let what = self.either(expected::locks(), "a table of joints and positions");
+        let what = self.either(expected::joints(false), "a table of joints and positions");
         self.positions(node, &what, mistake::entry::no_lock())
     }
 
     fn couple(&mut self, node: &Node) -> Read<Vec<Positioned>> {
         let file = "a table of joints and those that they follow";
-        let what = self.either(expected::couplings(), file);
+        let what = self.either(expected::joints(true), file);
         self.positions(node, &what, mistake::couple::none())
     }
 
@@ -306,20 +306,13 @@ impl Reader<'_> {
 
     fn tool(&mut self, node: &Node) -> Read<Tool> {
         let mut tool = Tool::default();
-        let incomplete = self.table(node, &TOOL, |reader, item| {
-            let node = item.node;
-            match item.name {
-                "mass" => put(&mut tool.mass, reader.value(node)),
-                "com" => put(&mut tool.com, reader.xyz(node)),
-                "inertia" => put(&mut tool.inertia, reader.inertia(node)),
-                "inertia_at_origin" => put(&mut tool.inertia_at_origin, reader.tensor(node)),
-                "allow" => put(&mut tool.allow, reader.allow(node, ALLOWANCES_OF_BODY)),
-                _ => reader.placement(item, &mut tool.placement),
-            }
+        let incomplete = self.table(node, &TOOL, |reader, item| match item.name {
+            "xyz" | "rpy" => reader.placement(item, &mut tool.placement),
+            _ => reader.cell_of_body(item, &mut tool.body),
         })?;
         if incomplete {
-            tool.mass.doubt();
-            tool.com.doubt();
+            tool.body.mass.doubt();
+            tool.body.com.doubt();
         }
         Ok(tool)
     }

@@ -59,7 +59,7 @@ impl<'d> Reader<'d> {
         faults.iter().fold(None, report)
     }
 
-    /// Reports that something else stands there; of what could not be told apart at all, why.
+    /// Reports that something else stands there, or why the value could not be recognised at all.
     pub(super) fn instead_of(&self, what: &Expected, node: &Node) -> Reported {
         let otherwise = || {
             self.error(
@@ -72,7 +72,7 @@ impl<'d> Reader<'d> {
         known.unwrap_or_else(otherwise)
     }
 
-    /// What was expected, in the words of a call or of a file.
+    /// A thing that was expected, in the words of a call or of a file.
     pub(super) fn either(&self, call: Expected, file: &str) -> Expected {
         if self.is_call() {
             call
@@ -198,7 +198,7 @@ impl<'d> Reader<'d> {
         Ok(Name::new(word, place))
     }
 
-    /// What a text of a file says in the words of a call; anything else says it by itself.
+    /// Reads a text of a file in the words of a call; anything else as it is.
     pub(super) fn read_text<T>(
         &mut self,
         node: &Node,
@@ -274,7 +274,7 @@ impl<'d> Reader<'d> {
         if values.len() == count {
             return Ok(values.into_iter().map(Result::ok).collect());
         }
-        // What could not be read may be a part of another value.
+        // A value that could not be read may be a part of another one.
         let unreadable = values.iter().find_map(|value| value.as_ref().err());
         match unreadable.filter(|_| self.is_call()) {
             Some(reported) => Err(*reported),

@@ -5,7 +5,7 @@ use dynamics_symbolic::robot::JointType;
 use super::reader::{Item, Read, Reader, put};
 use super::unknown::unknown;
 use crate::description::{
-    Axis, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
+    Axis, Body, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
     ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, Part, SPRING, STRIBECK, TENSOR,
@@ -22,17 +22,29 @@ const SOLIDS: [(&str, Solid, &[&str]); 4] = [
     ("sphere", Solid::Sphere, &["radius"]),
 ];
 
-/// Makes the words of a row and the reader of a cell, of what reads each of them. The compiler names a cell of the
-/// description that is not listed.
+/// Makes the words of a row and the readers of its cells, of the method that reads each. The second braces have cells of
+/// the body. The compiler names a cell of the description that is not listed.
 macro_rules! cells {
-    ($($cell:ident: $read:ident($($told:expr),*)),* $(,)?) => {
-        const WORDS: &[&str] = word_list![name type $($cell)*];
+    ($(
+        {$($cell:ident: $read:ident($($with:expr),*)),*}
+        {$($of_body:ident: $read_body:ident($($with_body:expr),*)),*}
+    )*) => {
+        const WORDS: &[&str] = word_list![name type $($($cell)* $($of_body)*)*];
 
         impl Reader<'_> {
             fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
-                let Row { name: _, joint_type: _, mount: _, $($cell),* } = row;
+                let Row { name: _, joint_type: _, mount: _, body, $($($cell),*),* } = row;
                 match item.name {
-                    $(stringify!($cell) => put($cell, self.$read(item.node, $($told),*)),)*
+                    $($(stringify!($cell) => put($cell, self.$read(item.node, $($with),*)),)*)*
+                    _ => self.cell_of_body(item, body),
+                }
+            }
+
+            /// A cell of a row or of the tool.
+            pub(super) fn cell_of_body(&mut self, item: &Item, body: &mut Body) -> Read<()> {
+                let Body { $($($of_body),*),* } = body;
+                match item.name {
+                    $($(stringify!($of_body) => put($of_body, self.$read_body(item.node, $($with_body),*)),)*)*
                     _ => Ok(()),
                 }
             }
@@ -41,19 +53,10 @@ macro_rules! cells {
 }
 
 cells! {
-    a: value(),
-    alpha: value(),
-    d: value(),
-    theta: value(),
-    mass: value(),
-    com: xyz(),
-    inertia: inertia(),
-    inertia_at_origin: tensor(),
-    motor: values(&MOTOR),
-    friction: friction(),
-    spring: values(&SPRING),
-    limits: range(),
-    allow: allow(ALLOWANCES_OF_BODY),
+    {a: value(), alpha: value(), d: value(), theta: value()}
+    {mass: value(), com: xyz(), inertia: inertia(), inertia_at_origin: tensor()}
+    {motor: values(&MOTOR), friction: friction(), spring: values(&SPRING), limits: range()}
+    {allow: allow(ALLOWANCES_OF_BODY)}
 }
 
 /// A row of a file.
@@ -138,8 +141,8 @@ impl Reader<'_> {
             self.error(node.place, wrong::typeless_joint(self.is_json()));
         }
         if incomplete {
-            row.mass.doubt();
-            row.com.doubt();
+            row.body.mass.doubt();
+            row.body.com.doubt();
         }
         Ok(row)
     }
@@ -174,7 +177,7 @@ impl Reader<'_> {
     }
 
     /// A table of tensor entries, or a solid.
-    pub(super) fn inertia(&mut self, node: &Node) -> Read<Inertia> {
+    fn inertia(&mut self, node: &Node) -> Read<Inertia> {
         self.read_text(node, |reader, node| match &node.kind {
             Kind::Table(_) => reader.tensor(node).map(Inertia::Tensor),
             Kind::Solid(name, arguments, _) => reader.solid(node, name.plain(), arguments),
@@ -188,7 +191,7 @@ impl Reader<'_> {
     }
 
     /// A table of entries of a tensor.
-    pub(super) fn tensor(&mut self, node: &Node) -> Read<Tensor> {
+    fn tensor(&mut self, node: &Node) -> Read<Tensor> {
         self.values(node, &TENSOR).map(Box::new)
     }
 

@@ -3,7 +3,9 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Convention, JointType, Value};
 
-use crate::description::{Entry, Expr, ExprKind, Given, Joints, Name, Operator, Place, Row, Table};
+use crate::description::{
+    Body, Entry, Expr, ExprKind, Given, Joints, Name, Operator, Place, Row, Table,
+};
 use crate::{Error, check};
 
 fn at(line: usize, column: usize) -> Place {
@@ -24,10 +26,13 @@ fn pendulum(factors: [i64; 2]) -> Table {
         name: Some(Name::new("pivot", at(5, 8))),
         joint_type: Some(JointType::Revolute),
         a: Given::As(number(1, at(6, 5))),
-        mass: Given::As(Expr {
-            kind: ExprKind::Binary(Operator::Mul, a, b),
-            place: at(7, 8),
-        }),
+        body: Body {
+            mass: Given::As(Expr {
+                kind: ExprKind::Binary(Operator::Mul, a, b),
+                place: at(7, 8),
+            }),
+            ..Body::default()
+        },
         ..Row::default()
     };
     let joints = Joints {

@@ -1,8 +1,8 @@
 //! Angles that were hardly meant: degrees, and right angles in a few decimals.
 //!
-//! What is judged is an angle that is a number, wherever it comes from: a cell, a `let`, `deg(x)`. What is
-//! computed from several numbers is taken as it stands, for nobody writes `PI/2 + 0.003` by mistake, unless
-//! it is a decimal near a right angle: `3.1416/2`. So is what depends on a field.
+//! An angle that is a number is judged, wherever it comes from: a cell, a `let`, `deg(x)`. One that is computed from
+//! several numbers is taken as it stands, because nobody writes `PI/2 + 0.003` by mistake, unless it is a decimal near a
+//! right angle: `3.1416/2`. So is one that depends on a field.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -27,7 +27,7 @@ pub(super) enum Odd {
     ManyTurns(f64, bool),
 }
 
-/// What is odd about an angle; `is_computed` says whether several values were put together in it.
+/// The oddity of an angle; `is_computed` says whether several values were put together in it.
 pub(super) fn odd(angle: &Value, is_computed: bool) -> Option<Odd> {
     if !angle.is_number() {
         return None;
@@ -65,7 +65,7 @@ fn right_angle(radians: f64) -> Option<(&'static str, f64)> {
 }
 
 impl Odd {
-    /// What to say about it; `place` is where it can be allowed.
+    /// The mistake of it; `place` is where it can be allowed.
     pub(super) fn mistake(&self, place: &str) -> Mistake {
         match *self {
             Odd::NearlyRight(right) => mistake::nearly_right(right, place),
@@ -75,7 +75,7 @@ impl Odd {
     }
 }
 
-/// What is wrong with `deg(angle)` of what was in radians already; `place` is where it can be allowed.
+/// The mistake of `deg(angle)`, if the angle was in radians already; `place` is where it can be allowed.
 pub(super) fn degrees_of_radians(angle: &Value, place: &str) -> Option<Mistake> {
     match angle {
         value if !value.is_number() => None,

@@ -5,26 +5,16 @@ use dynamics_symbolic::robot::Value;
 
 use super::scope::{Scope, all};
 use super::solid;
-use crate::description::{Expr, Given, Inertia, Solid, Tensor, Vector};
+use crate::description::{Body, Expr, Given, Inertia, Solid, Tensor};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
 
-/// What is said of a body.
-pub(super) struct Body<'a> {
-    pub(super) mass: &'a Given<Expr>,
-    pub(super) com: &'a Given<Vector>,
-    pub(super) inertia: &'a Given<Inertia>,
-    pub(super) inertia_at_origin: &'a Given<Tensor>,
-    /// What messages call the place where it is said.
-    pub(super) place: &'static str,
-}
-
 /// Mass, centre of mass and inertia tensor; `None` where one of them is in error.
 pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<(Value, [Value; 3], [Value; 6])> {
-    let mass = scope.not_negative(body.mass, "a mass");
-    let com = scope.given_vector(body.com);
+    let mass = scope.not_negative(&body.mass, "a mass");
+    let com = scope.given_vector(&body.com);
     report_massless(body, com.as_ref(), scope);
-    let inertia = match (body.inertia, body.inertia_at_origin) {
+    let inertia = match (&body.inertia, &body.inertia_at_origin) {
         (inertia, Given::Absent) => inertia_about_com(inertia, body, mass.as_ref(), scope),
         (Given::Absent, Given::Unreadable) => None,
         (Given::Absent, Given::As(tensor)) => {
@@ -52,13 +42,13 @@ fn report_massless(body: &Body, com: Option<&[Value; 3]>, scope: &Scope) {
     let is_elsewhere = com.is_some_and(|com| com.iter().any(|component| !component.is_zero()));
     if let Some([Some(first), _, Some(last)]) = body.com.value().filter(|_| is_elsewhere) {
         let place = first.place.to(last.place);
-        scope.error(place, mistake::com_without_mass(body.place));
+        scope.error(place, mistake::com_without_mass(scope.place()));
         return;
     }
-    if let Given::As(Inertia::Tensor(tensor)) = body.inertia
+    if let Given::As(Inertia::Tensor(tensor)) = &body.inertia
         && tensor.values.iter().filter_map(Given::value).count() > 1
     {
-        scope.error(tensor.place, mistake::tensor_without_mass(body.place));
+        scope.error(tensor.place, mistake::tensor_without_mass(scope.place()));
     }
 }
 
@@ -72,14 +62,14 @@ fn inertia_about_com(
     inertia.read([0; 6].map(Value::integer), |inertia| match inertia {
         Inertia::Solid(place, solid, sizes) => {
             if body.mass.is_absent() {
-                scope.error(*place, mistake::solid_without_mass(body.place));
+                scope.error(*place, mistake::solid_without_mass(scope.place()));
             }
             self::solid(*solid, sizes, mass, scope)
         }
         Inertia::Tensor(tensor) => {
             let entries = &tensor.values;
             let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
-            possible(known(entries, &values), tensor.place, body, scope)?;
+            possible(known(entries, &values), tensor.place, scope)?;
             Some(values)
         }
     })
@@ -97,13 +87,13 @@ fn moved(
         ("com", body.com.is_absent()),
     ] {
         if is_absent {
-            return scope.refused(tensor.place, mistake::cannot_be_moved(word, body.place));
+            return scope.refused(tensor.place, mistake::cannot_be_moved(word, scope.place()));
         }
     }
     let values = all(tensor.values.each_ref().map(|entry| scope.given(entry)))?;
     let (mass, com) = place?;
     let values = about_center_of_mass(values, mass, com);
-    possible(values.each_ref().map(number), tensor.place, body, scope)?;
+    possible(values.each_ref().map(number), tensor.place, scope)?;
     Some(values)
 }
 
@@ -122,15 +112,10 @@ fn about_center_of_mass(tensor: [Value; 6], mass: &Value, com: &[Value; 3]) -> [
 }
 
 /// Reports a tensor that no body has, unless that is allowed: then it is `None`.
-fn possible(
-    entries: [Option<Rational>; 6],
-    place: Place,
-    body: &Body,
-    scope: &Scope,
-) -> Option<()> {
+fn possible(entries: [Option<Rational>; 6], place: Place, scope: &Scope) -> Option<()> {
     match refusal(&entries).filter(|_| !scope.allowed().unphysical_inertia) {
         None => Some(()),
-        Some(reason) => scope.refused(place, mistake::no_body(reason, body.place)),
+        Some(reason) => scope.refused(place, mistake::no_body(reason, scope.place())),
     }
 }
 
@@ -237,8 +222,8 @@ fn is_semidefinite(matrix: &[Option<Rational>; 6], scale: &Rational) -> bool {
     .all(|(minor, slack)| minor.is_none_or(|minor| minor >= -slack.clone()))
 }
 
-/// A relative error of 1e-11: a slender rod's moments in twelve digits, of which the last may be off by one, and
-/// zeros that another program computed.
+/// A relative error of 1e-11: a slender rod's moments in twelve digits, the last of which may be off by one, or zeros
+/// that another program computed.
 fn slack() -> Rational {
     Rational::from_parts(1.into(), 100_000_000_000_u64.into())
 }

@@ -25,7 +25,7 @@ struct Law {
     leader: String,
     factor: Value,
     offset: Value,
-    /// What is odd about the offset, where it is an angle.
+    /// The oddity of the offset, where it is an angle.
     odd: Option<(Odd, Place)>,
 }
 
@@ -64,8 +64,8 @@ fn law(coupled: &Positioned, scope: &mut Scope) -> Option<Law> {
     None
 }
 
-/// Couples the rows' joints. A row that is in error (`None`) is known by its name alone. What follows a
-/// joint that is locked is locked, and what follows a follower follows the joint that leads that one.
+/// Couples the rows' joints. A row that is in error (`None`) is known by its name alone. A joint that
+/// follows a locked one is locked, and one that follows a follower follows the joint that leads that one.
 pub(super) fn couple(
     rows: &mut [Option<Row>],
     couples: &[Couple],

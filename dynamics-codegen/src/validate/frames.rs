@@ -2,7 +2,7 @@
 
 use dynamics_symbolic::robot::{Placement, Tool, Value};
 
-use super::body::{self, Body};
+use super::body::body;
 use super::scope::{Scope, norm};
 use crate::description::{self, Vector};
 use crate::mistake::entry as mistake;
@@ -39,26 +39,14 @@ pub(super) fn placement(
 
 /// The tool; `None` where it is in error.
 pub(super) fn tool(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> {
-    scope.within(&tool.allow, "tool", |scope| placed_body(tool, scope))
-}
-
-fn placed_body(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> {
-    let placement = placement(&tool.placement, scope);
-    let body = body::body(
-        &Body {
-            mass: &tool.mass,
-            com: &tool.com,
-            inertia: &tool.inertia,
-            inertia_at_origin: &tool.inertia_at_origin,
-            place: "tool",
-        },
-        scope,
-    );
-    let (mass, com, inertia) = body?;
-    Some(Tool {
-        placement: placement?,
-        mass,
-        com,
-        inertia,
+    scope.within(&tool.body.allow, "tool", |scope| {
+        let placement = placement(&tool.placement, scope);
+        let (mass, com, inertia) = body(&tool.body, scope)?;
+        Some(Tool {
+            placement: placement?,
+            mass,
+            com,
+            inertia,
+        })
     })
 }

@@ -10,6 +10,7 @@ use dynamics_symbolic::robot::{Robot, Row, Tool};
 use super::scope::Scope;
 use crate::description::{Asked, Entry, Name, Table};
 use crate::diagnose::Diagnostics;
+use crate::keys::word_list;
 use crate::limits::{
     MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS,
 };
@@ -18,21 +19,9 @@ use crate::place::Place;
 use crate::words;
 
 /// Names that an item of the struct has in any case, and the methods that come with its derives.
-pub(crate) const RESERVED: [&str; 14] = [
-    "default",
-    "table",
-    "formulas",
-    "DOF",
-    "JOINT_NAMES",
-    "JOINT_LIMITS",
-    "OPERATIONS",
-    "BASE_PARAMETERS",
-    "BASE_PARAMETER_NAMES",
-    "evaluate",
-    "momenta",
-    "energies",
-    "clone",
-    "eq",
+pub(crate) const RESERVED: &[&str] = word_list![
+    default table formulas DOF JOINT_NAMES JOINT_LIMITS OPERATIONS BASE_PARAMETERS BASE_PARAMETER_NAMES evaluate momenta
+    energies clone eq
 ];
 
 /// Every function that is named, parts of tuples too.
@@ -44,7 +33,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> 
     })
 }
 
-/// What is asked for, each with its place; the functions of the default set have none.
+/// The functions that are asked for, each with its place; those of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
     let default_set = Function::default_set(has_friction(robot)).into_iter();
     let default_set: Vec<_> = default_set.map(|f| (Request::One(f), None)).collect();
@@ -101,11 +90,11 @@ pub(super) fn have_mass(
     let Some((function, place)) = requests.iter().find_map(divides) else {
         return true;
     };
-    let massless = is_massless(robot);
-    if massless {
+    let has_mass = !is_massless(robot);
+    if !has_mass {
         diagnostics.error(place, mistake::no_mass(function));
     }
-    !massless
+    has_mass
 }
 
 /// Whether a function that a table asks for, or that is needed besides, reads masses. The default set does.
@@ -225,8 +214,8 @@ fn report_parts(name: &Name, parts: &[(Function, Place)], scope: &Scope) {
     }
 }
 
-/// Functions that are asked for of a robot with so many joints that they, or all of them together, would
-/// be too long, or take too long to find.
+/// Reports functions that would be too long, or take too long to find, for so many joints: each by itself, or all of
+/// them together.
 pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
     report_long_functions(asked, joints, scope);
     let tuples = asked.iter().filter_map(|asked| match asked {

@@ -44,7 +44,7 @@ fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Valu
     }
 }
 
-/// What is wrong with a position of the row's joint that was hardly meant in rad.
+/// The mistake of a position of the row's joint that was hardly meant in rad.
 pub(super) fn many_turns(value: &Value, row: &description::Row) -> Option<Mistake> {
     let is_angle = row.joint_type == Some(JointType::Revolute);
     let size = value.as_rational()?.to_f64().value().abs();

@@ -18,7 +18,7 @@ pub(super) struct Lock {
 
 struct Position {
     value: Value,
-    /// What is odd about it, where it is an angle.
+    /// The oddity of it, where it is an angle.
     odd: Option<Odd>,
     place: Place,
 }

@@ -25,7 +25,7 @@ pub(super) struct Leader {
     pub(super) name: String,
     pub(super) place: Place,
     pub(super) factor: Value,
-    /// What is odd about the value beside it as an angle, if that is one value as it was written, up to sign.
+    /// The oddity of the value beside it as an angle, if that is one value as it was written, up to sign.
     pub(super) odd: Option<(Odd, Place)>,
 }
 

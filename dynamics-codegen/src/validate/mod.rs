@@ -1,6 +1,6 @@
 //! A table to a robot that the engine knows.
 //!
-//! What comes out is a robot that makes sense; every reason why one does not is
+//! The robot that comes out makes sense; every reason why one does not is
 //! reported. A value that could not be read is unknown (`None`) from then on, so
 //! that nothing is said about it twice.
 
@@ -35,7 +35,7 @@ use couple::Couple;
 use lock::Lock;
 use scope::Scope;
 
-/// What is to be generated.
+/// A robot and the code that is to be generated for it.
 #[derive(Debug)]
 pub struct Model {
     /// The robot.
@@ -46,7 +46,7 @@ pub struct Model {
     pub tests: bool,
     /// The share below which terms are neglected, and where it was written.
     pub neglect: Option<(Value, Place)>,
-    /// What the struct's documentation says besides.
+    /// Further lines of the struct's documentation.
     pub notes: Vec<String>,
 }
 
@@ -82,14 +82,11 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
 /// The value of an expression without fields and `let`.
 #[cfg(feature = "files")]
 pub(crate) fn constant(expr: &Expr) -> Option<Value> {
-    let diagnostics = Diagnostics::new();
     let table = Table {
         entries: vec![Entry::Allow(Some(Allow::EVERYTHING))],
         ..Table::default()
     };
-    let value = Scope::new(&table, &diagnostics).value(expr);
-    diagnostics.forget();
-    value
+    Diagnostics::without(|diagnostics| Scope::new(&table, diagnostics).value(expr))
 }
 
 /// Reports the fields that no value uses. Where there are errors, the value that uses
@@ -195,14 +192,14 @@ impl Parts {
 
     fn report_missing(&self, name: &Name, diagnostics: &Diagnostics) {
         let is_of_file = matches!(Place::from(name), Place::File { .. });
-        let missing: [(bool, fn(bool) -> Mistake); 3] = [
-            (self.convention.is_none(), entry::missing_convention),
-            (self.gravity.is_none(), entry::missing_gravity),
-            (self.rows.is_none(), entry::missing_joints),
-        ];
-        for (_, mistake) in missing.into_iter().filter(|(is_missing, _)| *is_missing) {
-            diagnostics.error(name, mistake(is_of_file));
-        }
+        let report = |is_missing: bool, mistake: fn(bool) -> Mistake| {
+            if is_missing {
+                diagnostics.error(name, mistake(is_of_file));
+            }
+        };
+        report(self.convention.is_none(), entry::missing_convention);
+        report(self.gravity.is_none(), entry::missing_gravity);
+        report(self.rows.is_none(), entry::missing_joints);
     }
 
     /// A test that would compare nothing: a product is compared, and takes both factors.

@@ -4,9 +4,8 @@ use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
-use crate::description::{Allow, Given, Table, Vector};
+use crate::description::{Body, Table};
 use crate::mistake::joint as mistake;
-use crate::place::Place;
 
 /// A centre of mass may be so many times further from its frame than the arm's longest part is long.
 const FARTHEST: f64 = 10.0;
@@ -17,23 +16,22 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
     let Some(longest) = longest(parts).filter(|longest| *longest > 0.0) else {
         return;
     };
-    let far = |com: &[Value; 3], written: &Given<Vector>, allow: &Given<Allow>, place| {
-        let distance = norm(com);
-        if let (Some(distance), Some([Some(first), _, Some(last)])) = (distance, written.value())
+    let far = |com: &[Value; 3], body: &Body, place| {
+        if let (Some(distance), Some([Some(first), _, Some(last)])) = (norm(com), body.com.value())
             && distance > FARTHEST * longest
-            && !scope.with(allow).odd_com
+            && !scope.with(&body.allow).odd_com
         {
-            let place_of_com = Place::to(first.place, last.place);
+            let place_of_com = first.place.to(last.place);
             scope.error(place_of_com, mistake::far_com(distance, longest, place));
         }
     };
     for (row, written) in parts.rows.iter().flatten().zip(table.rows()) {
         if let Some(row) = row {
-            far(&row.com, &written.com, &written.allow, "row");
+            far(&row.com, &written.body, "row");
         }
     }
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
-        far(&tool.com, &written.com, &written.allow, "tool");
+        far(&tool.com, &written.body, "tool");
     }
 }
 

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use dynamics_symbolic::robot::{JointType, Mount, Row, Spring, Stribeck, Value};
 
-use super::body::Body;
+use super::body::body;
 use super::scope::{Scope, all, number};
-use super::{body, frames, limits};
+use super::{frames, limits};
 use crate::description::{self, Coulomb, Given, Part};
 use crate::mistake::joint as mistake;
 
@@ -27,23 +27,14 @@ fn report_duplicates(rows: &[description::Row], scope: &Scope) {
 }
 
 fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
-    scope.within(&row.allow, "row", |scope| cells(row, scope))
+    scope.within(&row.body.allow, "row", |scope| cells(row, scope))
 }
 
 fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
     let alpha = scope.angle(&row.alpha);
-    let body = body::body(
-        &Body {
-            mass: &row.mass,
-            com: &row.com,
-            inertia: &row.inertia,
-            inertia_at_origin: &row.inertia_at_origin,
-            place: "row",
-        },
-        scope,
-    );
+    let body = body(&row.body, scope);
     let motor = motor(&row.motor, scope);
     let zero = (Value::zero(), [0; 2].map(Value::integer), None);
     let friction = row.friction.read(zero, |friction| {

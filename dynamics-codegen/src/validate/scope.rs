@@ -27,11 +27,11 @@ pub(super) struct Scope<'d> {
     used: Vec<bool>,
     /// Whether all fields are known; if not, any name may be one.
     complete: bool,
-    /// What the values so far are in all.
+    /// The size of all values so far.
     total: Total,
-    /// What is allowed everywhere in the table.
+    /// The allowances of the whole table.
     everywhere: Allow,
-    /// What is allowed besides in what is read, and what messages call that.
+    /// The allowances of the row or tool that is read, and how messages call it.
     body: Option<(Allow, &'static str)>,
     /// The cell that is read, where the joint's variable is added to it.
     variable: Option<&'static str>,
@@ -103,7 +103,7 @@ impl<'d> Scope<'d> {
         value
     }
 
-    /// What is allowed where that is allowed besides.
+    /// The allowances of a row or tool, and of the whole table.
     pub(super) fn with(&self, allow: &Given<Allow>) -> Allow {
         self.everywhere.or(match allow {
             Given::Absent => Allow::default(),
@@ -112,9 +112,14 @@ impl<'d> Scope<'d> {
         })
     }
 
-    /// What is allowed in what is read.
+    /// The allowances where the scope is now.
     pub(super) fn allowed(&self) -> Allow {
         self.body.map_or(self.everywhere, |(allow, _)| allow)
+    }
+
+    /// The row or the tool that is read, as messages call it.
+    pub(super) fn place(&self) -> &'static str {
+        self.body.map_or("row", |(_, place)| place)
     }
 
     /// Where it is allowed, as a message says it.
@@ -264,7 +269,8 @@ impl<'d> Scope<'d> {
     fn measured_cell(&mut self, expr: &Expr) -> Option<Measured> {
         let measured = self.counted(expr)?;
         let value = &measured.value;
-        self.total.bits += bits(value);
+        // Bits of the exact numbers in it.
+        self.total.bits += size_of(value, |leaf| leaf.as_rational().map_or(0, bit_length));
         if self.total.bits > MOST_BITS_IN_ALL {
             // Said once: the table would have to be as long again.
             self.total.bits = 0;
@@ -379,7 +385,7 @@ impl<'d> Scope<'d> {
 
     /// A value that was put together of values that are good, or `None` where it is longer than a value may be.
     pub(super) fn limited(&self, value: Value, place: Place) -> Option<Value> {
-        self.limit(terms(&value), place)?;
+        self.limit(size_of(&value, |_| 1), place)?;
         self.limit_digits(&value, place)?;
         Some(value)
     }
@@ -446,7 +452,7 @@ impl<'d> Scope<'d> {
         }
     }
 
-    /// What to say about a name that is not in scope. A field that was meant is used.
+    /// The mistake of a name that is not in scope. A field that was meant is used.
     fn unknown(&mut self, name: &str) -> Mistake {
         if self.lets.iter().any(|bound| bound == name) {
             return mistake::bound_below(name);
@@ -469,22 +475,14 @@ impl<'d> Scope<'d> {
     }
 }
 
-/// Terms of the value.
-fn terms(value: &Value) -> usize {
+/// The sum of the sizes of all numbers, constants and fields in the value.
+fn size_of(value: &Value, leaf: fn(&Value) -> usize) -> usize {
     match value {
-        Value::Rational(_) | Value::Pi | Value::Field(_) => 1,
-        Value::Neg(a) => terms(a),
-        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => terms(a) + terms(b),
-    }
-}
-
-/// Bits of the exact numbers in the value.
-fn bits(value: &Value) -> usize {
-    match value {
-        Value::Rational(r) => bit_length(r),
-        Value::Pi | Value::Field(_) => 0,
-        Value::Neg(a) => bits(a),
-        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => bits(a) + bits(b),
+        Value::Rational(_) | Value::Pi | Value::Field(_) => leaf(value),
+        Value::Neg(a) => size_of(a, leaf),
+        Value::Add(a, b) | Value::Mul(a, b) | Value::Div(a, b) => {
+            size_of(a, leaf) + size_of(b, leaf)
+        }
     }
 }
 

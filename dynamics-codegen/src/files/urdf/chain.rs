@@ -290,12 +290,12 @@ impl<'a> Chain<'a> {
         }
         let number = |x: Rational| Expr::signed(tidy(x), place);
         let whole = body.mass.body();
-        row.mass = Given::As(number(whole.mass));
-        row.com = Given::As(whole.com.map(|x| Some(number(x))));
+        row.body.mass = Given::As(number(whole.mass));
+        row.body.com = Given::As(whole.com.map(|x| Some(number(x))));
         let values = whole.inertia.map(|x| Given::As(number(x)));
-        row.inertia = Given::As(Inertia::Tensor(Box::new(Part { place, values })));
+        row.body.inertia = Given::As(Inertia::Tensor(Box::new(Part { place, values })));
         // Each of the bodies was judged where it stands, and angles are taken as they were written.
-        row.allow = Given::As(Allow {
+        row.body.allow = Given::As(Allow {
             odd_limits: false,
             ..Allow::EVERYTHING
         });
