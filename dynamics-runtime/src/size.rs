@@ -129,7 +129,7 @@ pub trait JointMatrix:
     + Sub<Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// What it is multiplied with.
+    /// The vectors that it is multiplied with.
     type Vector: JointVector;
 
     /// The product with a vector.

@@ -87,8 +87,8 @@ enum Read {
     Follower(Follower),
 }
 
-/// Calls `found` for each row whose joint moves, from the base outwards. What is fixed to the row's link, by joints that
-/// are locked, is a part of it.
+/// Calls `found` for each row whose joint moves, from the base outwards. Links that locked joints fix to the row's link are
+/// a part of it.
 fn for_moving_rows(
     convention: Convention,
     rows: &[Row],
