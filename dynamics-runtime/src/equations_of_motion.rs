@@ -1,4 +1,4 @@
-//! What a simulation asks of an arm.
+//! The equations of an arm that a simulation solves.
 
 use nalgebra::{Const, SMatrix, SVector};
 
@@ -150,7 +150,7 @@ pub(crate) fn inverse_columns<D: Size>(
     columns
 }
 
-/// What is known of an arm besides its equations: its table, the names of its joints, and its energies.
+/// An arm besides its equations: its table, the names of its joints, and its energies.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no robot",
     note = "`robot_dynamics!` makes robots, from Denavit-Hartenberg tables"

@@ -1,4 +1,4 @@
-//! What `core` has not of a float: from the standard library, or else from `libm`.
+//! Operations of floats that `core` lacks: from the standard library, or else from `libm`.
 
 use core::ops::{Add, Mul};
 

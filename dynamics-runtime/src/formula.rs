@@ -1,4 +1,4 @@
-//! What a generated function computes, as formulas.
+//! Formulas of generated functions.
 
 use core::fmt;
 

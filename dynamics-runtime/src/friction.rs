@@ -154,7 +154,7 @@ impl JointFriction {
 
 #[cfg(feature = "std")]
 impl Arm<'_> {
-    /// What holds and brakes the joints: their own dry friction, and that of the joints that follow them.
+    /// The dry friction that holds and brakes the joints: their own, and that of the joints that follow them.
     pub(crate) fn dry_friction<D: Size>(self) -> D::Each<JointFriction> {
         let size = D::from_usize(self.rows.len());
         let of_joint = |joint: usize| {

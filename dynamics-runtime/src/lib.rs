@@ -71,7 +71,7 @@ mod unrolled;
 #[cfg(test)]
 mod test_arms;
 
-// What a first program needs.
+// The items that a first program needs.
 #[cfg(feature = "std")]
 pub use batch::Batch;
 pub use certified::Certified;
@@ -95,7 +95,7 @@ pub use size::Size;
 pub use state::{AccelerationDerivatives, SecondDerivatives, State};
 pub use trajectory::Cycloidal;
 
-// What generated code and other crates of this workspace name, besides.
+// The items that generated code and other crates of this workspace name, besides.
 #[cfg(feature = "rayon")]
 #[doc(hidden)]
 pub use batch::on_all_cores;

@@ -1,4 +1,4 @@
-//! What a generated robot is to generic code.
+//! The traits by which generic code knows a generated robot.
 
 use nalgebra::{Const, Matrix4, SMatrix, SVector};
 

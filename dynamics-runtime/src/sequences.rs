@@ -51,7 +51,7 @@ pub(crate) mod vectors {
     impl<V: JointVector> Serialize for Entry<&V> {
         fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
             let entries = self.0.entries();
-            match V::SIZE {
+            match V::size() {
                 Some(_) => write(entries, serializer),
                 None => serializer.collect_seq(entries),
             }
@@ -60,7 +60,7 @@ pub(crate) mod vectors {
 
     impl<'de, V: JointVector> Deserialize<'de> for Entry<V> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let entries: Vec<f64> = match V::SIZE {
+            let entries: Vec<f64> = match V::size() {
                 Some(size) => read(deserializer, size)?,
                 None => Vec::deserialize(deserializer)?,
             };

@@ -68,59 +68,38 @@ impl<'a, R: Model<N>, T: Scalar, const N: usize> SharedSines<'a, R, T, N> {
     }
 }
 
-impl<R, T: Scalar, const N: usize> SharedSines<'_, R, T, N> {
+/// The functions, each with the sines that are known.
+macro_rules! shared_functions {
+    ($($(#[doc = $description:literal])* $method:ident, $method_at:ident: $name:ident($($x:ident),*) -> $value:ty;)*) => {
+        impl<R, T: Scalar, const N: usize> SharedSines<'_, R, T, N> {$(
+            $(#[doc = $description])*
+            #[inline]
+            pub fn $method(&self $(, $x: &SVector<T, N>)*) -> $value
+            where
+                R: $name<N>,
+            {
+                self.arm.$method_at(&self.sines, &self.q $(, $x)*)
+            }
+        )*}
+    };
+}
+
+shared_functions! {
     /// Mass matrix M(q), kg m^2, kg m or kg.
-    #[inline]
-    pub fn mass_matrix(&self) -> SMatrix<T, N, N>
-    where
-        R: MassMatrix<N>,
-    {
-        self.arm.mass_matrix_at(&self.sines, &self.q)
-    }
-
+    mass_matrix, mass_matrix_at: MassMatrix() -> SMatrix<T, N, N>;
     /// Coriolis and centrifugal vector V(q, qd), N m or N; `qd` per second.
-    #[inline]
-    pub fn coriolis_vector(&self, qd: &SVector<T, N>) -> SVector<T, N>
-    where
-        R: CoriolisVector<N>,
-    {
-        self.arm.coriolis_vector_at(&self.sines, &self.q, qd)
-    }
-
+    coriolis_vector, coriolis_vector_at: CoriolisVector(qd) -> SVector<T, N>;
     /// Gravity vector G(q), N m or N.
-    #[inline]
-    pub fn gravity_vector(&self) -> SVector<T, N>
-    where
-        R: GravityVector<N>,
-    {
-        self.arm.gravity_vector_at(&self.sines, &self.q)
-    }
-
+    gravity_vector, gravity_vector_at: GravityVector() -> SVector<T, N>;
     /// Inverse dynamics tau = M qdd + V + G + K + F, N m or N; `qd` per second, `qdd` per second
     /// squared.
-    #[inline]
-    pub fn inverse_dynamics(&self, qd: &SVector<T, N>, qdd: &SVector<T, N>) -> SVector<T, N>
-    where
-        R: InverseDynamics<N>,
-    {
-        self.arm.inverse_dynamics_at(&self.sines, &self.q, qd, qdd)
-    }
-
+    inverse_dynamics, inverse_dynamics_at: InverseDynamics(qd, qdd) -> SVector<T, N>;
     /// Forward dynamics qdd with M qdd + V + G + K + F = tau, rad/s^2 or m/s^2; `qd` per second,
     /// `tau` in N m or N.
     ///
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision.
-    #[inline]
-    pub fn forward_dynamics(
-        &self,
-        qd: &SVector<T, N>,
-        tau: &SVector<T, N>,
-    ) -> Result<SVector<T, N>, SingularMassMatrix>
-    where
-        R: ForwardDynamics<N>,
-    {
-        self.arm.forward_dynamics_at(&self.sines, &self.q, qd, tau)
-    }
+    forward_dynamics, forward_dynamics_at: ForwardDynamics(qd, tau)
+        -> Result<SVector<T, N>, SingularMassMatrix>;
 }

@@ -73,7 +73,7 @@ impl SingularMassMatrix {
         }
     }
 
-    /// What the ratio says about the cause, and what to do about it.
+    /// The cause, as far as the ratio tells it, and a remedy.
     fn advice(&self) -> &'static str {
         // The rounding errors of single precision, with room.
         const ROUNDING: f64 = 1e-5;

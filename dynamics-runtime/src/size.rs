@@ -3,9 +3,10 @@
 use core::fmt::Debug;
 use core::ops::{Add, Index, IndexMut, Mul, Neg, Range, Sub};
 
-use nalgebra::{Const, Dim, SMatrix, SVector};
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
 #[cfg(feature = "std")]
-use nalgebra::{DMatrix, DVector, Dyn, OMatrix};
+use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::Scalar;
 #[cfg(feature = "std")]
@@ -100,7 +101,7 @@ pub trait JointVector:
     + Neg<Output = Self>
 {
     /// The number of entries, where the compiler knows it.
-    const SIZE: Option<usize>;
+    fn size() -> Option<usize>;
 
     /// The vector with these entries.
     fn from_entries(size: usize, entry: impl FnMut(usize) -> f64) -> Self;
@@ -128,7 +129,7 @@ pub trait JointMatrix:
     + Sub<Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// What it is multiplied with.
+    /// The vectors that it is multiplied with.
     type Vector: JointVector;
 
     /// The product with a vector.
@@ -191,12 +192,17 @@ impl<const N: usize> Size for Const<N> {
     }
 }
 
-impl<const N: usize> JointVector for SVector<f64, N> {
-    const SIZE: Option<usize> = Some(N);
+impl<D: Dim> JointVector for OVector<f64, D>
+where
+    DefaultAllocator: Allocator<D>,
+{
+    fn size() -> Option<usize> {
+        D::try_to_usize()
+    }
 
     #[inline(always)]
-    fn from_entries(_: usize, mut entry: impl FnMut(usize) -> f64) -> Self {
-        SVector::from_fn(|i, _| entry(i))
+    fn from_entries(size: usize, mut entry: impl FnMut(usize) -> f64) -> Self {
+        OVector::from_fn_generic(D::from_usize(size), Const::<1>, |i, _| entry(i))
     }
 
     #[inline(always)]
@@ -209,8 +215,11 @@ impl<const N: usize> JointVector for SVector<f64, N> {
     }
 }
 
-impl<const N: usize> JointMatrix for SMatrix<f64, N, N> {
-    type Vector = SVector<f64, N>;
+impl<D: Dim> JointMatrix for OMatrix<f64, D, D>
+where
+    DefaultAllocator: Allocator<D> + Allocator<D, D>,
+{
+    type Vector = OVector<f64, D>;
 
     #[inline(always)]
     fn times(&self, vector: &Self::Vector) -> Self::Vector {
@@ -285,31 +294,5 @@ impl Size for Dyn {
 
     fn links<X: Copy + Debug>(self, count: usize, entry: X) -> Self::Links<X> {
         vec![entry; count]
-    }
-}
-
-#[cfg(feature = "std")]
-impl JointVector for DVector<f64> {
-    const SIZE: Option<usize> = None;
-
-    fn from_entries(size: usize, mut entry: impl FnMut(usize) -> f64) -> Self {
-        DVector::from_fn(size, |i, _| entry(i))
-    }
-
-    fn entries(&self) -> &[f64] {
-        self.as_slice()
-    }
-
-    fn largest(&self) -> f64 {
-        self.amax()
-    }
-}
-
-#[cfg(feature = "std")]
-impl JointMatrix for DMatrix<f64> {
-    type Vector = DVector<f64>;
-
-    fn times(&self, vector: &Self::Vector) -> Self::Vector {
-        self * vector
     }
 }

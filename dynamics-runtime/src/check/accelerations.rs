@@ -1,4 +1,4 @@
-//! What is solved for with M: judged by the equations that it has to satisfy.
+//! Solutions with M, judged by the equations that they have to satisfy.
 
 use nalgebra::{DMatrix, DVector, Vector6};
 
@@ -13,8 +13,8 @@ const SINGULAR: f64 = 1e-10;
 /// Below this part of the largest |M| a pivot, and with it the diagonal entry that bounds it, counts
 /// as zero too.
 ///
-/// Where nothing resists a joint at some state (point masses on its axis), the numeric entry is not
-/// 0 but the roundings of terms as large as those elsewhere in M, at most a few 1e-16 of them.
+/// If nothing resists a joint (point masses on its axis), the numeric entry is no 0. It is the roundings of terms as large
+/// as those elsewhere in M, at most a few 1e-16 of them.
 /// Measured against itself such an entry looks regular. No real arm comes near the bound: a finger of
 /// 1e-6 kg m^2 on an arm of 1e4 kg m^2 is a hundred times above it.
 const VANISHING: f64 = 1e-12;
@@ -97,8 +97,8 @@ pub(super) fn acceleration_derivatives<T: Measured>(
     Some(residuals.collect())
 }
 
-/// J M^-1 J' beside a solution of M X = J'. What rounds an entry of M by e changes the product by
-/// X' e X, which is its natural error however nearly singular M is.
+/// J M^-1 J' beside a solution of M X = J'. A rounding e of M changes the product by X' e X, which is its natural error
+/// however nearly singular M is.
 pub(super) fn task_space<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<Entry>> {
     let Some([found]) = matrices(found, [(6, 6)]) else {
         return unreadable();

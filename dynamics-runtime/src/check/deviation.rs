@@ -5,7 +5,7 @@ use num_traits::{One, Zero};
 
 use crate::{Certified, Scalar};
 
-/// What generated functions are compared in: doubles, or doubles with a bound of what they rounded.
+/// The numbers of a comparison: doubles, or doubles with a bound of their rounding.
 pub(super) trait Measured:
     Scalar + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + Zero + One
 {
@@ -15,7 +15,7 @@ pub(super) trait Measured:
     /// The number.
     fn double(self) -> f64;
 
-    /// What its rounding errors add up to at most; 0 where they were not counted.
+    /// The bound of its rounding errors; 0 if they were not counted.
     fn rounding(self) -> f64;
 }
 
@@ -138,7 +138,7 @@ impl Deviation {
         }
     }
 
-    /// Of a value that there is nothing to compare with.
+    /// The deviation of a value that there is nothing to compare with.
     pub(super) fn not_compared(function: &'static str) -> Self {
         Deviation {
             function,

@@ -80,7 +80,7 @@ pub struct Check {
 /// Tolerance of a relative error, per joint.
 ///
 /// Each link that a result passes through adds a few roundings of 1.1e-16 on either side of the
-/// comparison; arms of up to 12 joints stay below 1e-15 per joint. A wrong term is wrong in its
+/// comparison. Arms of up to 12 joints stay below 1e-15 per joint. A wrong term is wrong in its
 /// first digits. In the wide gap between, this bound stands nearer to the roundings.
 const TOLERANCE_PER_JOINT: f64 = 1e-13;
 
@@ -203,8 +203,8 @@ impl Check {
     }
 }
 
-/// A robot that a check evaluates, whatever the number of its joints. Those with [`Evaluate`] are checked by
-/// [`Check::run`].
+/// A robot that a check evaluates, whatever the number of its joints. [`Check::run`] makes one of each robot with
+/// [`Evaluate`].
 pub trait Checked {
     /// The names of the joints, from the base outwards.
     fn names(&self) -> Vec<String>;

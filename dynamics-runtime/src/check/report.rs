@@ -1,4 +1,4 @@
-//! What a comparison found.
+//! The report of a comparison.
 
 use core::fmt;
 
@@ -20,9 +20,9 @@ pub struct Report {
     /// One entry for each function that was compared, and one for each part of a method that returns
     /// several functions.
     pub functions: Vec<FunctionReport>,
-    /// The functions that could be compared at no state: forward dynamics of a mass matrix that is singular
-    /// everywhere, where an error is the right answer; a regressor without `base_parameters`, or these without a
-    /// regressor, because only their product is compared.
+    /// The functions that could be compared at no state. Forward dynamics is one of them if the mass matrix is singular
+    /// everywhere, because an error is the right answer then. So is a regressor without `base_parameters`, or these
+    /// without a regressor, because only their product is compared.
     pub not_compared: Vec<&'static str>,
     /// Number of states at which the robot was evaluated.
     pub states: usize,
@@ -47,8 +47,8 @@ pub struct FunctionReport {
     pub states: usize,
     /// The largest relative error; infinite where a value was not a number.
     pub error: f64,
-    /// The largest proven bound of what the function rounds, relative to the same scale, at any of the states;
-    /// infinite where nothing is proven, `None` where it was not asked for.
+    /// The largest proven bound of the function's rounding at any of the states, relative to the same scale. It is
+    /// infinite if nothing is proven, and `None` if it was not asked for.
     pub rounding: Option<f64>,
     /// The largest error that passes.
     pub tolerance: f64,
@@ -241,7 +241,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// What rounding may take from a pivot, relative to its diagonal entry.
+/// The most that rounding takes from a pivot, relative to its diagonal entry.
 const NEGATIVE: f64 = 1e-10;
 
 const COLUMNS: usize = 8;

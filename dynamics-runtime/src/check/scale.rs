@@ -114,7 +114,7 @@ impl Scale {
         }
     }
 
-    /// Of d2 tau/dq dq, whose terms are those of tau without springs and friction, d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq.
+    /// The scales of d2 tau/dq dq (without springs and friction), d2 tau/dqd dqd, d2 tau/dq dqd and dM/dq.
     pub(super) fn second_derivatives(&self) -> [f64; 4] {
         [
             self.force_by_position - self.stiffness,
@@ -124,10 +124,10 @@ impl Scale {
         ]
     }
 
-    /// Of the first and the second derivative of tau along a motion: of its terms with all products of
-    /// the rates of the joints that have the same dimension.
+    /// The scales of the first and the second derivative of tau along a motion: its terms with all products of the joints'
+    /// rates that have the same dimension.
     pub(super) fn rates(&self, state: &SizedState<Dyn>) -> [f64; 2] {
-        // Of all joints; that what they do is felt by those that lead is a part of M.
+        // The rates of all joints, followers included. M holds how they act on the joints that lead.
         let [v, a] = [&state.qd, &state.qdd].map(|rates| self.fastest * rates.amax());
         let [jerk, snap] = [state.jerk(), state.snap()].map(|rates| self.fastest * rates.amax());
         let mass = self.mass_matrix / self.fastest;

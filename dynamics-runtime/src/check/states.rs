@@ -19,8 +19,8 @@ const AT_REST: usize = 4;
 const SLOW: usize = 16;
 
 impl Check {
-    /// The special states, then the random ones, each with a name. `farthest` says how far what follows a
-    /// joint goes for each unit of it: no angle is larger than it is asked for, for its rounding is an error of its sine.
+    /// The special states, then the random ones, each with a name. `farthest` says how far the
+    /// followers of a joint go for each unit of it: their angles stay as small, because a rounded angle has a wrong sine.
     pub(super) fn states(
         &self,
         joints: &[JointType],
@@ -55,7 +55,7 @@ impl Check {
             add(format!("large angles {i}"), &|random, state| {
                 for ((q, joint_type), farthest) in state.q.iter_mut().zip(joints).zip(farthest) {
                     let angle = random.within(&(-1e3..=1e3)) / farthest;
-                    // What slides does not go a kilometre: moments of inertia over that distance cost
+                    // No slide moves by a kilometre: moments of inertia over that distance cost
                     // the numeric side digits that the model has.
                     if *joint_type == JointType::Revolute {
                         *q = angle;

@@ -81,7 +81,7 @@ impl<const N: usize, T: Scalar> Arguments<N, T> {
             jerk: state.jerk().map(real),
             snap: state.snap().map(real),
             wrench: State::<N>::wrench().map(real),
-            // Of a Taylor series: accelerations and jerks are compared.
+            // The order of a Taylor series: accelerations and jerks are compared.
             order: 3,
         }
     }
@@ -125,7 +125,7 @@ pub struct Evaluation<T: Scalar = f64> {
     values: BTreeMap<&'static str, Result<Vec<T>, SingularMassMatrix>>,
 }
 
-/// What two functions make together.
+/// The values that two functions make together.
 pub(crate) const FORMS: [&str; 4] = [
     "configuration_space_form",
     "regressor_form",

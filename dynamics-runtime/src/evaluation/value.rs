@@ -5,7 +5,7 @@ use nalgebra::{DefaultAllocator, Dim, OMatrix, SMatrix};
 
 use crate::{Scalar, SingularMassMatrix};
 
-/// What a generated function returns in the numbers `T`: a number, a matrix, an array or a tuple of these, or an error in
+/// A value of a generated function in the numbers `T`: a number, a matrix, an array or a tuple of these, or an error in
 /// their place.
 ///
 /// As a list of numbers, matrices count by columns, and arrays and tuples one part after the other. A `Vec` is as long as

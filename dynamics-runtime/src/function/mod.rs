@@ -63,7 +63,7 @@ pub trait Function<F, const N: usize> {
     ) -> Result<Of<Self::Values, T>, Self::Error>;
 }
 
-/// What does not happen.
+/// The error that does not happen.
 #[doc(hidden)]
 impl From<Infallible> for SingularMassMatrix {
     fn from(never: Infallible) -> Self {

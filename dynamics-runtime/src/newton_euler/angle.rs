@@ -23,7 +23,8 @@ impl SinCos {
     /// The angle zero.
     pub(super) const ZERO: SinCos = SinCos { sin: 0.0, cos: 1.0 };
 
-    /// The angle of a joint.
+    /// The angle of a joint by itself: all others are evaluated side by side.
+    #[cold]
     pub(super) fn of_joint(angle: f64) -> Self {
         let [(sin, cos)] = f64::sin_cos_array([angle]);
         SinCos { sin, cos }

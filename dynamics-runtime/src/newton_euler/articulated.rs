@@ -31,8 +31,8 @@ struct Articulated {
     d: Matrix3<f64>,
 }
 
-/// What velocities add to a link's acceleration, beside that of the link before it, and the wrench that the link needs
-/// for them: `w x (w x h)` and `w x J w`.
+/// The acceleration that velocities add to that of the link before, and the wrench that the link needs for them:
+/// `w x (w x h)` and `w x J w`.
 #[derive(Clone, Copy, Debug)]
 struct VelocityTerms {
     added: Acceleration,
@@ -49,7 +49,7 @@ impl VelocityTerms {
     };
 }
 
-/// What the inward pass leaves for the outward one.
+/// The results of the inward pass that the outward one reads.
 #[derive(Clone, Copy, Debug)]
 struct Pass {
     /// The joint's acceleration where its link is held.
@@ -83,7 +83,7 @@ impl Add for Beyond {
 }
 
 impl Acceleration {
-    /// Of the frame beyond a joint that does not accelerate, at rest.
+    /// The acceleration of the frame beyond a joint that does not accelerate, at rest.
     fn outward(&self, joint: &Joint) -> Acceleration {
         let linear = self.linear + self.angular.cross(&joint.origin);
         Acceleration {
@@ -92,7 +92,7 @@ impl Acceleration {
         }
     }
 
-    /// With what the joint adds.
+    /// The sum with the joint's own acceleration.
     fn plus(self, joint_type: JointType, qdd: f64) -> Acceleration {
         let Acceleration {
             mut angular,
@@ -112,7 +112,7 @@ impl Acceleration {
 }
 
 impl Articulated {
-    /// Of a rigid body: A = J, B = [h]x, D = m 1.
+    /// A rigid body: A = J, B = [h]x, D = m 1.
     fn rigid(inertia: &Inertia) -> Self {
         let s = &inertia.second_moment;
         Articulated {

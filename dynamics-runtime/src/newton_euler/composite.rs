@@ -14,7 +14,7 @@ use crate::JointType;
 use crate::size::Size;
 
 impl Inertia {
-    /// What gives the body a unit acceleration of its own joint, at rest: with `U = [z]x` and
+    /// The wrench of a unit acceleration of the body's own joint, at rest: with `U = [z]x` and
     /// `a = 0` (revolute) or `U = 0` and `a = z` (prismatic).
     #[inline(always)]
     pub(super) fn unit_wrench(&self, joint_type: JointType) -> Wrench {
@@ -65,8 +65,8 @@ impl<D: Size> NumericArm<D> {
         mass_matrix
     }
 
-    /// G at the joints' positions: the weight `m g` of all links beyond a joint acts at their
-    /// centre of mass, so that joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic).
+    /// G at the joints' positions. The weight `m g` of all links beyond a joint acts at their
+    /// centre of mass: joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic).
     #[inline(always)]
     pub(super) fn weights(&self, joints: &D::Links<Joint>) -> D::Vector {
         let mut gravity = self.per_link(Vector3::zeros());

@@ -1,9 +1,9 @@
 //! Derivatives of the joint torques, by differences that are no approximation.
 //!
-//! tau without springs and friction is a trigonometric polynomial of degree two in each joint angle, for it is linear in products
-//! of two entries of the link's transform, and a polynomial of degree two in each displacement and
-//! each velocity. Differences over distances that may be large give the derivatives of such
-//! functions exactly, with roundings as small as those of tau itself.
+//! tau without springs and friction is linear in products of two entries of a link's transform. So it is a trigonometric
+//! polynomial of degree two in each joint angle, and a polynomial of degree two in each displacement and each velocity.
+//! Differences over distances that may be large give the derivatives of such functions exactly, with roundings as small
+//! as those of tau itself.
 
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::{Add, Mul, Sub};

@@ -39,8 +39,8 @@ impl<D: Size> NumericArm<D> {
         0.5 * energy
     }
 
-    /// Potential energy of gravity and springs, U = -sum m g.c + sum 1/2 stiffness (q - rest)^2. That of gravity is
-    /// zero if all centres of mass are at the world's origin.
+    /// Potential energy of gravity and springs, U = -sum m g.c + sum 1/2 stiffness (q - rest)^2. The energy of
+    /// gravity is zero if all centres of mass are at the world's origin.
     pub fn potential_energy(&self, q: &D::Vector) -> f64 {
         let mut energy = 0.0;
         self.at(q, |joints| {

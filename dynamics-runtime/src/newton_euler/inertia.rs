@@ -21,14 +21,14 @@ pub(super) struct Inertia {
 }
 
 impl Inertia {
-    /// Of nothing.
+    /// No mass.
     pub(super) const ZERO: Inertia = Inertia {
         mass: 0.0,
         first_moment: Vector3::new(0.0, 0.0, 0.0),
         second_moment: Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     };
 
-    /// Of a body with its inertia tensor about the centre of mass: `S = tr(I)/2 1 - I + m c c^T`.
+    /// The integrals of a body with its inertia tensor about the centre of mass: `S = tr(I)/2 1 - I + m c c^T`.
     pub(super) fn new(mass: f64, com: &Vector3<f64>, tensor: &Matrix3<f64>) -> Self {
         let about_com = Matrix3::from_diagonal_element(0.5 * tensor.trace()) - tensor;
         Inertia {

@@ -102,7 +102,7 @@ impl<D: Size> NumericArm<D> {
         self.walk_to_base(last, |joint| {
             let axis = poses[joint.k].rotation.column(2).into_owned();
             let place = poses[joint.k].position;
-            // Of the axis and of its point, by the joints before it.
+            // The velocity of the axis and of its point, by the joints before it.
             let [v, w] = self.velocity(joint.carrier, &place, &poses, qd);
             let turning = w.cross(&axis);
             let column = match joint.link.joint_type {
@@ -195,8 +195,8 @@ fn center(link: &Link, pose: &Pose) -> Vector3<f64> {
     pose.rotation * link.com + pose.position
 }
 
-/// What a joint, whose frame is at `pose`, gives a point beyond it at unit speed, above the angular
-/// velocity of its link.
+/// The velocity of a point beyond a joint at unit speed, above the angular velocity of the link. The joint's frame is at
+/// `pose`.
 fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
     let axis = pose.rotation.column(2).into_owned();
     match link.joint_type {

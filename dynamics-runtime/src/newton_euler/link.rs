@@ -20,7 +20,7 @@ pub struct Link {
     a: f64,
     pub(super) d: f64,
     pub(super) theta: SinCos,
-    /// What comes before alpha and a where the row does not begin at the frame before it.
+    /// The place before alpha and a, if the row does not begin at the frame before it.
     mount: Option<Mount>,
     pub(super) mass: f64,
     pub(super) com: Vector3<f64>,

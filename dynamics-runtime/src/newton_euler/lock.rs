@@ -41,9 +41,20 @@ impl<const N: usize> Table<N> {
         rows: [Row; L],
         motions: [JointMotion; L],
     ) -> Self {
+        Self::couple_rows(convention, gravity, &rows, &motions)
+    }
+
+    /// [`Table::couple`] with a slice of rows.
+    #[doc(hidden)]
+    pub fn couple_rows(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        motions: &[JointMotion],
+    ) -> Self {
         let mut joints = [Row::new(JointType::Revolute); N];
         let (mut followers, mut free) = (Followers::NONE, 0);
-        for_moving_rows(convention, &rows, &motions, |row| match row {
+        for_moving_rows(convention, rows, motions, |row| match row {
             Read::Joint(row) => {
                 assert!(free < N, "{N} joints move by themselves");
                 joints[free] = row;
@@ -87,8 +98,8 @@ enum Read {
     Follower(Follower),
 }
 
-/// Calls `found` for each row whose joint moves, from the base outwards. What is fixed to the row's link, by joints that
-/// are locked, is a part of it.
+/// Calls `found` for each row whose joint moves, from the base outwards. Links that locked joints fix to the row's link are
+/// a part of it.
 fn for_moving_rows(
     convention: Convention,
     rows: &[Row],

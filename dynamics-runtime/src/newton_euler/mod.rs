@@ -2,9 +2,8 @@
 //! algorithm, M by composite bodies, forward dynamics by both and a factorisation, or by articulated
 //! bodies.
 //!
-//! Nothing in here knows of the symbolic derivation: the checks compare the two. What does not
-//! depend on the state is computed once, by [`NewtonEuler::new`]; a call evaluates all sines at
-//! once, validates nothing and allocates nothing.
+//! Nothing in here knows of the symbolic derivation: the checks compare the two. [`NewtonEuler::new`] computes all that
+//! does not depend on the state. A call evaluates all sines at once, validates nothing and allocates nothing.
 //!
 //! Sources. John J. Craig, *Introduction to Robotics: Mechanics and Control*, chapter 6: outward
 //! iteration (6.31) to (6.37), inward iteration after it, gravity as an acceleration of the base,
@@ -92,7 +91,7 @@ pub type NewtonEuler<const N: usize> = NumericArm<Const<N>>;
 pub struct NumericArm<D: Size> {
     size: D,
     table: D::Table,
-    /// From the base outwards. Those of joints that follow others are among them.
+    /// From the base outwards. The links of joints that follow others are among them.
     links: D::Links<Link>,
     count: usize,
     /// Whether a link is carried by another one than the link before it.

@@ -102,7 +102,7 @@ impl FrameJets {
         };
         let rotation = chained(self.rotation, turned);
         let arm = apply(self.rotation, place);
-        // What the arm does besides turning with the link before.
+        // The rates of the arm besides turning with the link before.
         let axis = rotation.map(|r| r.column(2).into_owned());
         let (w, e) = (self.velocity, self.acceleration);
         let fixed_to_link = sum(cross(e, arm), cross(w, cross(w, arm)));

@@ -15,7 +15,7 @@ use crate::size::Size;
 pub(super) struct FrameMotion {
     angular_velocity: Vector3<f64>,
     angular_acceleration: Vector3<f64>,
-    /// Of the frame's origin, gravity taken off.
+    /// The acceleration of the frame's origin, gravity taken off.
     pub(super) linear_acceleration: Vector3<f64>,
     /// U: a point r fixed in the frame has the acceleration `linear_acceleration + U r`.
     pub(super) spread: Matrix3<f64>,

@@ -46,7 +46,7 @@ impl crate::RuntimeTable {
     }
 }
 
-/// Those of the links of followers, or of the others.
+/// The parameters of the links of followers, or of the others.
 fn standard_parameters(
     arm: Arm<'_>,
     of_followers: bool,
@@ -82,7 +82,7 @@ fn parameters(row: &Row) -> StandardParameters {
 }
 
 impl Inertia {
-    /// Of a body with one of the standard parameters, which is 1: `S = tr(J)/2 1 - J`.
+    /// The inertia of a body with one of the standard parameters, which is 1: `S = tr(J)/2 1 - J`.
     fn unit(parameter: usize) -> Self {
         let mut inertia = Inertia::ZERO;
         let s = &mut inertia.second_moment;

@@ -42,8 +42,8 @@ impl<D: Size> NumericArm<D> {
         })
     }
 
-    /// Forces at the joints of all links, as the joints of q feel them: a force f on a follower that moves k times as
-    /// far as its leader is k f to the leader.
+    /// Forces at the joints of all links, as forces at the joints of q. A force f on a follower that moves k times as far
+    /// as its leader is k f at the leader.
     #[inline(always)]
     fn gathered(&self, force: impl Fn(&Place<'_>) -> f64) -> D::Vector {
         let mut sum = self.size.vector();

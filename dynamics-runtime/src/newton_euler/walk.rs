@@ -1,6 +1,6 @@
 //! The ways over the links of an arm: outwards, inwards, and along the links that carry one.
 //!
-//! A link knows the link that carries it. Of a serial arm that is the one before it.
+//! A link knows the link that carries it. In a serial arm this is the one before it.
 
 use core::fmt::Debug;
 use core::ops::{Add, Index, IndexMut};
@@ -28,7 +28,7 @@ impl Place<'_> {
         self.factor * joints[self.joint]
     }
 
-    /// Adds a force at this joint to those at the joints of q, which feel it as many times as this joint moves.
+    /// Adds a force at this joint to those at the joints of q, times the factor by which this joint moves.
     #[inline(always)]
     pub(super) fn add(&self, forces: &mut impl IndexMut<usize, Output = f64>, force: f64) {
         forces[self.joint] += self.factor * force;
@@ -149,8 +149,8 @@ impl<D: Size> NumericArm<D> {
         );
     }
 
-    /// From the tips inwards: `step` is given the sum of a link's `own` value and of the values that the links it
-    /// carries hand on to it, and makes of it the value that this link hands on, if a link carries it.
+    /// From the tips inwards: `step` is given the sum of a link's `own` value and of the values handed on to it by the links
+    /// that it carries. It returns the value that this link hands on, if a link carries it.
     #[inline(always)]
     pub(super) fn inward<X: Copy + Debug + Add<Output = X>>(
         &self,

@@ -3,7 +3,7 @@
 use super::{Convention, Follower, Row, Table};
 use crate::frame::{Frame, Tool};
 
-/// What a table says, whatever its size.
+/// The contents of a table, whatever its size.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm<'t> {
     pub(crate) convention: Convention,
@@ -63,7 +63,7 @@ impl<'t> Arm<'t> {
 
 /// A table that the numeric algorithms read.
 pub trait AsArm {
-    /// What it says, whatever its size.
+    /// Its contents, whatever its size.
     #[doc(hidden)]
     fn arm(&self) -> Arm<'_>;
 }

@@ -183,7 +183,7 @@ pub struct Table<const N: usize> {
     /// The rows of the joints that follow these.
     #[cfg_attr(feature = "serde", serde(default))]
     pub followers: Followers,
-    /// What is fixed to the last link of the table, whether its joint is locked or not.
+    /// The tool on the last link of the table, whether its joint is locked or not.
     pub tool: Tool,
     /// New entries break no literal that ends with `..Table::new(convention, gravity, rows)`.
     #[doc(hidden)]

@@ -15,7 +15,7 @@ pub struct RuntimeTable {
     pub base: Frame,
     /// The rows of the joints, from the base outwards.
     pub rows: Vec<Row>,
-    /// What is fixed to the last link of the table, whether its joint is locked or not.
+    /// The tool on the last link of the table, whether its joint is locked or not.
     pub tool: Tool,
     /// Each of them is there.
     pub(crate) followers: Vec<Option<Follower>>,

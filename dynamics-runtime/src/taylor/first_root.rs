@@ -192,7 +192,7 @@ mod tests {
         assert_eq!(polynomial(&[0.0]).first_passage(0.0), None);
     }
 
-    /// What rises from the margin has passed nothing, and comes back later.
+    /// A polynomial that rises from the margin has passed nothing, and comes back later.
     #[test]
     fn the_start_is_no_zero() {
         let thrown = polynomial(&[0.0, 1.0, -4.0]);

@@ -50,7 +50,7 @@ where
     start: f64,
     t: f64,
     phase: Phase<Const<N>>,
-    /// What the roundings of time and phase have lost: the sums of steps are compensated (W. Kahan
+    /// The digits that rounded times and phases have lost: the sums of steps are compensated (W. Kahan
     /// 1965; E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, VIII.5).
     lost_time: f64,
     lost: Phase<Const<N>>,

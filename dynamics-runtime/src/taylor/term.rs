@@ -36,7 +36,7 @@ pub trait SeriesTerm<T, const N: usize> {
     fn turn(&mut self, joint: usize, slot: usize);
     /// The coefficients of sine and cosine of a joint's position times a factor, an angle of that index.
     fn multiple(&mut self, index: usize, joint: usize, factor: T) -> (T, T);
-    /// The next coefficients of these, by two products. Those of this order are gone then.
+    /// The next coefficients of these, by two products. The coefficients of this order are gone then.
     fn turn_multiple(&mut self, index: usize, joint: usize, factor: T, slot: usize);
     /// The accelerations that the forces lack.
     fn solve(&mut self, forces: [T; N]);
