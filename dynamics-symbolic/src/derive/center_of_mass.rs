@@ -81,9 +81,10 @@ impl<'g> Moments<'g> {
     fn new(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Self {
         let total = total_mass(symbols);
         let is_number = total.level() == Level::Constant && !total.is_zero();
-        let scale = match is_number {
-            true => chain.one / total,
-            false => chain.one,
+        let scale = if is_number {
+            chain.one / total
+        } else {
+            chain.one
         };
         let (bodies, base) = grouped(symbols, scale);
         let links = chain.links.iter().zip(bodies);

@@ -41,13 +41,18 @@ impl<'g> Joints<Expr<'g>> {
 }
 
 impl<R: Ring> Joints<R> {
+    /// S' times a list of anything; `add(x, k, y)` adds k y to x.
+    fn gathered<T: Clone>(&self, of_all: &[T], add: impl Fn(&mut T, R, &T)) -> Vec<T> {
+        let mut gathered: Vec<T> = self.free.iter().map(|&i| of_all[i].clone()).collect();
+        for &(i, joint, factor) in &self.followers {
+            add(&mut gathered[joint], factor, &of_all[i]);
+        }
+        gathered
+    }
+
     /// S' x
     pub(super) fn entries(&self, of_all: Vec<R>) -> Vec<R> {
-        let mut entries: Vec<R> = self.free.iter().map(|&i| of_all[i]).collect();
-        for &(i, joint, factor) in &self.followers {
-            entries[joint] = entries[joint] + factor * of_all[i];
-        }
-        entries
+        self.gathered(&of_all, |x, factor, &y| *x = *x + factor * y)
     }
 
     /// S' A S
@@ -58,33 +63,21 @@ impl<R: Ring> Joints<R> {
 
     /// S' A
     pub(super) fn rows_of_matrix(&self, of_all: Vec<Vec<R>>) -> Vec<Vec<R>> {
-        let mut rows: Vec<Vec<R>> = self.free.iter().map(|&i| of_all[i].clone()).collect();
-        for &(i, joint, factor) in &self.followers {
-            let terms = rows[joint].iter_mut().zip(&of_all[i]);
-            terms.for_each(|(entry, &x)| *entry = *entry + factor * x);
-        }
-        rows
+        self.gathered(&of_all, add_multiple)
     }
 
     /// S' A S for a diagonal matrix, which is diagonal too, for each follower follows one joint.
     pub(super) fn diagonal(&self, of_all: &[R]) -> Vec<R> {
-        let mut entries: Vec<R> = self.free.iter().map(|&i| of_all[i]).collect();
-        for &(i, joint, factor) in &self.followers {
-            entries[joint] = entries[joint] + factor * factor * of_all[i];
-        }
-        entries
+        self.gathered(of_all, |x, factor, &y| *x = *x + factor * factor * y)
     }
 
     /// The symbols c_ijk of the joints from those of all rows.
     pub(super) fn cube(&self, of_all: Vec<Vec<Vec<R>>>) -> Vec<Vec<Vec<R>>> {
         let blocks: Vec<_> = of_all.into_iter().map(|c| self.block(c)).collect();
-        let mut cube: Vec<_> = self.free.iter().map(|&i| blocks[i].clone()).collect();
-        for &(i, joint, factor) in &self.followers {
-            let entries = cube[joint].iter_mut().flatten();
-            let terms = entries.zip(blocks[i].iter().flatten());
-            terms.for_each(|(entry, &x)| *entry = *entry + factor * x);
-        }
-        cube
+        self.gathered(&blocks, |block, factor, other| {
+            let rows = block.iter_mut().zip(other);
+            rows.for_each(|(row, other)| add_multiple(row, factor, other));
+        })
     }
 
     /// Of values for the joint of every row, in that arrangement, those of the joints that move by
@@ -93,15 +86,11 @@ impl<R: Ring> Joints<R> {
         if self.free.len() == self.count {
             return of_all;
         }
-        self.of_shape(shape, self.sizes(shape, of_all.len()), &of_all)
-    }
-
-    /// The sizes for the joint of every row.
-    fn sizes(&self, shape: &Shape, entries: usize) -> Sizes {
-        Sizes {
+        let sizes = Sizes {
             joints: self.count,
-            parameters: shape.parameters(self.count, entries),
-        }
+            parameters: shape.parameters(self.count, of_all.len()),
+        };
+        self.of_shape(shape, sizes, &of_all)
     }
 
     fn of_shape(&self, shape: &Shape, sizes: Sizes, of_all: &[R]) -> Vec<R> {
@@ -144,6 +133,12 @@ impl<R: Ring> Joints<R> {
         }
         matrix.concat()
     }
+}
+
+/// Adds a multiple of a row to another one.
+fn add_multiple<R: Ring>(row: &mut Vec<R>, factor: R, other: &Vec<R>) {
+    let entries = row.iter_mut().zip(other);
+    entries.for_each(|(x, &y)| *x = *x + factor * y);
 }
 
 #[cfg(test)]

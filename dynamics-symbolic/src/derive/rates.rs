@@ -264,16 +264,8 @@ impl<'g> Turning<'g> {
         let slope = j.slope_about_z(self.zero);
         let first = slope * rate;
         let second = slope * rate_of_rate + slope.slope_about_z(self.zero) * (rate * rate);
-        let entry =
-            |of: fn(&Symmetric3<Expr<'g>>) -> Expr<'g>| Jet([of(&j), of(&first), of(&second)]);
-        Symmetric3 {
-            xx: entry(|j| j.xx),
-            yy: entry(|j| j.yy),
-            zz: entry(|j| j.zz),
-            xy: entry(|j| j.xy),
-            yz: entry(|j| j.yz),
-            xz: entry(|j| j.xz),
-        }
+        let [j, first, second] = [j, first, second].map(|tensor| tensor.entries());
+        Symmetric3::from_entries(core::array::from_fn(|i| Jet([j[i], first[i], second[i]])))
     }
 }
 

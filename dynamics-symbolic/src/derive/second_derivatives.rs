@@ -95,8 +95,7 @@ pub(super) fn recursion<'g>(
     let effects = effects(chain, &moving.rates);
     let mut derivatives = SecondDerivatives::none(chain.zero, chain.links.len());
     moving.inwards(chain, |j, composite| {
-        let (_, own) = &effects[j][effects[j].len() - 1];
-        let slopes = Slopes::new(chain, j, own, composite);
+        let slopes = Slopes::new(chain, j, own_effect(&effects[j]), composite);
         derivatives.outermost(j, &slopes, &effects[j], half);
         derivatives.carried(chain, j, slopes, &effects);
     });
@@ -145,6 +144,11 @@ impl<'g> SecondDerivatives<Expr<'g>> {
 /// What the joints that carry a link do, in its frame, each with the number of the joint: see
 /// [`Tree::of_carriers`](crate::mechanism::Tree::of_carriers).
 type Effects<R> = Vec<(usize, Effect<R>)>;
+
+/// The effect of a link's own joint.
+fn own_effect<R>(effects: &Effects<R>) -> &Effect<R> {
+    &effects[effects.len() - 1].1
+}
 
 /// The effects on every link.
 fn effects<R: Ring>(chain: &Chain<R>, rates: &[Rates<R>]) -> Vec<Effects<R>> {
@@ -304,23 +308,16 @@ impl<R: Ring> SecondDerivatives<R> {
     fn carried(&mut self, chain: &Chain<R>, j: usize, slopes: Slopes<R>, effects: &[Effects<R>]) {
         let leave = |b: usize, slopes: Slopes<R>| slopes.leave(chain.joint(b));
         chain.tree.along_carriers(j, slopes, leave, |b, slopes| {
-            let effects = &effects[b];
-            let (_, own) = &effects[effects.len() - 1];
-            self.turned_forces([j, b], slopes, own.axis, effects);
+            self.turned_forces([j, b], slopes, &effects[b]);
             if b != j {
-                self.rows([j, b], slopes, own.axis, effects);
+                self.rows([j, b], slopes, &effects[b]);
             }
         });
     }
 
     /// Adds S_i . (S_b x* f_j') and S_i . (S_b x* f_j^) for i < b, in the frame of joint b with the axis S_b.
-    fn turned_forces(
-        &mut self,
-        [j, b]: [usize; 2],
-        slopes: &Slopes<R>,
-        own: Motion<R>,
-        effects: &Effects<R>,
-    ) {
+    fn turned_forces(&mut self, [j, b]: [usize; 2], slopes: &Slopes<R>, effects: &Effects<R>) {
+        let own = own_effect(effects).axis;
         let force = own.cross_force(slopes.force);
         let by_velocity = own.cross_force(slopes.force_by_velocity);
         for (i, Effect { axis, .. }) in effects.iter().filter(|(i, _)| *i != b) {
@@ -333,13 +330,8 @@ impl<R: Ring> SecondDerivatives<R> {
     }
 
     /// Adds what joint j feels of joints k <= b by its rows e and S B, in the frame of joint b with the axis S_b.
-    fn rows(
-        &mut self,
-        [j, b]: [usize; 2],
-        slopes: &Slopes<R>,
-        own: Motion<R>,
-        effects: &Effects<R>,
-    ) {
+    fn rows(&mut self, [j, b]: [usize; 2], slopes: &Slopes<R>, effects: &Effects<R>) {
+        let own = own_effect(effects).axis;
         let inertia_row = own.cross_force(slopes.inertia_row);
         let coriolis_row = own.w.cross(slopes.coriolis_row);
         for (k, effect) in effects {

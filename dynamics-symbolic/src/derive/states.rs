@@ -43,15 +43,15 @@ struct Fields {
 
 impl Fields {
     fn new(arm: &Mechanism, random: &mut SplitMix64, unlucky: bool) -> Self {
-        let values = (0..arm.fields).map(|_| match unlucky {
-            true => graded(random, -4, 4),
-            false => 0.5 + 1.5 * random.unit(),
+        let values = (0..arm.fields).map(|_| {
+            if unlucky {
+                graded(random, -4, 4)
+            } else {
+                0.5 + 1.5 * random.unit()
+            }
         });
         let values = values.collect();
-        let near = match unlucky {
-            true => graded(random, -8, -2),
-            false => 0.0,
-        };
+        let near = if unlucky { graded(random, -8, -2) } else { 0.0 };
         Fields { values, near }
     }
 
@@ -121,8 +121,8 @@ fn graded(random: &mut SplitMix64, lowest: i32, highest: i32) -> f64 {
     let count = (highest - lowest) as u64;
     let exponent = lowest + (random.next_u64() % count) as i32;
     let digits = 1.0 + 9.0 * random.unit();
-    (0..exponent.abs()).fold(digits, |x, _| match exponent < 0 {
-        true => x / 10.0,
-        false => x * 10.0,
-    })
+    (0..exponent.abs()).fold(
+        digits,
+        |x, _| if exponent < 0 { x / 10.0 } else { x * 10.0 },
+    )
 }

@@ -71,7 +71,8 @@ impl<R: Ring> Symmetric3<R> {
         }
     }
 
-    fn entries(&self) -> [R; 6] {
+    /// The entries in the order of [`Symmetric3::from_entries`].
+    pub fn entries(&self) -> [R; 6] {
         [self.xx, self.yy, self.zz, self.xy, self.yz, self.xz]
     }
 

@@ -94,8 +94,8 @@ fn points(mechanism: &Mechanism) -> Vec<Point> {
 }
 
 impl Point {
-    /// An entry of another argument: a reference motion that is as fast as the motion itself and
-    /// another one, and rates of accelerations that change within a tenth of a second.
+    /// An entry of an argument. A reference motion is as fast as the motion itself and another one; accelerations
+    /// change within a tenth of a second.
     fn entry(&self, argument: Argument, i: usize) -> f64 {
         let speed = VELOCITY / ACCELERATION;
         match argument {
@@ -104,12 +104,11 @@ impl Point {
             Argument::Jerk => -10.0 * self.qdd[i],
             Argument::Snap => 100.0 * self.qd[i] / speed,
             Argument::Wrench => 1.0,
-            // These have symbols of their own.
-            Argument::Position
-            | Argument::Velocity
-            | Argument::Acceleration
-            | Argument::Force
-            | Argument::Order => f64::NAN,
+            Argument::Position => self.q[i],
+            Argument::Velocity => self.qd[i],
+            Argument::Acceleration => self.qdd[i],
+            Argument::Force => self.tau[i],
+            Argument::Order => f64::NAN,
         }
     }
 }
@@ -122,21 +121,19 @@ impl Arithmetic for Point {
     }
 
     fn symbol(&mut self, symbol: &Symbol) -> f64 {
+        if let Some((argument, i)) = symbol.entry() {
+            return self.entry(argument, i);
+        }
         match symbol {
             Symbol::Pi => PI,
-            Symbol::Field(_) => f64::NAN,
             Symbol::AngleSine(angle) => sin_cos(angle.to_f64(&[])).0,
             Symbol::AngleCosine(angle) => sin_cos(angle.to_f64(&[])).1,
             Symbol::Sine(i) => sin_cos(self.q[*i]).0,
             Symbol::Cosine(i) => sin_cos(self.q[*i]).1,
-            Symbol::Position(i) => self.q[*i],
-            Symbol::Velocity(i) => self.qd[*i],
-            Symbol::Acceleration(i) => self.qdd[*i],
-            Symbol::Force(i) => self.tau[*i],
             Symbol::VelocitySign(i) => self.qd[*i].signum(),
             // The same in both models: how much it is does not matter to their difference.
             Symbol::Stribeck(_) => 0.0,
-            Symbol::Entry(argument, i) => self.entry(*argument, *i),
+            _ => f64::NAN,
         }
     }
 

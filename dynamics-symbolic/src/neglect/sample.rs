@@ -22,9 +22,12 @@ impl Samples {
             ud: Vec::new(),
         };
         for state in 0..count {
-            let mut along = || match state < count / 2 {
-                true => random.unit(),
-                false => (random.next_u64() % 5) as f64 / 4.0,
+            let mut along = || {
+                if state < count / 2 {
+                    random.unit()
+                } else {
+                    (random.next_u64() % 5) as f64 / 4.0
+                }
             };
             let position = |[lower, upper]: &[f64; 2]| lower + along() * (upper - lower);
             samples.q.push(ranges.iter().map(position).collect());

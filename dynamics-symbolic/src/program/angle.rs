@@ -28,8 +28,7 @@ fn rounded(angle: &Value, less_turns: bool) -> f64 {
         } else {
             real.angle(angle)
         };
-        let uncertain = || is_last.then(|| Approximation::nearest(&value));
-        value.round().or_else(uncertain)
+        Approximation::rounded(&value, is_last)
     })
 }
 

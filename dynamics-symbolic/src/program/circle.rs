@@ -22,7 +22,7 @@ pub fn sine_and_cosine(angle: &Value) -> Option<[Rational; 2]> {
         None => (Rational::ZERO, Rational::ONE),
         Some(rest) => {
             let mut real = Real::new(PRECISION);
-            let mut number = |symbol: Symbol| real.symbol(&symbol).rational(BITS).map(halved);
+            let mut number = |symbol: Symbol| real.symbol(&symbol)?.rational(BITS).map(halved);
             (
                 number(Symbol::AngleSine(rest.clone()))?,
                 number(Symbol::AngleCosine(rest))?,

@@ -81,12 +81,12 @@ impl ConstantPool {
     pub fn round(&self, needed: impl Fn(ConstantId) -> bool) -> Vec<f64> {
         until_certain(|real, is_last| {
             let values = self.evaluate(real);
-            let round = |(index, value): (usize, &Approximation)| {
-                if !needed(ConstantId(index as u32)) {
-                    return Some(f64::NAN);
+            let round = |(index, value): (usize, &Option<Approximation>)| {
+                if needed(ConstantId(index as u32)) {
+                    Approximation::rounded(value, is_last)
+                } else {
+                    Some(f64::NAN)
                 }
-                let uncertain = || is_last.then(|| value.nearest());
-                value.round().or_else(uncertain)
             };
             values.iter().enumerate().map(round).collect()
         })
@@ -104,9 +104,10 @@ impl ConstantPool {
         }
         let sides = until_certain(|real, is_last| {
             let values = self.evaluate(real);
-            let side = |index: &usize| match values[*index].compare(doubles[*index]) {
-                None if is_last => Some(Ordering::Equal),
-                side => side,
+            let side = |&index: &usize| {
+                let known = values[index].as_ref();
+                let side = known.and_then(|value| value.compare(doubles[index]));
+                side.or(is_last.then_some(Ordering::Equal))
             };
             middles.iter().map(side).collect::<Option<Vec<_>>>()
         });

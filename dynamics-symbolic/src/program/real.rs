@@ -16,17 +16,16 @@ pub struct Real {
     precision: usize,
 }
 
-/// An approximation of a real number, or nothing where too little is known of it: a quotient whose divisor cannot be
-/// told from zero, or the sine of an angle that is not known to a radian.
+/// An approximation of a real number, which is within `error` of `value`.
 #[derive(Clone, Debug)]
-pub struct Approximation(Option<Ball>);
-
-/// The true number is within `error` of `value`.
-#[derive(Clone, Debug)]
-struct Ball {
+pub struct Approximation {
     value: Float,
     error: Float,
 }
+
+/// Nothing where too little is known of a number: a quotient whose divisor cannot be told from zero, or the sine of an
+/// angle that is not known to a radian.
+type Known = Option<Approximation>;
 
 impl Real {
     /// Arithmetic in that many bits.
@@ -38,10 +37,8 @@ impl Real {
     }
 
     /// A result that was rounded once, from operands that contribute `error`.
-    fn rounded(&self, result: FpResult<Float>, error: Float) -> Approximation {
-        let Ok(result) = result else {
-            return Approximation(None);
-        };
+    fn rounded(&self, result: FpResult<Float>, error: Float) -> Known {
+        let result = result.ok()?;
         let is_exact = result.error_ref().is_none();
         let value = result.value();
         let mut bound = error;
@@ -49,10 +46,10 @@ impl Real {
             bound += absolute(&value) >> (self.precision as isize - 1);
         }
         let error = coarse(bound);
-        Approximation(Some(Ball { value, error }))
+        Some(Approximation { value, error })
     }
 
-    fn integer(&self, n: IBig) -> Approximation {
+    fn integer(&self, n: IBig) -> Known {
         self.rounded(Ok(self.context.convert_int(n)), Float::ZERO)
     }
 
@@ -61,29 +58,23 @@ impl Real {
         &mut self,
         angle: &Value,
         function: impl Fn(&Context<HalfEven>, &Float) -> FpResult<Float>,
-    ) -> Approximation {
-        match self.angle(angle) {
-            Approximation(Some(angle)) if angle.error < Float::ONE => {
-                self.rounded(function(&self.context, &angle.value), angle.error)
-            }
-            _ => Approximation(None),
-        }
+    ) -> Known {
+        let angle = self.angle(angle).filter(|angle| angle.error < Float::ONE)?;
+        self.rounded(function(&self.context, &angle.value), angle.error)
     }
 
     /// A constant angle, less the whole turns that are nearest to it.
-    pub(super) fn less_turns(&mut self, angle: &Value) -> Approximation {
+    pub(super) fn less_turns(&mut self, angle: &Value) -> Known {
         let (angle, pi) = (self.angle(angle), self.symbol(&Symbol::Pi));
         let turn = self.add(pi.clone(), pi);
-        let Approximation(Some(turns)) = self.div(angle.clone(), turn.clone()) else {
-            return Approximation(None);
-        };
+        let turns = self.div(angle.clone(), turn.clone())?;
         let turns = self.integer(-turns.value.to_int().value());
         let whole = self.mul(turns, turn);
         self.add(angle, whole)
     }
 
     /// A constant angle as it was written.
-    pub(super) fn angle(&mut self, angle: &Value) -> Approximation {
+    pub(super) fn angle(&mut self, angle: &Value) -> Known {
         match angle {
             Value::Rational(x) => self.rational(x),
             Value::Pi => self.symbol(&Symbol::Pi),
@@ -116,15 +107,15 @@ fn coarse(error: Float) -> Float {
 }
 
 impl Arithmetic for Real {
-    type Number = Approximation;
+    type Number = Known;
 
-    fn rational(&mut self, x: &Rational) -> Approximation {
+    fn rational(&mut self, x: &Rational) -> Known {
         let numerator = self.integer(x.numerator().clone());
         let denominator = self.integer(x.denominator().clone().into());
         self.div(numerator, denominator)
     }
 
-    fn symbol(&mut self, symbol: &Symbol) -> Approximation {
+    fn symbol(&mut self, symbol: &Symbol) -> Known {
         match symbol {
             Symbol::Pi => self.rounded(Ok(self.context.pi(None)), Float::ZERO),
             Symbol::AngleSine(angle) => {
@@ -137,43 +128,34 @@ impl Arithmetic for Real {
         }
     }
 
-    fn neg(&mut self, a: Approximation) -> Approximation {
-        Approximation(a.0.map(|a| Ball {
-            value: -a.value,
-            error: a.error,
-        }))
+    fn neg(&mut self, a: Known) -> Known {
+        let Approximation { value, error } = a?;
+        let value = -value;
+        Some(Approximation { value, error })
     }
 
-    fn add(&mut self, a: Approximation, b: Approximation) -> Approximation {
-        let Some((a, b)) = a.0.zip(b.0) else {
-            return Approximation(None);
-        };
+    fn add(&mut self, a: Known, b: Known) -> Known {
+        let (a, b) = a.zip(b)?;
         let sum = self.context.add(a.value.repr(), b.value.repr());
         self.rounded(sum, a.error + b.error)
     }
 
-    fn mul(&mut self, a: Approximation, b: Approximation) -> Approximation {
-        let Some((a, b)) = a.0.zip(b.0) else {
-            return Approximation(None);
-        };
+    fn mul(&mut self, a: Known, b: Known) -> Known {
+        let (a, b) = a.zip(b)?;
         let product = self.context.mul(a.value.repr(), b.value.repr());
         let error =
             absolute(&a.value) * &b.error + absolute(&b.value) * &a.error + a.error * b.error;
         self.rounded(product, error)
     }
 
-    fn div(&mut self, a: Approximation, b: Approximation) -> Approximation {
-        let Some((a, b)) = a.0.zip(b.0) else {
-            return Approximation(None);
-        };
+    fn div(&mut self, a: Known, b: Known) -> Known {
+        let (a, b) = a.zip(b)?;
         let room = absolute(&b.value) - &b.error;
         if room <= Float::ZERO {
-            return Approximation(None);
+            return None;
         }
         let quotient = self.context.div(a.value.repr(), b.value.repr());
-        let Ok(value) = quotient.as_ref().map(|quotient| quotient.value_ref()) else {
-            return Approximation(None);
-        };
+        let value = quotient.as_ref().ok()?.value_ref();
         // |a/b - a'/b'| <= (ea + |a'/b'| eb) / (|b'| - eb)
         let error = (a.error + absolute(value) * b.error) / room;
         self.rounded(quotient, error)
@@ -184,7 +166,7 @@ impl Approximation {
     /// The double nearest to every number within the error: the correct rounding, where the error is small enough to
     /// tell. Infinite beyond the largest double.
     pub fn round(&self) -> Option<f64> {
-        let Ball { value, error } = self.0.as_ref()?;
+        let Approximation { value, error } = self;
         // Without a limit to the digits: the ends must not be rounded inwards.
         let exact = Context::<HalfEven>::new(0);
         let low = exact.sub(value.repr(), error.repr()).ok()?;
@@ -197,7 +179,7 @@ impl Approximation {
 
     /// How the number compares with a finite double; nothing where the error is too large to tell.
     pub(super) fn compare(&self, x: f64) -> Option<Ordering> {
-        let Ball { value, error } = self.0.as_ref()?;
+        let Approximation { value, error } = self;
         let exact = Context::<HalfEven>::new(0);
         let x = Float::try_from(x).ok()?;
         let distance = exact.sub(value.repr(), x.repr()).ok()?.value();
@@ -209,7 +191,7 @@ impl Approximation {
 
     /// The approximation itself, where its error is below 2^-bits.
     pub(super) fn rational(&self, bits: usize) -> Option<Rational> {
-        let Ball { value, error } = self.0.as_ref()?;
+        let Approximation { value, error } = self;
         let bound = Float::ONE >> bits as isize;
         if *error >= bound {
             return None;
@@ -224,10 +206,12 @@ impl Approximation {
         })
     }
 
-    /// The double nearest to the approximation; infinity where nothing is known.
-    pub fn nearest(&self) -> f64 {
-        let ball = self.0.as_ref();
-        ball.map_or(f64::INFINITY, |ball| ball.value.to_f64().value() + 0.0)
+    /// The correct rounding of what is known of a number. Where that does not tell it and `is_last`, the double that is
+    /// nearest, infinity where nothing is known.
+    pub(super) fn rounded(known: &Option<Self>, is_last: bool) -> Option<f64> {
+        let nearest = |known: &Self| known.value.to_f64().value() + 0.0;
+        let uncertain = || is_last.then(|| known.as_ref().map_or(f64::INFINITY, nearest));
+        known.as_ref().and_then(Self::round).or_else(uncertain)
     }
 }
 
@@ -254,18 +238,18 @@ mod tests {
     }
 
     fn round(x: &Rational) -> Option<f64> {
-        Real::new(160).rational(x).round()
+        Real::new(160).rational(x)?.round()
     }
 
     fn sine(angle: Value, precision: usize) -> Option<f64> {
         Real::new(precision)
-            .symbol(&Symbol::AngleSine(angle))
+            .symbol(&Symbol::AngleSine(angle))?
             .round()
     }
 
     fn cosine(angle: Value, precision: usize) -> Option<f64> {
         Real::new(precision)
-            .symbol(&Symbol::AngleCosine(angle))
+            .symbol(&Symbol::AngleCosine(angle))?
             .round()
     }
 
@@ -312,7 +296,7 @@ mod tests {
             real.rational(&third),
             real.rational(&(Rational::ONE + half - third)),
         );
-        assert_eq!(real.add(a, b).round(), None);
+        assert_eq!(real.add(a, b).unwrap().round(), None);
     }
 
     #[test]
@@ -346,8 +330,9 @@ mod tests {
             power_of_two(401) - Rational::ONE,
         );
         let quotient = Real::new(160).rational(&(long / longer));
+        let quotient = quotient.unwrap();
         assert_eq!(quotient.round(), Some(0.5));
-        let Ball { value, error } = quotient.0.unwrap();
+        let Approximation { value, error } = quotient;
         assert!(
             error > Float::ZERO && error < (Float::ONE >> 150),
             "{value} {error}"
@@ -361,18 +346,19 @@ mod tests {
         let third = rational("1", "3");
         let (a, b) = (real.rational(&(&third + &tiny)), real.rational(&-third));
         let difference = real.add(a, b);
-        assert_eq!(difference.round(), None);
-        assert!((difference.nearest() / 2.0_f64.powi(-155) - 1.0).abs() < 0.1);
+        assert_eq!(Approximation::rounded(&difference, false), None);
+        let nearest = Approximation::rounded(&difference, true).unwrap();
+        assert!((nearest / 2.0_f64.powi(-155) - 1.0).abs() < 0.1);
     }
 
     /// A small error is not lost where the sum is exact: the interval reaches past the tie.
     #[test]
     fn the_ends_of_the_interval_are_not_rounded() {
-        let tie = Ball {
+        let tie = Approximation {
             value: Float::ONE + (Float::ONE >> 53),
             error: Float::ONE >> 500,
         };
-        assert_eq!(Approximation(Some(tie)).round(), None);
+        assert_eq!(tie.round(), None);
     }
 
     #[test]
@@ -427,9 +413,10 @@ mod tests {
         );
         let (one, maybe_zero) = (real.rational(&Rational::ONE), real.add(a, b));
         let nothing = real.div(one.clone(), maybe_zero);
-        assert_eq!((nothing.round(), nothing.nearest()), (None, f64::INFINITY));
-        let (negative, one) = (real.neg(nothing.clone()), one);
-        assert_eq!(real.add(negative, one.clone()).round(), None);
-        assert_eq!(real.mul(nothing, one).round(), None);
+        let rounded = [false, true].map(|is_last| Approximation::rounded(&nothing, is_last));
+        assert_eq!(rounded, [None, Some(f64::INFINITY)]);
+        let negative = real.neg(nothing.clone());
+        assert!(real.add(negative, one.clone()).is_none());
+        assert!(real.mul(nothing, one).is_none());
     }
 }

@@ -120,14 +120,7 @@ impl<R: Ring> Articulated<R> {
 }
 
 fn renamed<R: Ring>(t: &Symmetric3<R>) -> Symmetric3<R> {
-    Symmetric3 {
-        xx: t.yy,
-        yy: t.zz,
-        zz: t.xx,
-        xy: t.yz,
-        yz: t.xz,
-        xz: t.xy,
-    }
+    Symmetric3::from_entries([t.yy, t.zz, t.xx, t.yz, t.xz, t.xy])
 }
 
 /// The components of a matrix across the axis of a turn.

@@ -1,7 +1,7 @@
 //! C99, which is C++ and device code as well: a header and a source.
 
 use super::body::Body;
-use super::comments::{comment, lines};
+use super::comments::{comment, lines, title};
 use super::{Language, argument_names, free_name, indented, snake_case};
 use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
@@ -107,14 +107,13 @@ struct Written {
 impl Writer<'_> {
     fn header(&self, functions: &[(Request, Proven)]) -> String {
         let (name, upper) = (&self.name, self.name.to_uppercase());
-        let title = comment(&[
-            format!("Equations of motion of `{}`, written by robot-dynamics.", self.robot.name),
-            String::new(),
-            "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows."
-                .to_owned(),
-            "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite."
-                .to_owned(),
-        ]);
+        let title = title(
+            self.robot,
+            [
+                "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.",
+                "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.",
+            ],
+        );
         let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
         let member = |field: &String| format!("double {};", free_name(field, WORDS));
         let members: Vec<_> = self.robot.fields.iter().map(member).collect();

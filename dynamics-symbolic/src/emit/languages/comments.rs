@@ -68,6 +68,16 @@ fn function_lines(
         .collect()
 }
 
+/// The comment at the top of a file: `conventions` has the lines that differ between languages.
+pub(super) fn title(robot: &Robot, conventions: [&str; 2]) -> String {
+    let first = format!(
+        "Equations of motion of `{}`, written by robot-dynamics.",
+        robot.name
+    );
+    let [second, third] = conventions.map(str::to_owned);
+    comment(&[first, String::new(), second, third])
+}
+
 /// A comment of several lines, in the form that C and JavaScript share. The marks of comments and the trigraphs of C that
 /// stand in names are taken apart by spaces.
 pub(super) fn comment(lines: &[String]) -> String {

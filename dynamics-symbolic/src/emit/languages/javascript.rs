@@ -1,7 +1,7 @@
 //! JavaScript: an ES module.
 
 use super::body::{Body, number};
-use super::comments::{comment, lines as documentation};
+use super::comments::{comment, lines as documentation, title};
 use super::{Language, argument_names, free_name, indented, plain};
 use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
@@ -60,13 +60,13 @@ pub fn javascript_module(robot: &Robot, functions: &[(Request, Proven)]) -> Stri
     let bodies: String = functions
         .map(|(request, proven)| function(robot, request, proven))
         .collect();
-    let title = comment(&[
-        format!("Equations of motion of `{}`, written by robot-dynamics.", robot.name),
-        String::new(),
-        "Each function is proven equal to the textbook Lagrangian. SI units, radians; vectors are arrays,"
-            .to_owned(),
-        "matrices arrays of rows. What depends on an input that is not finite is not finite.".to_owned(),
-    ]);
+    let title = title(
+        robot,
+        [
+            "Each function is proven equal to the textbook Lagrangian. SI units, radians; vectors are arrays,",
+            "matrices arrays of rows. What depends on an input that is not finite is not finite.",
+        ],
+    );
     let joints = robot.joints().map(|row| format!("{:?}", row.name));
     let quoted = |field: &String| format!("{:?}", plain(field));
     let fields = if robot.fields.is_empty() {

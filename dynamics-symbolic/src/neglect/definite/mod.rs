@@ -34,7 +34,7 @@ use crate::mechanism::Mechanism;
 use crate::robot::{Grouping, JointType};
 use chain::{MovingJoints, joints};
 use energy::{forms, handed_on, unknowns};
-use matrix::Matrix;
+use matrix::{Matrix, combined};
 use search::{Affine, search};
 
 /// Shows that M of an arm with some of its base parameters is positive definite, revolute joints at any
@@ -129,12 +129,8 @@ impl Scales {
         for k in 0..n {
             let mut unit = vec![0.0; n];
             unit[k] = self.unknowns[k];
-            for (form, mut slope) in affine.iter_mut().zip(at(&unit)) {
-                for (slope, constant) in slope.iter_mut().zip(&form.constant) {
-                    for (slope, constant) in slope.iter_mut().zip(constant) {
-                        *slope -= constant;
-                    }
-                }
+            for (form, moved) in affine.iter_mut().zip(at(&unit)) {
+                let slope = combined(moved, &form.constant, |moved, constant| moved - constant);
                 if slope.iter().flatten().any(|x| *x != 0.0) {
                     form.slopes.push((k, slope));
                 }

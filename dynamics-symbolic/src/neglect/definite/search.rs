@@ -5,7 +5,7 @@
 //! Logarithms are not evaluated: the step is damped by 1 / (1 + lambda), which keeps to the inside
 //! (Nesterov and Nemirovskii 1994).
 
-use super::matrix::{Matrix, product, transpose};
+use super::matrix::{Matrix, combined, product, transpose};
 
 /// G(x) = constant + sum x_k slope_k.
 pub(super) struct Affine {
@@ -79,9 +79,10 @@ impl Point {
         let step = solve(hessian, gradient.iter().map(|g| -g).collect())?;
         let square: f64 = gradient.iter().zip(&step).map(|(g, d)| -g * d).sum();
         let decrement = square.max(0.0).sqrt();
-        let mut factor = match decrement > 0.25 {
-            true => 1.0 / (1.0 + decrement),
-            false => 1.0,
+        let mut factor = if decrement > 0.25 {
+            1.0 / (1.0 + decrement)
+        } else {
+            1.0
         };
         for _ in 0..30 {
             let along = self.numbers.iter().zip(&step);
@@ -105,11 +106,7 @@ fn inverses(forms: &[Affine], numbers: &[f64]) -> Option<Vec<Matrix<f64>>> {
     let inverse = |form: &Affine| {
         let mut g = form.constant.clone();
         for (k, slope) in &form.slopes {
-            for (g, slope) in g.iter_mut().zip(slope) {
-                for (g, slope) in g.iter_mut().zip(slope) {
-                    *g += x[*k] * slope;
-                }
-            }
+            g = combined(g, slope, |g, slope| g + x[*k] * slope);
         }
         for (i, row) in g.iter_mut().enumerate() {
             row[i] -= s;
