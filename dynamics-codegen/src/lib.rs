@@ -39,8 +39,6 @@ mod validate;
 mod words;
 
 pub use audience::Audience;
-#[doc(hidden)]
-pub use expand::{batch::batch_methods, functions::function_names, functions::runtime_methods};
 pub use validate::Model;
 pub use words::visible;
 
