@@ -11,6 +11,15 @@ use crate::limits::MOST_ERRORS;
 use crate::mistake::Mistake;
 use crate::place::Place;
 
+/// A mistake in a table.
+#[derive(Clone, Debug)]
+pub struct Error {
+    /// Where.
+    pub place: Place,
+    /// What is wrong, what was expected, and what to write instead where that is known.
+    pub message: String,
+}
+
 /// Evidence that an error was reported: whoever receives it has nothing to add.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reported(());
@@ -96,6 +105,16 @@ impl Diagnostics {
         let is_in_file = |place: &Place| matches!(place, Place::File { .. });
         errors.sort_by_key(|(place, _)| (is_in_file(place), place.position()));
         errors
+    }
+
+    /// The same, each in the words of that audience.
+    pub(crate) fn shown_to(self, audience: Audience) -> Vec<Error> {
+        let errors = self.into_errors().into_iter();
+        let error = |(place, mistake): (Place, Mistake)| Error {
+            place,
+            message: mistake.text_for(audience).to_owned(),
+        };
+        errors.map(error).collect()
     }
 
     /// One `compile_error!` for each error.

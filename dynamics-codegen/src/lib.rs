@@ -39,6 +39,7 @@ mod validate;
 mod words;
 
 pub use audience::Audience;
+pub use diagnose::Error;
 pub use validate::Model;
 pub use words::visible;
 
@@ -59,7 +60,7 @@ pub fn generate(call: TokenStream) -> TokenStream {
 /// nothing neglected.
 pub fn outline(call: TokenStream) -> TokenStream {
     let diagnostics = Diagnostics::new();
-    let call = read(call, &diagnostics);
+    let call = read_call(call, &diagnostics);
     let model = model(&call, &diagnostics);
     let generated = model.map(|model| (model, Vec::new()));
     items(&call, generated, diagnostics)
@@ -71,7 +72,7 @@ type Derivation = dyn Fn(&Robot, &[Function]) -> Program;
 /// [`generate`] with an engine of one's own, which a test damages.
 fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
     let diagnostics = Diagnostics::new();
-    let call = read(call, &diagnostics);
+    let call = read_call(call, &diagnostics);
     let generated = model(&call, &diagnostics).and_then(|model| {
         let model = abbreviated(model, &diagnostics)?;
         let methods = methods(&model, &call, derivation, &diagnostics)?;
@@ -81,7 +82,7 @@ fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
 }
 
 /// A call and the file that it names.
-fn read(call: TokenStream, diagnostics: &Diagnostics) -> call::Call {
+fn read_call(call: TokenStream, diagnostics: &Diagnostics) -> call::Call {
     let (mut call, root) = parse::call(call, diagnostics);
     if let Some(root) = root {
         let read = read::table(&root, Language::Call, diagnostics);
@@ -102,17 +103,8 @@ fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
 pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
     let model = validate::model(table, &diagnostics);
-    let errors = errors(diagnostics, table.audience);
+    let errors = diagnostics.shown_to(table.audience);
     model.ok_or(errors)
-}
-
-fn errors(diagnostics: Diagnostics, audience: Audience) -> Vec<Error> {
-    let errors = diagnostics.into_errors().into_iter();
-    let error = |(place, mistake): (_, mistake::Mistake)| Error {
-        place,
-        message: mistake.text_for(audience).to_owned(),
-    };
-    errors.map(error).collect()
 }
 
 /// The items of a model that was read elsewhere, as a call of the macro with that table expands to them: a
@@ -143,17 +135,8 @@ pub fn items_of(
     let derivation = &dynamics_symbolic::derive::derive_together;
     match methods(&model, &call, derivation, &diagnostics) {
         Some(methods) => Ok(items(&call, Some((model, methods)), diagnostics)),
-        None => Err(errors(diagnostics, Audience::default())),
+        None => Err(diagnostics.shown_to(Audience::default())),
     }
-}
-
-/// A mistake in a table.
-#[derive(Clone, Debug)]
-pub struct Error {
-    /// Where.
-    pub place: description::Place,
-    /// What is wrong, what was expected, and what to write instead where that is known.
-    pub message: String,
 }
 
 /// The errors and the items: stubs where there is no model.

@@ -3,17 +3,15 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use dynamics_symbolic::exact::Rational;
-
-use super::reading::{ADDING, bytes, decoded, read};
-use super::{Format, Request, report_without_file};
+use super::reading::{ADDING, bytes, decoded, forget_locks, read, request};
+use super::report_without_file;
+use super::request::Format;
 use crate::audience::Audience;
 use crate::call::Call;
-use crate::description::{Entry, Expr, FileName, Positioned, Table};
+use crate::description::{Entry, FileName};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_BYTES;
 use crate::mistake::file as mistake;
-use crate::validate::{constant, functions::read_masses};
 
 /// Entries in place of which a file stands.
 const INSTEAD: [&str; 2] = ["convention", "joints"];
@@ -53,56 +51,6 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     table.entries.splice(at..=at, read.entries);
     table.mentions.extend(read.mentions);
     Some(())
-}
-
-/// The request of a call to its file; none where that could not be read.
-pub(crate) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
-    let mut request = Request {
-        unphysical_inertia: table.allow().unphysical_inertia,
-        no_inertia: table.allow().no_inertia || !read_masses(table),
-        odd_angle: table.allow().odd_angle,
-        ..Request::default()
-    };
-    for entry in &table.entries {
-        match entry {
-            Entry::Chain(chain) => request.chain = Some(chain.clone()?),
-            Entry::Ignore(ignore) => request.ignore.clone_from(ignore.as_ref()?),
-            Entry::RoundAngles(angle) => {
-                let within = rounded_within(angle.as_ref()?, diagnostics)?;
-                request.round_angles = Some(within);
-            }
-            Entry::Lock(locked) => {
-                let locked = locked.as_ref()?.iter();
-                let lock = |locked: &Positioned| {
-                    let position = locked.position.as_ref().and_then(constant);
-                    (locked.name.clone(), position)
-                };
-                request.lock = locked.map(lock).collect();
-            }
-            _ => {}
-        }
-    }
-    Some(request)
-}
-
-fn rounded_within(angle: &Expr, diagnostics: &Diagnostics) -> Option<Rational> {
-    let good = 0.0..=0.1;
-    let value = constant(angle).filter(|value| good.contains(&value.to_f64(&[])));
-    let value = value.and_then(|value| value.as_rational().cloned());
-    if value.is_none() {
-        diagnostics.error(angle.place, crate::mistake::urdf::round_angles());
-    }
-    value
-}
-
-/// Removes the joints `used`, which are not part of the arm, from the list of locked joints.
-pub(crate) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
-    for entry in entries.iter_mut() {
-        if let Entry::Lock(Some(locked)) = entry {
-            locked.retain(|locked| !used.iter().any(|name| name == locked.name.plain()));
-        }
-    }
-    entries.retain(|entry| !matches!(entry, Entry::Lock(Some(locked)) if locked.is_empty()));
 }
 
 fn format(file: &FileName, diagnostics: &Diagnostics) -> Option<Format> {

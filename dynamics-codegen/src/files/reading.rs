@@ -1,15 +1,18 @@
-//! The text of a file, and what it says of a robot.
+//! The text of a file, the request to it, and the robot that it describes.
 
 use std::collections::BTreeSet;
 use std::io::Read as _;
 use std::path::Path;
 
-use super::{Format, Request, json, load, toml, urdf};
-use crate::description::{Entry, Name, Place, Table};
-use crate::diagnose::Diagnostics;
+use dynamics_symbolic::exact::Rational;
+
+use super::request::{Format, Request};
+use super::{json, toml, urdf};
+use crate::description::{Entry, Expr, Name, Place, Positioned, Table};
+use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
 use crate::tree::Language;
-use crate::{Error, Model};
+use crate::validate::{Model, constant, functions::read_masses};
 
 /// The bytes of a file that has at most so many.
 ///
@@ -108,7 +111,7 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
     if diagnostics.is_empty() {
         Ok(table)
     } else {
-        Err(crate::errors(diagnostics, table.audience))
+        Err(diagnostics.shown_to(table.audience))
     }
 }
 
@@ -145,7 +148,7 @@ pub fn model_beside(
     let mut table = put_beside(text, format, beside, &diagnostics);
     put_name(name, &mut table);
     let model = crate::validate::model(&table, &diagnostics);
-    let errors = crate::errors(diagnostics, table.audience);
+    let errors = diagnostics.shown_to(table.audience);
     model.ok_or(errors)
 }
 
@@ -160,14 +163,14 @@ fn adds(entry: &Entry) -> bool {
 /// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of
 /// its entries.
 fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagnostics) -> Table {
-    let request = load::request(&beside, diagnostics).unwrap_or_default();
+    let request = self::request(&beside, diagnostics).unwrap_or_default();
     let used = &mut Vec::new();
     let unread = || Table {
         entries: vec![Entry::File(None)],
         ..Table::default()
     };
     let mut table = read(text, format, &request, used, diagnostics).unwrap_or_else(unread);
-    load::forget_locks(&mut beside.entries, used);
+    forget_locks(&mut beside.entries, used);
     for (key, place) in &beside.keys {
         if ["convention", "joint", "joints"].contains(key) {
             diagnostics.error(*place, mistake::beside_a_file(key));
@@ -210,6 +213,56 @@ fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
     let bound: Vec<_> = bindings.iter().map(name_of).collect();
     entries.retain(|entry| name_of(entry).is_none() || !bound.contains(&name_of(entry)));
     entries.splice(0..0, bindings);
+}
+
+/// The request of a call to its file; none where that could not be read.
+pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
+    let mut request = Request {
+        unphysical_inertia: table.allow().unphysical_inertia,
+        no_inertia: table.allow().no_inertia || !read_masses(table),
+        odd_angle: table.allow().odd_angle,
+        ..Request::default()
+    };
+    for entry in &table.entries {
+        match entry {
+            Entry::Chain(chain) => request.chain = Some(chain.clone()?),
+            Entry::Ignore(ignore) => request.ignore.clone_from(ignore.as_ref()?),
+            Entry::RoundAngles(angle) => {
+                let within = rounded_within(angle.as_ref()?, diagnostics)?;
+                request.round_angles = Some(within);
+            }
+            Entry::Lock(locked) => {
+                let locked = locked.as_ref()?.iter();
+                let lock = |locked: &Positioned| {
+                    let position = locked.position.as_ref().and_then(constant);
+                    (locked.name.clone(), position)
+                };
+                request.lock = locked.map(lock).collect();
+            }
+            _ => {}
+        }
+    }
+    Some(request)
+}
+
+fn rounded_within(angle: &Expr, diagnostics: &Diagnostics) -> Option<Rational> {
+    let good = 0.0..=0.1;
+    let value = constant(angle).filter(|value| good.contains(&value.to_f64(&[])));
+    let value = value.and_then(|value| value.as_rational().cloned());
+    if value.is_none() {
+        diagnostics.error(angle.place, crate::mistake::urdf::round_angles());
+    }
+    value
+}
+
+/// Removes the joints `used`, which are not part of the arm, from the list of locked joints.
+pub(super) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
+    for entry in entries.iter_mut() {
+        if let Entry::Lock(Some(locked)) = entry {
+            locked.retain(|locked| !used.iter().any(|name| name == locked.name.plain()));
+        }
+    }
+    entries.retain(|entry| !matches!(entry, Entry::Lock(Some(locked)) if locked.is_empty()));
 }
 
 /// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot

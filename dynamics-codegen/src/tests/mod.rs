@@ -22,7 +22,7 @@ use crate::validate::Model;
 /// The model of a call and the messages about it.
 fn read(tokens: TokenStream) -> (Option<Model>, Vec<String>) {
     let diagnostics = Diagnostics::new();
-    let call = crate::read(tokens, &diagnostics);
+    let call = crate::read_call(tokens, &diagnostics);
     let model = crate::model(&call, &diagnostics);
     (model, diagnostics.into_messages())
 }

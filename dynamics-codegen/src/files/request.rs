@@ -1,0 +1,53 @@
+//! Kinds of files, and the request of a call to one.
+
+use std::path::Path;
+
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::robot::Value;
+
+use crate::description::Name;
+
+/// A kind of file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A table in the macro's words: `[[joint]]`, `a = 0.3`, `inertia = { yy = 0.35 }`.
+    Toml,
+    /// A table as it is published: `joints` with the cells `a`, `alpha`, `d`, `theta`, `mass`, `com`, `inertia`
+    /// (xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`. Where the file names its
+    /// `source`, tensors that no body can have are taken as they are.
+    Json,
+    /// The Unified Robot Description Format: the chain of links that a [`Request`] names.
+    Urdf,
+}
+
+impl Format {
+    /// The format that the end of the name tells.
+    pub fn of(path: &Path) -> Option<Format> {
+        match path.extension()?.to_str()?.to_lowercase().as_str() {
+            "toml" => Some(Format::Toml),
+            "json" => Some(Format::Json),
+            "urdf" => Some(Format::Urdf),
+            _ => None,
+        }
+    }
+}
+
+/// A request to a URDF file.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The first and the last link of the arm.
+    pub chain: Option<[Name; 2]>,
+    /// Joints that are left out, with all that hangs on them. `rest`, where no joint has that name, is all joints
+    /// beside the chain that are not named, here and in `lock`.
+    pub ignore: Vec<Name>,
+    /// Joints that stand still, and where, or `rest`; no position is one that is not known here.
+    pub lock: Vec<(Name, Option<Value>)>,
+    /// How near an angle is to a multiple of a quarter turn that it is taken for, rad, and which share of an axis is zero.
+    pub round_angles: Option<Rational>,
+    /// Whether tensors that no body can have are accepted.
+    pub unphysical_inertia: bool,
+    /// Whether movable links without `<inertial>` are taken as massless.
+    pub no_inertia: bool,
+    /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
+    pub odd_angle: bool,
+}
