@@ -105,7 +105,7 @@ pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<D
 
 /// The joint that feels the motor of each joint, then of each follower, and the factor.
 fn motors<const N: usize>(table: &Table<N>) -> impl Iterator<Item = (usize, f64)> {
-    let followers = table.followers.iter();
-    let followers = followers.map(|follower| (follower.leader, follower.factor));
+    let rows = table.followers.iter();
+    let followers = rows.map(|follower| (follower.leader, follower.factor));
     (0..N).map(|joint| (joint, 1.0)).chain(followers)
 }
