@@ -158,8 +158,8 @@ impl Arm<'_> {
     pub(crate) fn dry_friction<D: Size>(self) -> D::Each<JointFriction> {
         let size = D::from_usize(self.rows.len());
         let of_joint = |joint: usize| {
-            let followers = self.followers.iter().flatten();
-            let followers = followers.filter(|follower| follower.leader == joint);
+            let all = self.followers.iter().flatten();
+            let followers = all.filter(|follower| follower.leader == joint);
             JointFriction {
                 own: DryFriction::of(&self.rows[joint]),
                 followers: followers

@@ -107,7 +107,7 @@ fn new_file_beside(target: &Path) -> io::Result<(File, PathBuf)> {
 fn written_straight(path: &Path, text: &str) -> io::Result<()> {
     let is_file = regular_file(path)?.is_some();
     let mut options = OpenOptions::new();
-    let options = options.append(!is_file).write(true).truncate(is_file);
+    options.append(!is_file).write(true).truncate(is_file);
     options.open(path)?.write_all(text.as_bytes())
 }
 
@@ -121,8 +121,8 @@ fn regular_file(path: &Path) -> io::Result<Option<PathBuf>> {
         let Some(name) = path.file_name() else {
             return Ok(None);
         };
-        let folder = path.parent().filter(|folder| *folder != Path::new(""));
-        let folder = folder.unwrap_or(Path::new(".")).canonicalize()?;
+        let parent = path.parent().filter(|folder| *folder != Path::new(""));
+        let folder = parent.unwrap_or(Path::new(".")).canonicalize()?;
         // Links in these folders stand for files that are open: `/dev/stdout` leads there.
         if folder.starts_with("/proc") || folder.starts_with("/dev/fd") {
             return Ok(None);

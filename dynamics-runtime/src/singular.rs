@@ -93,11 +93,11 @@ impl SingularMassMatrix {
 #[inline(never)]
 pub(crate) fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
     let one = pivot.constant(1.0);
-    let ratio = pivot.ratio_to_f64(diagonal * diagonal.sign());
-    let ratio = if ratio.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
+    let quotient = pivot.ratio_to_f64(diagonal * diagonal.sign());
+    let ratio = if quotient.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
         pivot.ratio_to_f64(one)
     } else {
-        ratio
+        quotient
     };
     // Turns a zero that is negative into one that is not.
     ratio + 0.0

@@ -192,8 +192,8 @@ where
     /// that all threads end together.
     fn next(&self) -> Option<Part<R, E, F, B, A, O, N>> {
         let mut rest = self.rest.lock().unwrap_or_else(PoisonError::into_inner);
-        let share = (rest.states / (2 * self.threads)).max(self.least);
-        let share = share.next_multiple_of(MOST_LANES).min(rest.states);
+        let fair = (rest.states / (2 * self.threads)).max(self.least);
+        let share = fair.next_multiple_of(MOST_LANES).min(rest.states);
         (share > 0).then(|| rest.take(share))
     }
 }

@@ -10,7 +10,7 @@ use fearless_simd::{
 
 use super::abreast;
 use crate::Scalar;
-use crate::operators::impl_operators;
+use crate::operators::{impl_operators, scalar_methods};
 use crate::sine::{self, Kernel, Lanes, Part};
 use crate::unrolled::for_each_index;
 
@@ -112,9 +112,9 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
         sin_cos_of_lanes(angles, parts)
     }
 
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Wide(self.0.sqrt())
+    scalar_methods! {
+        sqrt(x) => Wide(x.0.sqrt());
+        mul_add(x, a, b) => Wide(x.0.mul_add(a.0, b.0));
     }
 
     /// Lane by lane.
@@ -124,11 +124,6 @@ impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
             *x = Scalar::exp(*x);
         }
         self
-    }
-
-    #[inline(always)]
-    fn mul_add(self, a: Self, b: Self) -> Self {
-        Wide(self.0.mul_add(a.0, b.0))
     }
 
     #[inline(always)]

@@ -52,8 +52,8 @@ fn matrices<T: Measured, const K: usize>(
         let own = numbers.split_off(..rows * columns)?;
         found.push(DMatrix::from_column_slice(rows, columns, own));
     }
-    let found = found.try_into().ok()?;
-    numbers.is_empty().then_some(found)
+    let matrices = found.try_into().ok()?;
+    numbers.is_empty().then_some(matrices)
 }
 
 /// Another number of entries satisfies no equation.

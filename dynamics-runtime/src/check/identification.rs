@@ -113,8 +113,8 @@ pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
 
 /// The joint that feels the motor of each joint, then of each follower, and the factor.
 fn motors(table: &RuntimeTable) -> impl Iterator<Item = (usize, f64)> {
-    let followers = table.followers();
-    let followers = followers.map(|follower| (follower.leader, follower.factor));
+    let rows = table.followers();
+    let followers = rows.map(|follower| (follower.leader, follower.factor));
     (0..table.rows.len())
         .map(|joint| (joint, 1.0))
         .chain(followers)

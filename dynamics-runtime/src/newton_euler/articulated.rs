@@ -69,6 +69,7 @@ struct Beyond {
 impl Add for Beyond {
     type Output = Beyond;
 
+    #[inline(always)]
     fn add(self, other: Beyond) -> Beyond {
         Beyond {
             body: Articulated {
@@ -122,6 +123,7 @@ impl Articulated {
         }
     }
 
+    #[inline(always)]
     fn wrench(&self, motion: &Acceleration) -> Wrench {
         Wrench {
             force: self.b.tr_mul(&motion.angular) + self.d * motion.linear,
@@ -130,6 +132,7 @@ impl Articulated {
     }
 
     /// The wrench of a unit acceleration of the joint.
+    #[inline(always)]
     fn unit_wrench(&self, joint_type: JointType) -> Wrench {
         let still = Acceleration {
             angular: Vector3::zeros(),

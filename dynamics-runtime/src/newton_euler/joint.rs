@@ -86,14 +86,14 @@ impl Joint {
             self.theta.cos,
         );
         #[rustfmt::skip]
-        let rotation = Matrix3::new(
+        let behind = Matrix3::new(
             ct,      -st,      0.0,
             st * ca, ct * ca, -sa,
             st * sa, ct * sa,  ca,
         );
         let rotation = match self.before {
-            None => rotation,
-            Some(before) => Joint::new(SinCos::ZERO, 0.0, before, 0.0).pose().rotation * rotation,
+            None => behind,
+            Some(before) => Joint::new(SinCos::ZERO, 0.0, before, 0.0).pose().rotation * behind,
         };
         Pose {
             rotation,

@@ -44,10 +44,15 @@ impl<D: Size> NumericArm<D> {
     pub(super) fn poses_in_world(&self, q: &D::Vector) -> D::Links<Pose> {
         self.at(q, |joints| {
             let mut poses = self.per_link(self.base);
-            self.outward(self.base, |Place { k, .. }, pose| {
-                poses[k] = pose.then(&joints[k].pose());
-                poses[k]
-            });
+            self.outward(
+                self.base,
+                #[inline(always)]
+                |Place { k, .. }, before| {
+                    let pose = before.then(&joints[k].pose());
+                    poses[k] = pose;
+                    pose
+                },
+            );
             poses
         })
     }

@@ -143,10 +143,10 @@ impl Link {
         };
         let alpha = SinCos { sin: sine, cos: z };
         let turned = Joint::new(alpha, 0.0, SinCos::ZERO, 0.0).behind(before);
-        let rest = turned.pose().rotation.transpose() * rotation;
+        let chi = turned.pose().rotation.transpose() * rotation;
         let rest = SinCos {
-            sin: rest.m21,
-            cos: rest.m11,
+            sin: chi.m21,
+            cos: chi.m11,
         };
         Link {
             alpha,

@@ -53,8 +53,8 @@ fn standard_parameters(
 ) -> impl Iterator<Item = StandardParameters> {
     let last = arm.chain().count();
     let rows = (1..=last).zip(arm.chain());
-    let rows = rows.filter(move |(_, moving)| moving.is_follower == of_followers);
-    rows.map(move |(k, moving)| {
+    let asked_for = rows.filter(move |(_, moving)| moving.is_follower == of_followers);
+    asked_for.map(move |(k, moving)| {
         if k == last {
             parameters(&arm.tool.joined(moving.row))
         } else {

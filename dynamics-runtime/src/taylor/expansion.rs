@@ -158,8 +158,7 @@ impl<R: TaylorDynamics<N>, T: Scalar, const N: usize> Expansion<R, T, N> {
         };
         robot.series_term(&mut term);
         let (sine, cosine, qdd) = (term.next_sine, term.next_cosine, term.motion.qdd);
-        let holding = term.holding;
-        self.holding = holding;
+        self.holding = term.holding;
         let inverse = reciprocal(motion.q[0], k + 1);
         for (sine, cosine) in self.products.multiples() {
             (*sine, *cosine) = (*sine * inverse, *cosine * inverse);
