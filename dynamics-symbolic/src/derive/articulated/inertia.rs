@@ -56,7 +56,7 @@ impl<R: Ring> Articulated<R> {
         }
     }
 
-    /// What a turn about x makes of it, by what the turn makes of it about z.
+    /// The inertia after a turn about x, where `turn` has it after the same turn about z.
     pub(super) fn about_x(&self, turn: impl Fn(&Self) -> Self) -> Self {
         turn(&self.renamed()).renamed().renamed()
     }
