@@ -60,7 +60,7 @@ impl Argument {
         }
     }
 
-    /// What it is, with its unit, for joints whose positions and forces have the units that are given;
+    /// Its meaning with its unit, for joints whose positions and forces have the units that are given;
     /// `None` where the description of the function says it.
     pub fn meaning(self, position: &str, force: &str) -> Option<String> {
         Some(match self {

@@ -13,7 +13,7 @@ pub struct Row {
     pub shape: Shape,
     /// Whether it solves with M, and returns an error where M is singular.
     pub refuses: bool,
-    /// What it is, with its unit and other names: the first line of the documentation. `{frame}` stands for the frame
+    /// The description with the unit and other names: the first line of the documentation. `{frame}` stands for the frame
     /// to which poses refer, `{tip}` for the frame whose pose it is: the base frame and the last link
     /// frame, unless the table has a base and a tool.
     pub description: &'static str,

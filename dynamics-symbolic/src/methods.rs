@@ -15,7 +15,7 @@ use proc_macro2::TokenStream;
 
 /// A generated method.
 pub struct Method {
-    /// What it computes.
+    /// The function, or the functions, that it computes.
     pub request: Request,
     /// The documented item of the inherent implementation.
     pub tokens: TokenStream,
@@ -24,18 +24,18 @@ pub struct Method {
     pub provided: Option<TokenStream>,
     /// The items of the runtime's trait `Function`, where the function has no trait of its own.
     pub function: Option<TokenStream>,
-    /// What it costs.
+    /// Its operations.
     pub operations: Operations,
     /// The joints whose position's sine or cosine it reads.
     pub angles: Vec<usize>,
-    /// What it computes, where that is short enough to read.
+    /// Its values as equations, if these are short enough to read.
     pub equations: Vec<Equation>,
 }
 
 /// Why a method cannot be generated.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// What was asked for.
+    /// The request that failed.
     pub request: Request,
     /// The reason.
     pub reason: Reason,
@@ -141,8 +141,8 @@ pub fn expand_with<R: Clone + Into<Request>>(
     }
 }
 
-/// What the documentation says of one program for several functions, beside a program for each of
-/// them. What has been derived before is not derived again.
+/// The sentence about one program for several functions, beside a program for each of them. A program of the methods
+/// before is not derived again.
 fn beside_single_calls(
     robot: &Robot,
     fused: &Fused,
@@ -168,7 +168,7 @@ fn beside_single_calls(
     }
 }
 
-/// What the documentation says of a program that no search has shortened.
+/// The sentence about a program that no search has shortened.
 fn plain(program: &Program) -> Option<String> {
     program.is_plain.then(|| {
         " Written as the recursion of the equations of motion is: every shorter program that was found \
@@ -177,7 +177,7 @@ fn plain(program: &Program) -> Option<String> {
     })
 }
 
-/// What the documentation says of forward dynamics by articulated bodies where joints follow others.
+/// The sentence about forward dynamics by articulated bodies if joints follow others.
 fn factored(robot: &Robot, request: &Request) -> Option<String> {
     let is_factored = robot.is_coupled() && request.parts().contains(&Function::ForwardDynamicsAba);
     is_factored.then(|| {
@@ -187,7 +187,7 @@ fn factored(robot: &Robot, request: &Request) -> Option<String> {
     })
 }
 
-/// What the documentation says of a function of an abbreviated model, beside the complete one.
+/// The sentence about a function of an abbreviated model, beside the complete one.
 fn neglected(
     robot: &Robot,
     request: &Request,

@@ -98,7 +98,7 @@ impl Recursion {
             })
     }
 
-    /// What errors the outputs of the plain recursions have at some states.
+    /// The errors of the outputs of the plain recursions at some states.
     fn natural_errors(&self, states: &[[State; 2]]) -> Vec<Errors> {
         let mut of_all = vec![Errors::new(); 2 * states.len()];
         for own in &self.parts {
@@ -112,7 +112,7 @@ impl Recursion {
 }
 
 impl Own {
-    /// What errors the outputs have at some states: the largest in the group of
+    /// The errors of the outputs at some states: the largest in the group of
     /// the output, and of both states of a pair, so that none is small by chance.
     fn natural_errors(&self, states: &[[State; 2]]) -> Vec<Errors> {
         let rounded = Rounded::new(&self.program);

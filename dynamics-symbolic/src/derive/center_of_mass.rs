@@ -67,7 +67,7 @@ pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -
 
 /// Masses and first moments, over the mass of all links where that is a number.
 struct Moments<'g> {
-    /// Of links i to n about the origin of frame i, as far as joint i feels them.
+    /// The moments of links i to n about the origin of frame i, as far as joint i feels them.
     of_links: Vec<Moment<'g>>,
     /// The first moment of what no joint moves, about the origin of frame 0.
     of_base: Vector3<Expr<'g>>,
@@ -144,7 +144,7 @@ fn grouped<'g>(
     (kept, of_base)
 }
 
-/// What a joint moves of a mass and a first moment, and what it does not.
+/// The parts of a mass and a first moment that a joint moves, and those that it does not.
 fn split<'g>(
     link: &LinkGeometry<Expr<'g>>,
     body: Body<Expr<'g>>,

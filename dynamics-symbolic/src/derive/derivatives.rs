@@ -41,7 +41,7 @@ pub(super) struct ForceDerivatives<R> {
     pub(super) by_velocity: Matrix<R>,
 }
 
-/// What a displacement of a joint adds to the links outside it.
+/// The velocity and the acceleration that a displacement of a joint adds to the links outside it.
 #[derive(Clone, Copy)]
 pub(super) struct Rates<R> {
     /// psi'
@@ -81,7 +81,7 @@ pub(super) fn recursion<R: Ring>(chain: &Chain<R>, qd: &[R], qdd: &[R]) -> Force
 }
 
 impl<'g> ForceDerivatives<Expr<'g>> {
-    /// Those of the joints that move by themselves, from those of all rows.
+    /// The derivatives of the joints that move by themselves, from those of all rows.
     pub(super) fn of_joints(self, symbols: &Symbols<'g>) -> Self {
         let joints = Joints::of(symbols);
         ForceDerivatives {
@@ -273,7 +273,7 @@ impl<R: Ring> ForceDerivatives<R> {
         let by_position =
             composite.apply(velocity.w, acceleration) + own.cross_force(composite.force);
         let by_velocity = composite.apply(own.w, velocity + velocity);
-        // What joints feel by the position and by the velocity of joint i, and S_i I_i; behind them S_i 2 B_i.
+        // The forces by the position and by the velocity of joint i, and S_i I_i; behind them S_i 2 B_i.
         let forces = [by_position, by_velocity, composite.body.momentum(own)];
         let coriolis_row = composite.coriolis_row(own, chain.joint(i).joint_type);
         let leave = |j: usize, (forces, row): ([Force<R>; 3], Vector3<R>)| {

@@ -113,12 +113,12 @@ impl<'g> Equations<'_, 'g> {
                 vec![energy::potential_energy(chain) + of_springs]
             }
             Function::CoriolisMatrix => self.coriolis_matrix(),
-            // Those of each pair of different joints, both orders of it added up.
+            // The symbols of each pair of different joints, both orders of it added up.
             Function::CoriolisCoefficients => self.coefficients(|c| {
                 let pairs = (0..c.len()).flat_map(|j| (j + 1..c.len()).map(move |k| (j, k)));
                 pairs.map(|(j, k)| c[j][k] + c[k][j]).collect()
             }),
-            // Those of each joint with itself.
+            // The symbols of each joint with itself.
             Function::CentrifugalCoefficients => {
                 self.coefficients(|c| (0..c.len()).map(|j| c[j][j]).collect())
             }

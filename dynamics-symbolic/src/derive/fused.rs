@@ -1,7 +1,7 @@
 //! Several functions as one program.
 //!
-//! What their derivations have in common is one node of the graph, whoever writes it first. How much
-//! that is depends on the gauge: one that is the shortest for all of them together shares the most,
+//! A quantity that their derivations have in common is one node of the graph, whoever writes it first. How many
+//! there are depends on the gauge: one that is the shortest for all of them together shares the most,
 //! but each of them may be longer in it than in its own. Both are derived, and the shorter is kept.
 
 use super::functions::Part;

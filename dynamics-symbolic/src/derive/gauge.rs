@@ -20,7 +20,7 @@ pub struct Gauge {
     pub origins: Vec<Origin>,
     /// Whether the frame stays behind its joint: see [`Chain::stay_behind`].
     pub stays: Vec<bool>,
-    /// Which moment of inertia is kept.
+    /// The moment of inertia that is kept.
     pub keep: Vec<Keep>,
     /// Whether inertial parameters move inwards to the base parameters: see
     /// [`Chain::group_parameters`].
@@ -186,7 +186,7 @@ impl Trials<'_> {
     }
 }
 
-/// What the search counts for a function: none of it where no gauge matters.
+/// The part whose operations the search counts for a function; `None` if no gauge matters.
 fn searched_by(part: &Part) -> Option<Part> {
     match part.function.row().search {
         Search::Own | Search::Accuracy => Some(*part),

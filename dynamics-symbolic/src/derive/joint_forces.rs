@@ -1,12 +1,11 @@
-//! What acts at the joints themselves: friction, and springs.
+//! Forces at the joints themselves: friction, and springs.
 //!
 //!   F_i = viscous_i qd_i + sign(qd_i) (C + (S - C) exp(-(qd_i/v)^2))
 //!   K_i = stiffness_i (q_i - rest_i), of the energy 1/2 stiffness_i (q_i - rest_i)^2
 //!
 //! with C the Coulomb friction of the direction, and S and v of Stribeck's curve, where the joint has one.
 //!
-//! Motors have to overcome both, M qdd + V + G + K + F = tau. What is said of them in the equations of
-//! motion is said here alone.
+//! Motors have to overcome both, M qdd + V + G + K + F = tau. No other file of the derivations knows them.
 
 use super::derivatives::ForceDerivatives;
 use super::joints::Joints;

@@ -3,7 +3,7 @@
 //! The equations of an arm with locked joints are those of the whole arm where these joints have a
 //! constant position and no velocity or acceleration, without their own rows and columns.
 //!
-//! Those of an arm in which joints follow others are the whole arm's too: its positions are
+//! The equations of an arm in which joints follow others are the whole arm's too: its positions are
 //! q = S q_j + c, q_j those of the joints that move by themselves, and S and c constant. So qd = S qd_j
 //! and qdd = S qdd_j, and by the chain rule, or by virtual work,
 //!
@@ -18,7 +18,7 @@ use crate::expr::Expr;
 use crate::function::{Shape, Size, Sizes};
 use crate::linear::Ring;
 
-/// Which joints move by themselves, and which follow these: S.
+/// The joints that move by themselves, and those that follow these: S.
 pub(super) struct Joints<R> {
     free: Vec<usize>,
     /// Each follower, the number of the free joint that leads it, and the factor.
@@ -28,7 +28,7 @@ pub(super) struct Joints<R> {
 }
 
 impl<'g> Joints<Expr<'g>> {
-    /// Those of an arm.
+    /// The joints of an arm.
     pub(super) fn of(symbols: &Symbols<'g>) -> Self {
         let arm = symbols.arm();
         let follower = |i: usize| Some((i, arm.moved_by(i)?.0, symbols.joint(i).factor));
@@ -63,7 +63,9 @@ impl<R: Ring> Joints<R> {
 
     /// S' A
     pub(super) fn rows_of_matrix(&self, of_all: Vec<Vec<R>>) -> Vec<Vec<R>> {
-        self.gathered(&of_all, add_multiple)
+        self.gathered(&of_all, |row, factor, other| {
+            add_multiple(row, factor, other);
+        })
     }
 
     /// S' A S for a diagonal matrix, which is diagonal too, for each follower follows one joint.
@@ -136,7 +138,7 @@ impl<R: Ring> Joints<R> {
 }
 
 /// Adds a multiple of a row to another one.
-fn add_multiple<R: Ring>(row: &mut Vec<R>, factor: R, other: &Vec<R>) {
+fn add_multiple<R: Ring>(row: &mut [R], factor: R, other: &[R]) {
     let entries = row.iter_mut().zip(other);
     entries.for_each(|(x, &y)| *x = *x + factor * y);
 }

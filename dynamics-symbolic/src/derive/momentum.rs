@@ -22,7 +22,7 @@ pub(super) struct Momentum<R> {
 }
 
 impl<R: Ring> Momentum<R> {
-    /// Of nothing.
+    /// The momentum of nothing.
     pub(super) fn none(zero: R) -> Self {
         Momentum {
             p: Vector3::splat(zero),
@@ -30,7 +30,7 @@ impl<R: Ring> Momentum<R> {
         }
     }
 
-    /// Of a body: p = m v + w x h, K = v h^T + [w]x E, with E = tr(J)/2 1 - J the second moments
+    /// The momentum of a body: p = m v + w x h, K = v h^T + [w]x E, with E = tr(J)/2 1 - J the second moments
     /// of its mass. The trace of [w]x E is zero.
     pub(super) fn of(body: &Body<R>, w: Vector3<R>, v: Vector3<R>) -> Self {
         let j = body.inertia.full();
@@ -48,7 +48,7 @@ impl<R: Ring> Momentum<R> {
         }
     }
 
-    /// What an angular velocity takes that is added to the bodies.
+    /// The force of an angular velocity that is added to the bodies.
     pub(super) fn apply(&self, angular: Vector3<R>) -> Force<R> {
         Force {
             n: self.n.apply(angular),
@@ -86,7 +86,7 @@ impl<R: Ring> Momentum<R> {
         }
     }
 
-    /// Of both.
+    /// The momentum of both.
     pub(super) fn joined(self, other: Self) -> Self {
         Momentum {
             p: self.p + other.p,

@@ -142,7 +142,7 @@ impl<'g> Moving<'g> {
     }
 }
 
-/// What each joint's variables are along the motion.
+/// The variables of each joint along the motion.
 struct Course<'g> {
     along: Direction<'g>,
     qd: Vec<Jet<'g>>,

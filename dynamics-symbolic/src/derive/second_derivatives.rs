@@ -57,7 +57,7 @@ pub(super) struct SecondDerivatives<R> {
     pub(super) of_inertia: Matrices<R>,
 }
 
-/// What joint k does to the links outside it, in the frame of one of them.
+/// The effect of joint k on the links outside it, in the frame of one of them.
 struct Effect<R> {
     /// S
     axis: Motion<R>,
@@ -129,7 +129,7 @@ pub(super) fn differentiated<'g>(
 }
 
 impl<'g> SecondDerivatives<Expr<'g>> {
-    /// Those of the joints that move by themselves, from those of all rows.
+    /// The derivatives of the joints that move by themselves, from those of all rows.
     pub(super) fn of_joints(self, symbols: &Symbols<'g>) -> Self {
         let joints = Joints::of(symbols);
         SecondDerivatives {
@@ -141,7 +141,7 @@ impl<'g> SecondDerivatives<Expr<'g>> {
     }
 }
 
-/// What the joints that carry a link do, in its frame, each with the number of the joint: see
+/// The effects of the joints that carry a link, in its frame, each with the number of the joint: see
 /// [`Tree::of_carriers`](crate::mechanism::Tree::of_carriers).
 type Effects<R> = Vec<(usize, Effect<R>)>;
 
@@ -177,7 +177,7 @@ impl<R: Ring> Effect<R> {
 }
 
 impl<R: Ring> Slopes<R> {
-    /// Of joint j, which has that effect on its own link.
+    /// The slopes of joint j, which has that effect on its own link.
     fn new(chain: &Chain<R>, j: usize, own: &Effect<R>, composite: &Composite<R>) -> Self {
         let &Effect {
             axis,
@@ -206,7 +206,7 @@ impl<R: Ring> Slopes<R> {
         self.momentum.apply(angular) + self.body.momentum(acceleration)
     }
 
-    /// What is carried inwards, in the frame of the link before.
+    /// The parts that are carried inwards, in the frame of the link before.
     fn leave(self, joint: &Joint<R>) -> Self {
         Slopes {
             force: self.force.leave(joint),

@@ -7,7 +7,7 @@ use crate::robot::{Symbol, Value};
 use crate::rounding::Bounded;
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// What the symbols of an arm are at one state. Positions and velocities of the joints are followed by
+/// The values of an arm's symbols at one state. Positions and velocities of the joints are followed by
 /// those of the followers, less their offsets.
 pub(crate) struct State {
     q: Vec<f64>,

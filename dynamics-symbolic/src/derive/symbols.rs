@@ -183,7 +183,7 @@ impl<'g> Symbols<'g> {
         self.arm
     }
 
-    /// What each symbol of the graph stands for, in the order of the graph's symbols.
+    /// The meaning of each symbol of the graph, in the order of the graph's symbols.
     pub fn meanings(&self) -> &[Symbol] {
         &self.meanings
     }
@@ -211,7 +211,7 @@ impl<'g> Symbols<'g> {
         symbol
     }
 
-    /// Such an argument with an entry for every joint, as [`Symbols::of_all`] has it.
+    /// An argument as in [`Symbols::entry`] for every joint, as [`Symbols::of_all`] has it.
     pub fn entries(&mut self, argument: Argument) -> Vec<Expr<'g>> {
         let of_free: Vec<_> = (0..self.arm.dof())
             .map(|i| self.entry(argument, i))

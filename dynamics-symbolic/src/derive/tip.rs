@@ -158,7 +158,7 @@ impl<'g> Wrench<'g> {
         }
     }
 
-    /// What the joints feel of the moment m about the origin of one of them, told in the frame before it:
+    /// The joint forces of the moment m about the origin of one joint, written in the frame before it:
     /// outwards those whose axes meet there, inwards all, with joint k outside joint i at p in frame i,
     ///
     ///   m_i = R (m_k + slide z x f_k) + p x f_i.

@@ -1,4 +1,4 @@
-//! Which outputs of a function are measured together.
+//! The outputs of a function that are measured together.
 //!
 //! An entry of a matrix may be the small one among entries that are multiplied by like quantities and
 //! added: an error that is small beside the largest of these does not matter. Entries of different
@@ -91,7 +91,7 @@ impl Labels {
     }
 }
 
-/// What a row or a column belongs to.
+/// The owner of a row or a column.
 #[derive(Clone, Copy)]
 enum Along {
     /// A joint or a pair of joints, and the unit of what the entry is multiplied by.

@@ -93,7 +93,7 @@ impl_operators! {
     Neg neg |a| Residue(if a.0 == 0 { 0 } else { P - a.0 });
     Mul mul |a, b| {
         let folded = Self::folded(a.0 as u128 * b.0 as u128);
-        // Of P = 2^BITS - 1 once is enough: both parts are below P.
+        // For P = 2^BITS - 1 once is enough: both parts are below P.
         let folded = match Self::DISTANCE {
             1 => folded as u64,
             _ => Self::folded(folded) as u64,

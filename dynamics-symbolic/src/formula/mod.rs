@@ -78,7 +78,7 @@ pub struct Equation {
 }
 
 impl Formulas {
-    /// Those of a short arm, which are written without being asked for.
+    /// The formulas of a short arm, which are written without being asked for.
     pub fn of_short_arm(
         robot: &Robot,
         functions: &[Function],
@@ -92,7 +92,7 @@ impl Formulas {
         is_short.then(|| Formulas::new(robot, functions, program, budget))
     }
 
-    /// Those of a program of some functions. Functions whose values have no letter to name them by are
+    /// The formulas of a program of some functions. Functions whose values have no letter to name them by are
     /// left out, and so are those whose values are arranged in arrays and tuples.
     pub fn new(robot: &Robot, functions: &[Function], program: &Program, budget: Budget) -> Self {
         let groups = Groups::new(robot);

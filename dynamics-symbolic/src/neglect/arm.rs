@@ -1,4 +1,4 @@
-//! What each base parameter adds to the joint forces of a motion, in numbers.
+//! The part of each base parameter in the joint forces of a motion, in numbers.
 
 use super::reals::{Reals, sin_cos};
 use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};

@@ -77,7 +77,7 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     let arm = Arm::new(&mechanism, &grouping);
     let samples = Samples::new(&mechanism, STATES);
     let effects = Effects::new(&arm, &samples);
-    // What has no effect at all costs nothing as it is.
+    // A parameter without any effect costs nothing as it is.
     let is_small = |x: &f64| *x > 0.0 && *x < share;
     let small: Vec<bool> = effects.shares().iter().map(is_small).collect();
     let is_kept: Vec<bool> = small.iter().map(|small| !small).collect();
@@ -95,7 +95,7 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     let free = free.as_ref().unwrap_or(&mechanism);
     let shown = |is_kept: &[bool]| definite::is_positive_definite(free, &grouping, is_kept, &sizes);
     let is_definite = shown(&is_kept);
-    // Of a coupled arm the free one may lose its definiteness alone.
+    // The free arm of a coupled one may lose its definiteness alone.
     if !is_definite && !is_coupled && shown(&vec![true; small.len()]) {
         return refused(descent::indefinite(&mechanism, &arm, &samples, &is_kept));
     }
@@ -111,7 +111,7 @@ pub fn neglect(robot: &Robot, share: f64) -> Result<Robot, NotPositiveDefinite> 
     Ok(pruned)
 }
 
-/// What each base parameter adds to M, V and G at the samples.
+/// The parts of each base parameter in M, V and G at the samples.
 struct Effects {
     /// By sample, parameter, row and column.
     mass_matrix: Vec<Vec<Vec<Forces>>>,

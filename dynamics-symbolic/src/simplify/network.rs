@@ -15,7 +15,7 @@ pub struct Network<'g> {
     /// Inverses of values, found when they are asked for: most never are.
     inverses: Vec<Cell<Option<Option<Fingerprint>>>>,
     free: Vec<bool>,
-    /// Whose definitions are held: see [`Graph::holding`].
+    /// Whether the definition of each node is held: see [`Graph::holding`].
     held: Vec<bool>,
     /// How many active nodes and outputs read each node: active where positive.
     readers: Vec<u32>,

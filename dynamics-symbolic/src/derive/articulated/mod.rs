@@ -49,7 +49,7 @@ struct Eliminated<'g> {
     force: Expr<'g>,
 }
 
-/// What velocities alone make of the acceleration of a link and of the force on it.
+/// The parts of a link's acceleration and force that depend on velocities alone.
 #[derive(Clone, Copy)]
 struct VelocityTerms<'g> {
     /// c
@@ -108,8 +108,8 @@ fn velocity_terms<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<VelocityT
     terms
 }
 
-/// What a link is to the one before it once its joint is out of the equations; a joint that is
-/// locked gives way to nothing.
+/// The joint of a link, taken out of the equations, and the inertia that the link then has for the one before. A joint
+/// that is locked gives way to nothing.
 fn passed<'g>(
     chain: &Chain<Expr<'g>>,
     link: &Link<Expr<'g>>,
@@ -160,7 +160,7 @@ fn inward<'g>(
     joints
 }
 
-/// What the links outside a link are to it.
+/// The inertia of the links outside a link, as that link meets it.
 #[derive(Clone, Copy)]
 struct Outer<'g> {
     inertia: Articulated<Expr<'g>>,

@@ -12,8 +12,8 @@ pub(super) struct MovingJoint<R> {
     pub(super) joint_type: JointType,
     /// From a motion of the link before to that motion in the joint's axes, before the joint moves.
     pub(super) enter: Matrix<R>,
-    /// What the joint's ends make of a motion; of a revolute joint, whose forms no turn changes, one
-    /// that does nothing.
+    /// The changes of a motion at both ends of the joint's range. A revolute joint, whose forms no turn changes, has one
+    /// that changes nothing.
     pub(super) ends: Vec<Matrix<R>>,
     /// T of the link is half the value of this form.
     pub(super) inertia: Matrix<R>,
@@ -25,12 +25,12 @@ pub(super) struct MovingJoint<R> {
 pub(super) struct MovingJoints<R> {
     /// From the base outwards.
     pub(super) joints: Vec<MovingJoint<R>>,
-    /// Which of them stands on the link of which, or on a link that is fixed to that one.
+    /// The joint on whose link each of them stands, or on a link that is fixed to that one.
     pub(super) tree: Tree,
 }
 
-/// The joints that move of an arm that keeps those of its base parameters for which `is_kept` is true.
-pub(super) fn joints<I: Interpretation>(
+/// The joints that move, for the base parameters for which `is_kept` is true: all others are left out.
+pub(super) fn moving_joints<I: Interpretation>(
     cells: &mut I,
     arm: &Mechanism,
     grouping: &Grouping,

@@ -49,7 +49,7 @@ pub(super) fn forms<R: Ring>(moving: &MovingJoints<R>, x: &[R], zero: R, one: R)
     let mut rest = x;
     let add = |a: Matrix<R>, b: &Matrix<R>| combined(a, b, |a, b| a + b);
     let add_both = |a: Option<Matrix<R>>, b: Option<Matrix<R>>| Some(add(a?, &b?));
-    // What the joints outside hand on is in the axes of this link.
+    // The form that the joints outside hand on is in the axes of this link.
     moving
         .tree
         .inward(None, add_both, |j, outer: Option<Matrix<R>>| {

@@ -32,7 +32,7 @@ use crate::interval::{Interval, Intervals};
 use crate::linear::eliminate;
 use crate::mechanism::Mechanism;
 use crate::robot::{Grouping, JointType};
-use chain::{MovingJoints, joints};
+use chain::{MovingJoints, moving_joints};
 use energy::{forms, handed_on, unknowns};
 use matrix::{Matrix, combined};
 use search::{Affine, search};
@@ -45,8 +45,8 @@ pub(super) fn is_positive_definite(
     is_kept: &[bool],
     sizes: &[f64],
 ) -> bool {
-    let real = joints(&mut Reals, arm, grouping, is_kept);
-    let exact = joints(&mut Intervals, arm, grouping, is_kept);
+    let real = moving_joints(&mut Reals, arm, grouping, is_kept);
+    let exact = moving_joints(&mut Intervals, arm, grouping, is_kept);
     let scales = Scales::new(arm, &real, sizes);
     let shown = |y: &[f64]| {
         let x = y
@@ -62,9 +62,9 @@ pub(super) fn is_positive_definite(
 
 /// Sizes of what is compared, so that no choice of units matters.
 struct Scales {
-    /// Of the unknown numbers.
+    /// The sizes of the unknown numbers.
     unknowns: Vec<f64>,
-    /// The square roots of those of the diagonal entries of each form.
+    /// The square roots of the sizes of the diagonal entries of each form.
     forms: Vec<Vec<f64>>,
 }
 

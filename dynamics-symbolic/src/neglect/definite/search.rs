@@ -10,7 +10,7 @@ use super::matrix::{Matrix, combined, product, transpose};
 /// G(x) = constant + sum x_k slope_k.
 pub(super) struct Affine {
     pub(super) constant: Matrix<f64>,
-    /// Those that are not zero, with k.
+    /// The slopes that are not zero, with k.
     pub(super) slopes: Vec<(usize, Matrix<f64>)>,
 }
 
@@ -20,7 +20,7 @@ const FARTHEST: f64 = 1e4;
 /// Steps of Newton's method.
 const MOST_STEPS: usize = 150;
 
-/// What t grows by.
+/// The factor by which t grows.
 const GROWTH: f64 = 8.0;
 
 /// `count` numbers at which all G_b are positive definite, as far as `accept` says so.
