@@ -62,7 +62,7 @@ fn shown(robot: &Robot, value: &Value) -> String {
 
 fn locked(model: &Model) -> Vec<String> {
     let locked = model.robot.rows.iter().filter_map(|row| {
-        let position = row.locked.as_ref().filter(|_| !row.is_place())?;
+        let position = row.locked.as_ref()?;
         let position = match position.is_number() {
             true => position.to_f64(&[]).to_string(),
             false => "a position made of fields".to_owned(),

@@ -100,7 +100,6 @@ impl Reader<'_> {
         Ok(Joints {
             rows: read,
             complete,
-            tip: Vec::new(),
         })
     }
 

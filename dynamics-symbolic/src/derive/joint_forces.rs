@@ -15,7 +15,10 @@ use super::symbols::{JointSymbols, Symbols};
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::mechanism::{Forces, Joint};
-use crate::robot::Interpretation;
+use crate::robot::{Interpretation, Row};
+
+// Each cell of a row that acts at the joint has its term here.
+const _: () = assert!(Row::CELLS == 11);
 
 /// K + F, for every joint.
 pub(super) fn both<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {

@@ -110,12 +110,12 @@ pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, frames: &[Frame<'g>]) -> Pose<'
         Some(link) => frames[link].pose,
         None => base(symbols),
     };
-    match &symbols.arm().tool {
-        Some(tool) => {
-            let tool = place::tool(symbols, tool);
-            placed(symbols, &last, &tool)
+    match &symbols.arm().tip_frame[..] {
+        [] => last,
+        frames => {
+            let tip = place(symbols, frames);
+            placed(symbols, &last, &tip)
         }
-        None => last,
     }
 }
 
@@ -127,10 +127,11 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
     arm.tree.outward(base, |i, before| {
         let joint = &arm.joints[i];
         // The cells in the order of the table.
-        let behind = place(symbols, &joint.link_frame);
-        let foot = before.clone().then(&place(symbols, &joint.before));
+        let aligned = &joint.aligned;
+        let behind = place(symbols, &[&aligned.own[..], &joint.link_frame].concat());
+        let foot = before.clone().then(&place(symbols, &aligned.before));
         let turn = symbols.turn(i);
-        let d = symbols.value(&joint.d);
+        let d = symbols.value(&aligned.d);
         let d = match joint.joint_type {
             JointType::Revolute => d,
             JointType::Prismatic => d + symbols.joint(i).q,

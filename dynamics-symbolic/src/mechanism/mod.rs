@@ -3,9 +3,11 @@
 //! Rows of both conventions, mounts of files, locked joints and couplings are read into it (`read`). The derivations
 //! know nothing else of an arm. The proof reads the table by itself.
 
+mod aligned;
 mod read;
 mod walk;
 
+pub(crate) use aligned::Aligned;
 pub(crate) use walk::Tree;
 
 use crate::robot::{Coupling, JointType, Neglected, Placement, Spring, Stribeck, Tool, Value};
@@ -25,7 +27,9 @@ pub struct Mechanism {
     pub(crate) tree: Tree,
     /// The link that carries the tip; `None` for the base.
     pub(crate) tip: Option<usize>,
-    /// What is fixed to that link.
+    /// The tip in the frame of that link, each placement in the one before it.
+    pub(crate) tip_frame: Vec<Placement>,
+    /// The body at the tip.
     pub(crate) tool: Option<Tool>,
     /// The base inertial parameters that are left out of the Lagrangian.
     pub(crate) neglected: Option<Neglected>,
@@ -33,7 +37,7 @@ pub struct Mechanism {
 
 /// A joint and the link that it moves.
 ///
-/// The joint's frame has its z axis on the joint's axis. In the joint's frame of the link that carries it, or in frame 0,
+/// The joint's own frame has its z axis on the joint's axis. In the joint's frame of the link that carries it, or in frame 0,
 /// it is at `before` Rz(turn) Tz(d), and a position of the joint turns it about z or slides it along z.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
@@ -47,6 +51,8 @@ pub(crate) struct Joint {
     pub(crate) turn: Vec<Value>,
     /// The constant step along the axis.
     pub(crate) d: Value,
+    /// The same between frames that recursions are short in.
+    pub(crate) aligned: Aligned,
     /// The point of the axis to which Jacobians refer.
     pub(crate) origin: Origin,
     /// How the joint moves.

@@ -94,7 +94,7 @@ impl<C> Mount<C> {
         Mount {
             places: self.places.iter().map(|place| place.map(cell)).collect(),
             axis: self.axis.each_ref().map(|angle| cell(angle, Angle)),
-            frame: self.frame.iter().map(|place| place.map(cell)).collect(),
+            tip: self.tip.iter().map(|place| place.map(cell)).collect(),
         }
     }
 }

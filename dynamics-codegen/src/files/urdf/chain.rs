@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
 use crate::description::{
-    Allow, Coulomb, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Mount, Name, Operator,
-    Part, Placement, Positioned, Row,
+    Allow, Coulomb, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Name, Operator, Part,
+    Positioned, Row,
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
-use crate::geometry::{Mass, Transform, Vector, number, tidy};
+use crate::geometry::{Mass, Transform, number, tidy};
 use crate::mistake::{Mistake, urdf as mistake};
 use crate::place::Place;
 use crate::validate::refusal;
@@ -242,10 +242,12 @@ impl<'a> Chain<'a> {
             rows.push(row(joint, core::mem::take(&mut places)));
         }
         self.finish(&mut rows, body);
+        if let Some(mount) = rows.last_mut().and_then(|row| row.mount.as_mut()) {
+            mount.tip = places;
+        }
         Joints {
             rows,
             complete: true,
-            tip: places,
         }
     }
 
@@ -371,18 +373,9 @@ fn origin(joint: &Joint) -> Transform {
 }
 
 fn placement(joint: &Joint) -> Placement {
-    let numbers = |v: &Vector| {
-        v.each_ref()
-            .map(|x| Some(Expr::signed(x.clone(), joint.place)))
-    };
     Placement {
-        xyz: Given::As(numbers(&joint.xyz)),
-        rpy: Given::As(
-            joint
-                .rpy
-                .each_ref()
-                .map(|x| Some(expression(x, joint.place))),
-        ),
+        xyz: joint.xyz.clone().map(Value::Rational),
+        rpy: joint.rpy.clone(),
     }
 }
 
@@ -413,7 +406,8 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
         }),
         mount: Some(Mount {
             places,
-            axis: joint.axis.each_ref().map(|x| expression(x, joint.place)),
+            axis: joint.axis.clone(),
+            tip: Vec::new(),
         }),
         ..Row::default()
     }
