@@ -1,8 +1,6 @@
 //! The table as JavaScript: everything that the page shows of the robot besides its functions.
 
-use dynamics_symbolic::robot::{
-    Convention, JointType, Mount, Placement, Robot, Row, Tool, Value,
-};
+use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Robot, Row, Tool, Value};
 
 use super::Start;
 use super::cells::{code, text, unit};
@@ -19,7 +17,8 @@ pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> 
         ])
     });
     let numbers = |values: &Vec<f64>| array(values.iter().copied().map(number));
-    let rows = (0..robot.rows.len()).map(|i| writer.row(Some(i), &robot.rows[i], &robot.mounted(i)));
+    let rows =
+        (0..robot.rows.len()).map(|i| writer.row(Some(i), &robot.rows[i], &robot.mounted(i)));
     let rows = rows.chain(writer.tip());
     let entries = [
         ("name", string(&robot.name)),
@@ -45,10 +44,7 @@ pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> 
             "tool",
             option(robot.tool.as_ref().map(|tool| writer.tool(tool))),
         ),
-        (
-            "rows",
-            array(rows.map(|row| format!("\n  {row}"))),
-        ),
+        ("rows", array(rows.map(|row| format!("\n  {row}")))),
     ];
     let first = [
         ("fields", array(fields)),

@@ -22,45 +22,27 @@ pub(crate) struct Aligned {
 }
 
 impl Aligned {
-    /// No step at all, of a joint that is not aligned yet.
-    pub(super) fn unaligned() -> Self {
-        Aligned {
-            before: Vec::new(),
-            turn: Vec::new(),
-            d: Value::zero(),
-            own: Vec::new(),
-        }
-    }
-
     /// Aligns the frames of all joints. A joint that carries several is aligned with the first of them.
     pub(super) fn align(joints: &mut [Joint], tree: &Tree) {
         let mut carries = vec![false; joints.len()];
         for i in 0..joints.len() {
             let parent = tree.parent(i);
             let own = parent.map_or(&[][..], |parent| &joints[parent].aligned.own);
-            let is_short = own.is_empty() && is_screw(&joints[i].before);
-            let mut aligned = Aligned {
-                before: joints[i].before.clone(),
-                turn: joints[i].turn.clone(),
-                d: joints[i].d.clone(),
-                own: Vec::new(),
-            };
-            if !is_short {
-                let mut path = Path::new(&[own, &aligned.before].concat());
+            if !own.is_empty() || !is_screw(&joints[i].before) {
+                let mut path = Path::new(&[own, &joints[i].before].concat());
                 if let Some(parent) = parent.filter(|&parent| !carries[parent]) {
                     let (slide, turns) = path.take_first();
                     joints[parent].aligned.moved(slide, turns);
                 }
                 let (before, slide, turns) = path.without_last();
+                let aligned = &mut joints[i].aligned;
                 aligned.before = before;
-                aligned.d = aligned.d + slide;
-                let turns = turns.into_iter().filter(|turn| !turn.is_zero());
+                aligned.d = aligned.d.clone() + slide;
                 aligned.turn.extend(turns);
             }
             if let Some(parent) = parent {
                 carries[parent] = true;
             }
-            joints[i].aligned = aligned;
         }
     }
 
@@ -149,8 +131,8 @@ impl Path {
         self.quarters = product(&self.quarters, &about(axis, quarter_turns));
     }
 
-    /// Takes what the first frame can do by sliding along its axis and turning about it. An axis that is parallel to
-    /// the last one takes no slide: that is left for the last one.
+    /// Slides the first frame along its axis and turns it about that, as far as the path gets shorter. Of two parallel
+    /// axes only the last one takes a slide.
     fn take_first(&mut self) -> (Value, Vec<Value>) {
         let mut turns = Vec::new();
         let is_along = |xyz: &[Value; 3]| xyz[0].is_zero() && xyz[1].is_zero();
@@ -185,7 +167,7 @@ impl Path {
         first.unwrap_or(&mut self.origin)
     }
 
-    /// What is left, and what the last frame does by sliding along its axis and turning about it.
+    /// The placements that are left after the last frame has slid along its axis and turned about it, and how it did.
     fn without_last(mut self) -> (Vec<Placement>, Value, Vec<Value>) {
         let (mut slide, mut turns) = (Value::zero(), Vec::new());
         loop {
@@ -208,7 +190,7 @@ impl Path {
         };
         let found = counts.find(|counts| rotation(counts) == self.quarters);
         let [yaw, roll, turn] = found.expect("axes along those of the frame are reached so");
-        turns.push(angle(turn));
+        turns.extend((turn != 0).then(|| angle(turn)));
         let steps = self.steps.into_iter().map(|Step { xyz, axis, angle }| {
             let mut rpy = [0; 3].map(Value::integer);
             rpy[axis] = angle;

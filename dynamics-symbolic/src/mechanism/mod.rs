@@ -65,7 +65,7 @@ pub(crate) struct Joint {
     pub(crate) com: [Value; 3],
     /// Its inertia tensor about the centre of mass: xx, yy, zz, xy, yz, xz.
     pub(crate) inertia: [Value; 6],
-    /// What acts at the joint itself: nothing at a joint that stands still.
+    /// Friction, motor and spring: none at a joint that stands still.
     pub(crate) forces: Forces,
     /// The range of positions, where it is known.
     pub(crate) limits: Option<[Value; 2]>,
@@ -91,14 +91,14 @@ pub(crate) enum Law {
     Following { number: usize, coupling: Coupling },
 }
 
-/// What acts at a joint itself.
+/// Friction, motor and spring of a joint.
 #[derive(Clone, Debug)]
 pub(crate) struct Forces {
     pub(crate) motor_inertia: Value,
     /// The number zero where there is no motor.
     pub(crate) gear_ratio: Value,
     pub(crate) viscous: Value,
-    /// Of positive velocities, and of negative ones.
+    /// The values for positive velocities and for negative ones.
     pub(crate) coulomb: [Value; 2],
     pub(crate) stribeck: Option<Stribeck>,
     pub(crate) spring: Option<Spring>,

@@ -60,10 +60,15 @@ fn joint(
     Joint {
         name: row.name.clone(),
         joint_type: row.joint_type,
+        aligned: Aligned {
+            before: before.clone(),
+            turn: constant_turn(row),
+            d: row.d.clone(),
+            own: Vec::new(),
+        },
         before,
         turn: constant_turn(row),
         d: row.d.clone(),
-        aligned: Aligned::unaligned(),
         origin,
         link_frame,
         mass: row.mass.clone(),

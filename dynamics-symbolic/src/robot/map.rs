@@ -2,7 +2,7 @@
 
 use super::{Coupling, JointType, Mount, Placement, Row, Spring, Stribeck, Tool, Value};
 
-/// What a cell is.
+/// The kind of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// An angle by which a frame is turned: its quarter turns are exact.

@@ -133,9 +133,9 @@ pub struct Robot {
     pub base: Option<Placement>,
     /// The rows, from the base outwards.
     pub rows: Vec<Row>,
-    /// What is fixed to the last link. The tip of the arm is its frame, or else the last link frame.
+    /// The tool on the last link. The tip of the arm is its frame, or else the last link frame.
     pub tool: Option<Tool>,
-    /// What the functions leave out: see [`crate::neglect`].
+    /// The parameters that the functions leave out: see [`crate::neglect`].
     pub neglected: Option<Neglected>,
 }
 
@@ -175,7 +175,7 @@ impl Robot {
         self.followers().next().is_some()
     }
 
-    /// Of a row, the joint of those that move by themselves.
+    /// The number of a row's joint among those that move by themselves.
     pub fn joint_of(&self, row: usize) -> usize {
         let before = self.rows[..row].iter();
         before.filter(|row| row.is_free()).count()

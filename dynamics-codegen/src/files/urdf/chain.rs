@@ -74,9 +74,9 @@ pub(super) struct Chain<'a> {
     outward: BTreeMap<&'a str, Vec<usize>>,
     /// The joints of the chain, from the base outwards.
     pub(super) on_chain: Vec<usize>,
-    /// Those of them that follow others of them.
+    /// The joints of the chain that follow others of it.
     pub(super) coupled: Vec<Positioned>,
-    /// Those that follow joints which stand still beside the chain.
+    /// The joints of the chain that follow joints which stand still beside it.
     pub(super) locked: Vec<Positioned>,
     /// The joints of the chain that move, with what moves with each.
     moving: Vec<Moving<'a>>,
@@ -206,7 +206,7 @@ impl<'a> Chain<'a> {
     }
 
     fn rows(&mut self, first: &'a Name) -> Joints {
-        // What hangs on the base link does not move, but has to be said to stand still.
+        // Joints on the base link do not move the chain, but must be said to stand still.
         self.gather(first.plain(), &Transform::identity());
         let mut rows: Vec<Row> = Vec::new();
         let mut places = Vec::new();
@@ -340,7 +340,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// What a joint off the chain does where it stands still.
+    /// The displacement by a joint off the chain, which stands still.
     fn moved(&mut self, joint: &'a Joint) -> Option<Transform> {
         if let Kind::Other(kind) = joint.kind {
             self.error(joint.place, mistake::unsupported(&joint.name, kind));
