@@ -3,7 +3,7 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType};
+use dynamics_symbolic::robot::{Convention, JointType, Mount};
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -287,8 +287,6 @@ pub struct Joints {
     pub rows: Vec<Row>,
     /// Whether these are all rows.
     pub complete: bool,
-    /// The places from the last row's link frame to the tip, each in the one before it.
-    pub tip: Vec<Placement>,
 }
 
 /// `name: revolute { cells }`
@@ -325,15 +323,6 @@ impl Row {
     pub(crate) fn word(&self) -> &str {
         self.name.as_ref().map_or("", Name::plain)
     }
-}
-
-/// Where a joint is in the link frame before it.
-#[derive(Debug)]
-pub struct Mount {
-    /// The joint's frame, each place in the one before it.
-    pub places: Vec<Placement>,
-    /// Azimuth and polar angle of the axis in the last of them, rad.
-    pub axis: [Expr; 2],
 }
 
 /// Values for some words: `{ stiffness: 200, rest: 0.1 }`.

@@ -15,7 +15,7 @@ pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
         robot::Convention::Modified => Convention::Modified,
     };
     let gravity = robot.gravity.each_ref().map(|value| cells.number(value));
-    let rows: Vec<Row> = robot.rows.iter().map(|row| cells.row(row)).collect();
+    let rows: Vec<Row> = (0..robot.rows.len()).map(|i| cells.row(robot, i)).collect();
     let motions: Vec<_> = robot.rows.iter().map(|row| cells.motion(row)).collect();
     let mut arm = if motions.iter().all(|motion| *motion == JointMotion::Free) {
         RuntimeTable::new(convention, gravity, rows)
@@ -89,10 +89,14 @@ impl Cells<'_> {
     }
 
     /// The row of the runtime; how its joint moves is said apart from it.
-    fn row(&self, row: &robot::Row) -> Row {
-        let row = row.map(&mut self.cell());
-        let link_frame = row.mount.map_or(Vec::new(), |mount| mount.frame);
-        let link_frame: Vec<Frame> = link_frame.into_iter().map(frame).collect();
+    fn row(&self, robot: &Robot, i: usize) -> Row {
+        let row = robot.rows[i].map(&mut self.cell());
+        let [mount, link_frame, tip] = robot.mounted(i).map(|placements| {
+            let frames = placements
+                .iter()
+                .map(|place| frame(place.map(&mut self.cell())));
+            dynamics_runtime::table::Placement::of_frames(&frames.collect::<Vec<_>>())
+        });
         // All fields are written out, so that the compiler names a new one here.
         Row {
             joint_type: match row.joint_type {
@@ -119,9 +123,9 @@ impl Cells<'_> {
                 rest: of.rest,
             }),
             limits: row.limits,
-            mount: dynamics_runtime::table::Placement::IDENTITY,
-            link_frame: dynamics_runtime::table::Placement::of_frames(&link_frame),
-            tip: dynamics_runtime::table::Placement::IDENTITY,
+            mount,
+            link_frame,
+            tip,
             non_exhaustive: (),
         }
     }

@@ -152,8 +152,7 @@ fn joints_that_mimic_others_follow_them() {
 fn what_follows_a_joint_that_stands_still_is_locked() {
     let same = |found: &Robot, expected: &Robot| {
         let still = |robot: &Robot| -> Vec<f64> {
-            let locked = robot.rows.iter().filter(|row| !row.is_place());
-            let locked = locked.filter_map(|row| row.locked.as_ref());
+            let locked = robot.rows.iter().filter_map(|row| row.locked.as_ref());
             locked.map(|position| position.to_f64(&[])).collect()
         };
         let (positions, others) = (still(found), still(expected));

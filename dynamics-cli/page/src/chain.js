@@ -20,6 +20,8 @@ export function chain(table, q) {
   const at = positions(table, q);
   let before = base;
   const rows = table.rows.map((row, i) => {
+    // A file may place a joint anywhere: what the cells do not say comes before them.
+    if (row.mount) before = row.mount.step.reduce(placed, before);
     const isPrismatic = row.type === "prismatic";
     const theta = row.theta + (isPrismatic ? 0 : at[i]);
     const d = row.d + (isPrismatic ? at[i] : 0);

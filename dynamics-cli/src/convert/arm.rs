@@ -41,15 +41,14 @@ impl Arm<'_> {
             None => Transform::identity(),
         };
         let mut joints: Vec<Joint> = Vec::new();
-        // The link frame behind the last row.
-        let mut link = frame.clone();
-        for row in &robot.rows {
-            let before = frame.clone();
+        // The tip behind the last row.
+        let mut last = frame.clone();
+        for (i, row) in robot.rows.iter().enumerate() {
+            let [mount, link_frame, tip] = robot.mounted(i);
+            let before = behind(&frame, &mount)?;
             frame = before.then(&step(robot.convention, row)?).tidy();
-            link = frame.clone();
-            for place in row.mount.iter().flat_map(|mount| &mount.frame) {
-                link = link.then(&placed(place)?).tidy();
-            }
+            let link = behind(&frame, &link_frame)?;
+            last = behind(&link, &tip)?;
             if row.locked.is_none() {
                 let axis = match robot.convention {
                     Convention::Standard => before,
@@ -70,8 +69,8 @@ impl Arm<'_> {
             }
         }
         let tip = match &robot.tool {
-            Some(tool) => frame.then(&placed(&tool.placement)?).tidy(),
-            None => link,
+            Some(tool) => last.then(&placed(&tool.placement)?).tidy(),
+            None => last,
         };
         let gravity = numbers(&robot.gravity)?;
         Some(Arm {
@@ -123,6 +122,14 @@ fn numbers<const N: usize>(values: &[Value; N]) -> Option<[Rational; N]> {
 
 fn placed(place: &Placement) -> Option<Transform> {
     Transform::new(&numbers(&place.xyz)?, &place.rpy)
+}
+
+/// The last of some frames behind another one, each placed in the one before it.
+fn behind(frame: &Transform, placements: &[Placement]) -> Option<Transform> {
+    let mut placements = placements.iter();
+    placements.try_fold(frame.clone(), |frame, placement| {
+        Some(frame.then(&placed(placement)?).tidy())
+    })
 }
 
 /// A frame behind a row in the one before it: the joint at zero, or where it is locked.

@@ -1,6 +1,6 @@
 //! The table as JavaScript: everything that the page shows of the robot besides its functions.
 
-use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Robot, Row, Tool, Value};
 
 use super::Start;
 use super::cells::{code, text, unit};
@@ -17,7 +17,9 @@ pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> 
         ])
     });
     let numbers = |values: &Vec<f64>| array(values.iter().copied().map(number));
-    let rows = robot.rows.iter().enumerate();
+    let rows =
+        (0..robot.rows.len()).map(|i| writer.row(Some(i), &robot.rows[i], &robot.mounted(i)));
+    let rows = rows.chain(writer.tip());
     let entries = [
         ("name", string(&robot.name)),
         ("version", string(env!("CARGO_PKG_VERSION"))),
@@ -42,10 +44,7 @@ pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> 
             "tool",
             option(robot.tool.as_ref().map(|tool| writer.tool(tool))),
         ),
-        (
-            "rows",
-            array(rows.map(|(i, row)| format!("\n  {}", writer.row(i, row)))),
-        ),
+        ("rows", array(rows.map(|row| format!("\n  {row}")))),
     ];
     let first = [
         ("fields", array(fields)),
@@ -91,7 +90,26 @@ impl Writer<'_> {
         object(self.place(&tool.placement).into_iter().chain(body))
     }
 
-    fn row(&self, index: usize, row: &Row) -> String {
+    /// What is behind the last link frame of a file, as a place in the list of joints.
+    fn tip(&self) -> Option<String> {
+        let mount = self.0.rows.last()?.mount.as_ref()?;
+        let [_, link_frame, tip] = self.0.mounted(self.0.rows.len() - 1);
+        let row = Row {
+            locked: Some(Value::zero()),
+            mount: Some(Mount {
+                places: tip.clone(),
+                axis: [Value::zero(), Value::zero()],
+                tip: Vec::new(),
+            }),
+            ..Row::new("", JointType::Revolute)
+        };
+        let step = [link_frame, tip].concat();
+        let is_apart = !mount.tip.is_empty();
+        is_apart.then(|| self.row(None, &row, &[step, Vec::new(), Vec::new()]))
+    }
+
+    /// A row of that index, none of the tip. `mounted` are the placements that its cells do not say.
+    fn row(&self, index: Option<usize>, row: &Row, mounted: &[Vec<Placement>; 3]) -> String {
         let cells = row.cells().map(|(name, values)| {
             let value = match values {
                 [value] => self.cell(value),
@@ -104,17 +122,23 @@ impl Writer<'_> {
             };
             (name, value)
         });
-        let entries = self.joint(index, row).into_iter().chain(cells);
+        let entries = self.joint(index, row, mounted).into_iter().chain(cells);
         object(entries.chain(self.curves(row)))
     }
 
     /// What the row's joint is, how it moves and where it stands.
-    fn joint(&self, index: usize, row: &Row) -> [(&'static str, String); 8] {
+    fn joint(
+        &self,
+        index: Option<usize>,
+        row: &Row,
+        [step, link_frame, _]: &[Vec<Placement>; 3],
+    ) -> [(&'static str, String); 8] {
         let joint_type = match row.joint_type {
             JointType::Revolute => "revolute",
             JointType::Prismatic => "prismatic",
         };
-        let joint = row.is_free().then(|| self.0.joint_of(index).to_string());
+        let joint = index.filter(|_| row.is_free());
+        let joint = joint.map(|index| self.0.joint_of(index).to_string());
         let locked = row.locked.as_ref().map(|value| self.cell(value));
         let follows = row.follows.as_ref().map(|coupling| {
             object([
@@ -129,14 +153,15 @@ impl Writer<'_> {
             object([
                 ("places", placements(&mount.places)),
                 ("axis", self.vector(&mount.axis)),
-                ("frame", placements(&mount.frame)),
+                ("step", placements(step)),
+                ("frame", placements(link_frame)),
             ])
         });
         [
             ("name", string(&row.name)),
             ("type", string(joint_type)),
             ("joint", option(joint)),
-            ("isPlace", row.is_place().to_string()),
+            ("isPlace", index.is_none().to_string()),
             ("locked", option(locked)),
             ("follows", option(follows)),
             ("limits", option(limits)),

@@ -38,12 +38,15 @@ pub(super) fn table(robot: &Robot) -> String {
         let _ = writeln!(text, "{:<width$}{}", "base", place(base));
     }
     for row in &robot.rows {
-        match (&row.mount, is_placed) {
-            (Some(mount), _) => text.push_str(&placed(robot, row, mount, width)),
-            // Rows of the equations, which the file does not have.
-            (None, true) => {}
-            (None, false) => text.push_str(&cells(robot, row, width)),
-        }
+        text.push_str(&match &row.mount {
+            Some(mount) => placed(robot, row, mount, width),
+            None => cells(robot, row, width),
+        });
+    }
+    let mount = robot.rows.last().and_then(|row| row.mount.as_ref());
+    if let Some(mount) = mount.filter(|mount| !mount.tip.is_empty()) {
+        let tip = places(&mount.tip);
+        let _ = writeln!(text, "{:<width$}{:<11}{tip}", "tip", "fixed");
     }
     if let Some(tool) = &robot.tool {
         let (place, mass) = (place(&tool.placement), number(&tool.mass));
@@ -72,16 +75,9 @@ fn cells(robot: &Robot, row: &Row, width: usize) -> String {
     )
 }
 
-/// A joint of a URDF file with its link, or the tip.
+/// A joint of a URDF file with its link.
 fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
-    let places: Vec<_> = mount.places.iter().map(place).collect();
-    let places = match places.is_empty() {
-        true => "xyz [0, 0, 0]  rpy [0, 0, 0]".to_owned(),
-        false => places.join(", then "),
-    };
-    if row.is_place() {
-        return format!("{:<width$}{:<11}{places}\n", "tip", "fixed");
-    }
+    let places = places(&mount.places);
     let [azimuth, polar] = mount.axis.each_ref().map(|angle| angle.to_f64(&[]));
     let axis = [
         polar.sin() * azimuth.cos(),
@@ -140,6 +136,11 @@ fn joint_type(row: &Row) -> &'static str {
         JointType::Revolute => "revolute",
         JointType::Prismatic => "prismatic",
     }
+}
+
+fn places(places: &[Placement]) -> String {
+    let places: Vec<_> = places.iter().map(place).collect();
+    places.join(", then ")
 }
 
 fn place(place: &Placement) -> String {

@@ -68,7 +68,7 @@ fn shown(robot: &Robot, value: &Value) -> String {
 
 fn locked(robot: &Robot) -> Vec<String> {
     let locked = robot.rows.iter().filter_map(|row| {
-        let position = row.locked.as_ref().filter(|_| !row.is_place())?;
+        let position = row.locked.as_ref()?;
         let position = if position.is_number() {
             position.to_f64(&[]).to_string()
         } else {

@@ -25,7 +25,11 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         Quantity::Number => number(value, &fields),
     };
     let cells: Vec<_> = robot.rows.iter().map(|row| row.map(&mut cell)).collect();
-    let rows = cells.iter().map(|cells| row(cells, path));
+    let placements: Vec<_> = (0..cells.len())
+        .map(|i| robot.mounted(i).map(|all| placement(&all, &mut cell, path)))
+        .collect();
+    let rows = cells.iter().zip(placements);
+    let rows = rows.map(|(cells, placements)| row(cells, placements, path));
     let (made, motions): (_, Vec<_>) = if robot.is_coupled() {
         (
             quote!(couple),
@@ -114,8 +118,25 @@ fn tool(tool: &Tool<TokenStream>, path: &TokenStream) -> TokenStream {
     }
 }
 
+/// The last of some frames, each placed in the one before it; `None` where there are none.
+fn placement(
+    placements: &[Placement],
+    cell: &mut impl FnMut(&Value, Quantity) -> TokenStream,
+    path: &TokenStream,
+) -> Option<TokenStream> {
+    let frames = placements
+        .iter()
+        .map(|placement| frame(&placement.map(cell), path));
+    let frames: Vec<_> = frames.collect();
+    (!frames.is_empty()).then(|| quote!(#path::Placement::of_frames(&[#(#frames),*])))
+}
+
 /// The row of the runtime; how its joint moves is said apart from it.
-fn row(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
+fn row(
+    row: &Row<TokenStream>,
+    placements: [Option<TokenStream>; 3],
+    path: &TokenStream,
+) -> TokenStream {
     let joint_type = variant(row.joint_type);
     let cells = row.cells().map(|(name, values)| {
         let name = Ident::new(name, Span::call_site());
@@ -138,17 +159,19 @@ fn row(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
         quote!(spring: #path::Spring { stiffness: #stiffness, rest: #rest },)
     });
     let limits = range(row.limits.as_ref());
-    let places = row.mount.iter().flat_map(|mount| &mount.frame);
-    let places: Vec<_> = places.map(|place| frame(place, path)).collect();
-    let link_frame = (!places.is_empty())
-        .then(|| quote!(link_frame: #path::Placement::of_frames(&[#(#places),*]),));
+    let [mount, link_frame, tip] = placements;
+    let mount = mount.map(|placement| quote!(mount: #placement,));
+    let link_frame = link_frame.map(|placement| quote!(link_frame: #placement,));
+    let tip = tip.map(|placement| quote!(tip: #placement,));
     quote! {
         #path::Row {
             #(#cells)*
             #stribeck
             #spring
             limits: #limits,
+            #mount
             #link_frame
+            #tip
             ..#path::Row::new(#path::JointType::#joint_type)
         }
     }

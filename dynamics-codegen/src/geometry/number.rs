@@ -21,18 +21,20 @@ fn rounded(x: &Rational) -> Rational {
 
 /// The number itself where it is short, in 50 digits behind the point where it has more than 600 bits.
 pub fn tidy(x: Rational) -> Rational {
-    match bit_length(&x) > MOST_BITS {
-        true => rounded(&x),
-        false => x,
+    if bit_length(&x) > MOST_BITS {
+        rounded(&x)
+    } else {
+        x
     }
 }
 
 /// The number itself, in 50 digits behind the point where it is longer than the engine's may get: of many frames in
 /// each other, and of many bodies at one link.
 pub(super) fn bounded(x: Rational) -> Rational {
-    match bit_length(&x) > exact::MOST_BITS {
-        true => rounded(&x),
-        false => x,
+    if bit_length(&x) > exact::MOST_BITS {
+        rounded(&x)
+    } else {
+        x
     }
 }
 
@@ -47,9 +49,10 @@ pub fn number(value: &Value) -> Option<Rational> {
         Value::Mul(a, b) => number(a)? * number(b)?,
         Value::Div(a, b) => {
             let b = number(b)?;
-            match b.is_zero() {
-                true => return None,
-                false => number(a)? / b,
+            if b.is_zero() {
+                return None;
+            } else {
+                number(a)? / b
             }
         }
     })
@@ -72,7 +75,7 @@ pub fn sin_cos(angle: &Value) -> Option<[Rational; 2]> {
 
 /// The series of sine and cosine.
 fn series(x: &Rational) -> [Rational; 2] {
-    // Of a multiple of 2 pi less: the terms of a large angle are large.
+    // Less a multiple of 2 pi: the terms of a large angle are large.
     let turn: Rational = Rational::from(2) * PI.parse::<Rational>().unwrap_or(Rational::ONE);
     let x = x - Rational::from((x / &turn).round()) * turn;
     let mut sums = [Rational::ZERO, Rational::ZERO];

@@ -158,7 +158,7 @@ impl Mass {
         }
     }
 
-    /// The body in the frame that `frame`, in which it is told, is in.
+    /// The body, given in `frame`, in the frame in which that one is placed.
     pub fn seen_from(&self, frame: &Transform) -> Mass {
         let body = self.body();
         let center = Transform {
@@ -179,9 +179,10 @@ impl Mass {
 
     /// As a body: J - m (c.c 1 - c c') about the centre of mass.
     pub fn body(&self) -> Body {
-        let com = match self.mass.is_zero() {
-            true => [Rational::ZERO; 3],
-            false => self.moment.each_ref().map(|h| h / &self.mass),
+        let com = if self.mass.is_zero() {
+            [Rational::ZERO; 3]
+        } else {
+            self.moment.each_ref().map(|h| h / &self.mass)
         };
         let steiner = steiner(&self.moment, &com);
         let entry = |i: usize, j: usize| &self.inertia[i][j] - &steiner[i][j];
@@ -197,9 +198,12 @@ impl Mass {
 /// h.c 1 - h c'
 fn steiner(h: &Vector, c: &Vector) -> Matrix {
     let trace = dot(h, c);
-    let entry = |i: usize, j: usize| match i == j {
-        true => &trace - &h[i] * &c[j],
-        false => -(&h[i] * &c[j]),
+    let entry = |i: usize, j: usize| {
+        if i == j {
+            &trace - &h[i] * &c[j]
+        } else {
+            -(&h[i] * &c[j])
+        }
     };
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j)))
 }

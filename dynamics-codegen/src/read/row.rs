@@ -101,7 +101,6 @@ impl Reader<'_> {
         Ok(Joints {
             rows: read,
             complete,
-            tip: Vec::new(),
         })
     }
 

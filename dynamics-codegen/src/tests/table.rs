@@ -36,7 +36,6 @@ fn pendulum(factors: [i64; 2]) -> Table {
         ..Row::default()
     };
     let joints = Joints {
-        tip: Vec::new(),
         rows: vec![row],
         complete: true,
     };

@@ -20,11 +20,11 @@ mod scope;
 mod solid;
 
 use dynamics_symbolic::Request;
-use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value, mounted};
+use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value};
 
 #[cfg(feature = "files")]
-use crate::description::Expr;
-use crate::description::{Allow, Asked, Entry, Given, Joints, Name, Table};
+use crate::description::{Allow, Expr};
+use crate::description::{Asked, Entry, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
 use crate::mistake::{Mistake, entry, joint, size, structure};
@@ -115,8 +115,6 @@ struct Parts {
     couple: Vec<Couple>,
     neglect: Option<(Value, Place)>,
     tests: Option<Place>,
-    /// Where the tip is behind the last link frame.
-    tip: Vec<Placement>,
     /// Whether a file was named, what is in it is not known: that has been reported.
     has_unread_file: bool,
 }
@@ -143,12 +141,6 @@ impl Parts {
                     parts.tool = Some(tool.and_then(|tool| frames::tool(tool, scope)));
                 }
                 Entry::Joints(place, joints) => {
-                    let tip = joints.iter().flat_map(|joints| &joints.tip);
-                    let allowed = Given::As(Allow::EVERYTHING);
-                    let tip = tip.filter_map(|place| {
-                        scope.within(&allowed, "row", |scope| frames::placement(place, scope))
-                    });
-                    parts.tip = tip.collect();
                     parts.rows = Some(match joints {
                         Some(joints) if number_is_good(joints, *place, scope) => {
                             row::rows(&joints.rows, scope)
@@ -239,7 +231,7 @@ impl Parts {
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: self.gravity??,
-            rows: mounted(self.rows?.into_iter().collect::<Option<_>>()?, self.tip),
+            rows: self.rows?.into_iter().collect::<Option<_>>()?,
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{JointType, Mount, Row, Spring, Stribeck, Value};
+use dynamics_symbolic::robot::{JointType, Row, Spring, Stribeck, Value};
 
 use super::body::body;
+use super::limits;
 use super::scope::{Scope, all, number};
-use super::{frames, limits};
 use crate::description::{self, Coulomb, Given, Part};
 use crate::mistake::joint as mistake;
 
@@ -45,7 +45,6 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     });
     let spring = spring(row, scope);
     let limits = limits::limits(row, scope);
-    let mount = mount(row, scope);
     let (mass, com, inertia) = body?;
     let [motor_inertia, gear_ratio] = motor?;
     let (viscous, coulomb, stribeck) = friction?;
@@ -67,26 +66,9 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         spring: spring?,
         limits: limits?,
         locked: None,
-        mount: mount?,
+        mount: row.mount.clone(),
         follows: None,
     })
-}
-
-/// Where the joint is, if no cells say so. Outer `None`: in error.
-fn mount(row: &description::Row, scope: &mut Scope) -> Option<Option<Mount>> {
-    let Some(mount) = &row.mount else {
-        return Some(None);
-    };
-    let places = mount.places.iter();
-    let places: Vec<_> = places
-        .map(|place| frames::placement(place, scope))
-        .collect();
-    let [azimuth, polar] = mount.axis.each_ref().map(|angle| scope.value(angle));
-    Some(Some(Mount {
-        places: places.into_iter().collect::<Option<_>>()?,
-        axis: [azimuth?, polar?],
-        frame: Vec::new(),
-    }))
 }
 
 /// `d` and `theta`: the joint's variable is added to one of them.

@@ -114,7 +114,7 @@ fn mounts_with_field(index: usize) -> [Mount; 3] {
     let still = || Mount {
         places: Vec::new(),
         axis: [Value::zero(), Value::zero()],
-        frame: Vec::new(),
+        tip: Vec::new(),
     };
     let turned = || Placement {
         xyz: zeros(),
@@ -128,11 +128,11 @@ fn mounts_with_field(index: usize) -> [Mount; 3] {
         axis: [Value::field(index), Value::zero()],
         ..still()
     };
-    let frame = Mount {
-        frame: vec![turned()],
+    let tip = Mount {
+        tip: vec![turned()],
         ..still()
     };
-    [places, axis, frame]
+    [places, axis, tip]
 }
 
 #[test]

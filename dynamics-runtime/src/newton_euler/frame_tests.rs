@@ -5,7 +5,7 @@ use nalgebra::{Matrix4, Rotation3, SMatrix, SVector, Vector3};
 
 use super::NewtonEuler;
 use crate::test_arms::{general_table, mounted_table, random_state};
-use crate::{Convention, Frame, JointType, Row, State, Table, Tool};
+use crate::{Convention, Frame, JointType, Placement, Row, State, Table, Tool};
 
 const CONVENTIONS: [Convention; 2] = [Convention::Standard, Convention::Modified];
 
@@ -131,6 +131,34 @@ fn a_tool_behind_locked_joints() {
             assert_near(found, tau.fixed_rows::<4>(0).into_owned());
             assert_near(locked.forward_kinematics(&q), whole.forward_kinematics(&q5));
         }
+    }
+}
+
+/// Rows that say where they begin, and where link frame and tip are, as those of a URDF file.
+#[test]
+fn rows_that_begin_elsewhere_can_be_locked() {
+    for (seed, row) in (1..=4).flat_map(|seed| [0, 2, 4].map(|row| (seed, row))) {
+        let mut whole = mounted_table::<5>(Convention::Modified, seed);
+        for (i, row) in (0..).zip(&mut whole.rows) {
+            let other = mounted_table::<1>(Convention::Modified, 100 * seed + i);
+            row.mount = Placement::of_frames(&[other.base]);
+            row.link_frame = Placement::of_frames(&[other.tool.frame]);
+        }
+        whole.rows[4].tip = Placement::of_frames(&[whole.base]);
+        let mut positions = [None; 5];
+        positions[row] = Some(0.7);
+        let locked = Table::<4> {
+            base: whole.base,
+            tool: whole.tool,
+            ..Table::lock(whole.convention, whole.gravity, whole.rows, positions)
+        };
+        let (whole, locked) = (NewtonEuler::new(&whole), NewtonEuler::new(&locked));
+        let State { q, qd, qdd } = random_state::<4>(seed);
+        let still = |x: &SVector<f64, 4>, at| x.insert_row(row, at);
+        let (q5, qd5, qdd5) = (still(&q, 0.7), still(&qd, 0.0), still(&qdd, 0.0));
+        let tau = whole.inverse_dynamics(&q5, &qd5, &qdd5).remove_row(row);
+        assert_near(locked.inverse_dynamics(&q, &qd, &qdd), tau);
+        assert_near(locked.forward_kinematics(&q), whole.forward_kinematics(&q5));
     }
 }
 

@@ -133,6 +133,7 @@ fn for_moving_rows(
     // The last link that moves, and where the next row begins behind its joint.
     let (mut link, mut start) = (None::<(Row, JointMotion)>, Pose::IDENTITY);
     for (row, motion) in rows.iter().zip(motions) {
+        start = start.then(&(&row.mount).into());
         if let JointMotion::Locked(position) = *motion {
             start = start.then(&transform(convention, row, position));
             if let Some((link, _)) = &mut link {
@@ -146,7 +147,8 @@ fn for_moving_rows(
             start = Pose::IDENTITY;
         }
         if let Some((link, _)) = &mut link {
-            link.tip = in_link_frame(link, &start, row).placement();
+            let frame = in_link_frame(link, &start, row);
+            link.tip = frame.then(&(&row.tip).into()).placement();
         }
     }
     link.map(close);

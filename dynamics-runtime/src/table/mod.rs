@@ -116,14 +116,15 @@ pub struct Row {
     pub spring: Spring,
     /// The range of the joint's position, lower end first, rad or m, where the table has one.
     pub limits: Option<[f64; 2]>,
-    /// Where this row begins, in the link frame of the row before, or for the first row in the base frame. It is
-    /// [`Placement::IDENTITY`], unless joints between the two rows are locked ([`Table::lock`]).
+    /// Where this row begins: in the frame that the row before describes, of a modified table behind its `Rz(theta)
+    /// Tz(d)`, for the first row in the base frame. It is [`Placement::IDENTITY`], unless joints between the two rows are
+    /// locked ([`Table::lock`]), or a URDF file places the joint: the cells a, alpha, d and theta are then zero.
     pub mount: Placement,
-    /// The link frame, in the frame after `Rz(theta) Tz(d)` of a modified row. It is [`Placement::IDENTITY`], unless a
-    /// file has frames of its own. `com` and `inertia` refer to the link frame.
+    /// The link frame, in the frame after `Rz(theta) Tz(d)` of a modified row. It is [`Placement::IDENTITY`], unless the
+    /// axis of a joint in a URDF file is not the z axis of its link. `com` and `inertia` refer to the link frame.
     pub link_frame: Placement,
-    /// The last link frame of the table, in the frame of this row; it is read in the last row alone. It is
-    /// [`Placement::IDENTITY`], unless joints behind that row are locked.
+    /// The last frame of the table, in the link frame of this row; it is read in the last row alone. It is
+    /// [`Placement::IDENTITY`], unless joints behind that row are locked or a URDF file has a tip behind it.
     pub tip: Placement,
     /// New cells break no literal that ends with `..Row::new(joint_type)`.
     #[doc(hidden)]

@@ -9,7 +9,7 @@
 use super::base::{LinkGeometry, bodies, geometry};
 use super::chain::Chain;
 use super::energy::{Moment, composite_moments};
-use super::kinematics::{Axes, base};
+use super::kinematics::base;
 use super::place;
 use super::symbols::Symbols;
 use crate::expr::{Expr, Graph, Level};
@@ -46,17 +46,17 @@ pub(super) fn center<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> 
 /// Its Jacobian by rows.
 pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     let moments = Moments::new(symbols, chain);
-    let base = Axes::new(&base(symbols));
+    let base = base(symbols);
     let mut columns = Vec::with_capacity(chain.links.len());
     chain.tree.outward(base, |i, before| {
         let (joint, (mass, h)) = (chain.joint(i), moments.of_links[i]);
-        let before = before.clone().turned(Axis::Z, joint.before);
+        let before = before.turned(Axis::Z, joint.before);
         let axes = before.turned_by(&joint.twist);
         // In the axes before the joint's own turn, which the moment takes on its way inwards anyway.
         let (x, y) = joint.turn.leave(h[0], h[1]);
         columns.push(match joint.joint_type {
-            JointType::Revolute => axes.columns[1] * x - axes.columns[0] * y,
-            JointType::Prismatic => axes.columns[2] * mass,
+            JointType::Revolute => axes.axes[1] * x - axes.axes[0] * y,
+            JointType::Prismatic => axes.axes[2] * mass,
         });
         axes.turned(Axis::Z, joint.turn)
     });

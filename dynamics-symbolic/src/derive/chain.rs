@@ -19,9 +19,9 @@ pub struct Link<R> {
     /// Whether that joint stands still: then the link is a part of the one before, and the turn or the
     /// slide is constant.
     pub stands: bool,
-    /// Where the origin is on the axis, from the place after the offset d.
+    /// Where the origin is on the axis, from that of the joint's own frame.
     pub shift: R,
-    /// Turn about z from this frame to the link, where the frame stays behind the joint.
+    /// Turn about z from this frame to the joint's own, which turns with the link.
     pub behind: Turn<R>,
     /// Inertial parameters about the frame's origin.
     pub body: Body<R>,
@@ -30,7 +30,7 @@ pub struct Link<R> {
 }
 
 impl<R: Ring> Link<R> {
-    /// A body of the frame that turns with the link, its origin after the offset d, in this frame.
+    /// A body of the joint's own frame, in this frame.
     pub fn place(&self, body: Body<R>, zero: R) -> Body<R> {
         body.moved(Vector3::new(zero, zero, -self.shift))
             .left(Axis::Z, self.behind)
@@ -69,11 +69,9 @@ impl<'g> Chain<Expr<'g>> {
         let (zero, one) = (graph.zero(), graph.one());
         let places = Places::new(symbols, arm);
         let neglected = base::neglected(symbols);
-        let mut links: Vec<Link<Expr<'g>>> = Vec::with_capacity(arm.joints.len());
-        for i in 0..arm.joints.len() {
-            let parent = arm.tree.parent(i);
-            let shift_before = parent.map_or(zero, |parent| links[parent].shift);
-            let link = Link::new(
+        let mut links = Vec::with_capacity(arm.joints.len());
+        arm.tree.outward(zero, |i, &shift_before| {
+            let (link, shift) = Link::new(
                 symbols,
                 &places,
                 (i, origins[i]),
@@ -81,7 +79,8 @@ impl<'g> Chain<Expr<'g>> {
                 neglected[i],
             );
             links.push(link);
-        }
+            shift
+        });
         let gravity = place::gravity(symbols, arm);
         Chain {
             zero,
@@ -99,18 +98,18 @@ impl<'g> Chain<Expr<'g>> {
 }
 
 impl<'g> Link<Expr<'g>> {
-    /// Link i, on a link whose origin is at `shift_before`, without the parameters that are neglected of its body and
-    /// of its motor.
+    /// Link i, on a link whose origin is at `shift_before` on its axis, without the parameters that are neglected of its
+    /// body and of its motor; and where its own origin is, from that of the aligned frame.
     fn new(
         symbols: &mut Symbols<'g>,
         places: &Places<Expr<'g>>,
         (i, origin): (usize, Origin),
         shift_before: Expr<'g>,
         (neglected, of_motor): (Body<Expr<'g>>, Expr<'g>),
-    ) -> Self {
+    ) -> (Self, Expr<'g>) {
         let (graph, arm) = (symbols.graph(), symbols.arm());
         let (joint, before, zero) = (&arm.joints[i], &places.before[i], graph.zero());
-        let d = symbols.value(&joint.d);
+        let d = symbols.value(&joint.aligned.d);
         // The origin is at d + shift along the axis.
         let shift = match origin {
             Origin::AfterOffset => zero,
@@ -123,14 +122,17 @@ impl<'g> Link<Expr<'g>> {
             JointType::Revolute => zero,
             JointType::Prismatic => symbols.joint(i).q,
         };
+        let none = Turn::none(zero, graph.one());
+        let own = &places.own[i];
+        let turns = own.turns.0.iter().map(|(_, turn)| *turn);
         let body = if arm.is_of_base(i) {
             Body::splat(zero)
         } else {
             let body = places.body(symbols, arm, i).less(neglected);
-            body.moved(Vector3::new(zero, zero, -shift))
+            let moved = body.moved(Vector3::new(zero, zero, own.origin[2] - shift));
+            own.turns.leave_body(moved)
         };
-        let none = Turn::none(zero, graph.one());
-        Link {
+        let link = Link {
             joint: Joint {
                 zero,
                 joint_type: joint.joint_type,
@@ -141,11 +143,12 @@ impl<'g> Link<Expr<'g>> {
                 slide,
             },
             stands: joint.stands(),
-            shift,
-            behind: none,
+            shift: shift - own.origin[2],
+            behind: turns.fold(none, Turn::plus),
             body,
             reflected: base::reflected(symbols, joint) - of_motor,
-        }
+        };
+        (link, shift)
     }
 }
 
@@ -259,12 +262,13 @@ impl Chain<Expr<'_>> {
             } else {
                 (behind, joint.turn)
             };
-            if stays[i] && joint.joint_type == JointType::Revolute {
-                link.behind = joint.turn;
-                joint.turn = none;
-                link.body = link.body.left(Axis::Z, link.behind);
+            if !stays[i] || joint.joint_type != JointType::Revolute {
+                return none;
             }
-            link.behind
+            let turn = core::mem::replace(&mut joint.turn, none);
+            link.behind = turn.plus(link.behind);
+            link.body = link.body.left(Axis::Z, turn);
+            turn
         });
     }
 }

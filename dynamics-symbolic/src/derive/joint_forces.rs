@@ -14,8 +14,11 @@ use super::symbols::{JointSymbols, Symbols};
 use crate::exact::Rational;
 use crate::expr::Expr;
 use crate::mechanism::{Forces, Joint};
-use crate::robot::Interpretation;
+use crate::robot::{Interpretation, Row};
 use core::ops::Add;
+
+// Each cell of a row that acts at the joint has its term here.
+const _: () = assert!(Row::CELLS == 11);
 
 /// K + F, for every joint.
 pub(super) fn both<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {

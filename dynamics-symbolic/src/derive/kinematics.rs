@@ -11,8 +11,8 @@ use crate::spatial::{Axis, Place, Turn, Turns};
 /// A frame in the world, which is the base frame where the table says nothing else.
 #[derive(Clone, Copy)]
 pub(super) struct Pose<'g> {
-    /// The frame's axes, by columns.
-    pub(super) rotation: Matrix3<Expr<'g>>,
+    /// The frame's axes x, y and z.
+    pub(super) axes: [Vector3<Expr<'g>>; 3],
     /// The frame's origin.
     pub(super) origin: Vector3<Expr<'g>>,
 }
@@ -30,77 +30,67 @@ pub(super) struct Frame<'g> {
 /// A column of a Jacobian: linear and angular velocity.
 pub(super) type Column<'g> = (Vector3<Expr<'g>>, Vector3<Expr<'g>>);
 
-/// The frame that is reached so far.
-#[derive(Clone)]
-pub(super) struct Axes<'g> {
-    /// Its axes x, y and z.
-    pub(super) columns: [Vector3<Expr<'g>>; 3],
-    origin: Vector3<Expr<'g>>,
-}
-
-impl<'g> Axes<'g> {
-    pub(super) fn new(pose: &Pose<'g>) -> Self {
-        Axes {
-            columns: [0, 1, 2].map(|j| pose.rotation.column(j)),
-            origin: pose.origin,
-        }
-    }
-
-    fn pose(&self) -> Pose<'g> {
-        let rows = Matrix3(self.columns.map(|column| column.0));
-        Pose {
-            rotation: rows.transpose(),
-            origin: self.origin,
-        }
+impl<'g> Pose<'g> {
+    /// A vector of the frame, in the world.
+    pub(super) fn leave(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
+        let rows = Matrix3(self.axes.map(|axis| axis.0)).transpose();
+        rows.apply(v)
     }
 
     /// Turned about one of its axes.
     pub(super) fn turned(mut self, axis: Axis, turn: Turn<Expr<'g>>) -> Self {
         let [_, i, j] = axis.indices();
-        let [u, v] = [self.columns[i], self.columns[j]];
-        self.columns[i] = u * turn.c + v * turn.s;
-        self.columns[j] = v * turn.c - u * turn.s;
+        let [u, v] = [self.axes[i], self.axes[j]];
+        self.axes[i] = u * turn.c + v * turn.s;
+        self.axes[j] = v * turn.c - u * turn.s;
         self
     }
 
     /// Turned about one of its axes after the other.
     pub(super) fn turned_by(self, turns: &Turns<Expr<'g>>) -> Self {
         let turns = turns.0.iter();
-        turns.fold(self, |axes, (axis, turn)| axes.turned(*axis, *turn))
+        turns.fold(self, |pose, (axis, turn)| pose.turned(*axis, *turn))
     }
 
     /// The frame that is placed in this one.
     fn then(mut self, place: &Place<Expr<'g>>) -> Self {
-        for (column, step) in self.columns.iter().zip(place.origin.0) {
-            self.origin = self.origin + *column * step;
+        for (axis, step) in self.axes.iter().zip(place.origin.0) {
+            self.origin = self.origin + *axis * step;
         }
         self.turned_by(&place.turns)
     }
+
+    /// The same where the place is multiplied out first: if it is known in numbers, it is a matrix of constants.
+    fn placed(&self, symbols: &Symbols<'g>, place: &Place<Expr<'g>>) -> Self {
+        let axes = units(symbols).map(|axis| self.leave(place.turns.leave(axis)));
+        Pose {
+            axes,
+            origin: self.origin + self.leave(place.origin),
+        }
+    }
+
+    /// The homogeneous transform, by rows.
+    pub(super) fn homogeneous(&self, zero: Expr<'g>, one: Expr<'g>) -> Vec<Expr<'g>> {
+        let [x, y, z] = self.axes;
+        let row = |k: usize| [x[k], y[k], z[k], self.origin[k]];
+        let last = [zero, zero, zero, one];
+        [row(0), row(1), row(2), last].concat()
+    }
+}
+
+fn units<'g>(symbols: &Symbols<'g>) -> [Vector3<Expr<'g>>; 3] {
+    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
+    [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(Vector3)
 }
 
 /// Frame 0.
 pub(super) fn base<'g>(symbols: &mut Symbols<'g>) -> Pose<'g> {
-    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
     let world = Pose {
-        rotation: Matrix3([[one, zero, zero], [zero, one, zero], [zero, zero, one]]),
-        origin: Vector3::splat(zero),
+        axes: units(symbols),
+        origin: Vector3::splat(symbols.graph().zero()),
     };
-    match place::base(symbols, symbols.arm()) {
-        Some(base) => placed(symbols, &world, &base),
-        None => world,
-    }
-}
-
-/// The frame that is placed in another one.
-fn placed<'g>(symbols: &Symbols<'g>, frame: &Pose<'g>, place: &Place<Expr<'g>>) -> Pose<'g> {
-    let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    // The place is multiplied out first: where it is known in numbers, it is a matrix of constants.
-    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
-        .map(|axis| frame.rotation.apply(place.turns.leave(Vector3(axis))).0);
-    Pose {
-        rotation: Matrix3(axes).transpose(),
-        origin: frame.origin + frame.rotation.apply(place.origin),
-    }
+    let base = place::base(symbols, symbols.arm());
+    base.map_or(world, |base| world.placed(symbols, &base))
 }
 
 /// The frame whose motion is that of the tip: the tool's, or else the last one of `frames`, which are
@@ -110,62 +100,50 @@ pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, frames: &[Frame<'g>]) -> Pose<'
         Some(link) => frames[link].pose,
         None => base(symbols),
     };
-    match &symbols.arm().tool {
-        Some(tool) => {
-            let tool = place::tool(symbols, tool);
-            placed(symbols, &last, &tool)
+    match &symbols.arm().tip_frame[..] {
+        [] => last,
+        frames => {
+            let tip = place(symbols, frames);
+            last.placed(symbols, &tip)
         }
-        None => last,
     }
 }
 
 /// Every link frame.
 pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
     let arm = symbols.arm();
-    let base = Axes::new(&base(symbols));
+    let base = base(symbols);
     let mut frames = Vec::with_capacity(arm.joints.len());
     arm.tree.outward(base, |i, before| {
         let joint = &arm.joints[i];
         // The cells in the order of the table.
-        let behind = place(symbols, &joint.link_frame);
-        let foot = before.clone().then(&place(symbols, &joint.before));
+        let aligned = &joint.aligned;
+        let behind = place(symbols, &[&aligned.own[..], &joint.link_frame].concat());
+        let foot = before.then(&place(symbols, &aligned.before));
         let turn = symbols.turn(i);
-        let d = symbols.value(&joint.d);
+        let d = symbols.value(&aligned.d);
         let d = match joint.joint_type {
             JointType::Revolute => d,
             JointType::Prismatic => d + symbols.joint(i).q,
         };
-        let foot_origin = foot.origin;
-        let mut axes = foot.turned(Axis::Z, turn);
-        axes.origin = axes.origin + axes.columns[2] * d;
+        let mut joint_frame = foot.turned(Axis::Z, turn);
+        joint_frame.origin = joint_frame.origin + joint_frame.axes[2] * d;
         let axis_origin = match joint.origin {
-            Origin::BeforeOffset => foot_origin,
-            Origin::AfterOffset => axes.origin,
+            Origin::BeforeOffset => foot.origin,
+            Origin::AfterOffset => joint_frame.origin,
         };
         let pose = match &behind.turns.0[..] {
-            [] | [_] => axes.clone().then(&behind).pose(),
-            _ => placed(symbols, &axes.pose(), &behind),
+            [] | [_] => joint_frame.then(&behind),
+            _ => joint_frame.placed(symbols, &behind),
         };
         frames.push(Frame {
             pose,
-            axis: axes.columns[2],
+            axis: joint_frame.axes[2],
             axis_origin,
         });
-        axes
+        joint_frame
     });
     frames
-}
-
-impl<'g> Pose<'g> {
-    /// The homogeneous transform, by rows.
-    pub(super) fn homogeneous(&self, zero: Expr<'g>, one: Expr<'g>) -> Vec<Expr<'g>> {
-        let rows = self.rotation.0.iter().zip(&self.origin.0);
-        let mut entries: Vec<_> = rows
-            .flat_map(|(row, &x)| [row[0], row[1], row[2], x])
-            .collect();
-        entries.extend([zero, zero, zero, one]);
-        entries
-    }
 }
 
 /// The geometric Jacobian of the tip's origin by rows: vx vy vz wx wy wz.

@@ -1,11 +1,9 @@
-//! Where the base is in the world and the tool on the last link, in any ring.
-//!
-//! T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
+//! Placements in any ring: T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
 
 use crate::exact::Rational;
 use crate::linear::{Symmetric3, Vector3};
 use crate::mechanism::Mechanism;
-use crate::robot::{Interpretation, Placement, Tool, Value};
+use crate::robot::{Interpretation, Placement, Value};
 use crate::spatial::{Axis, Central, Place, Turn, Turns};
 
 /// The last of some frames, each placed in the one before it.
@@ -18,12 +16,25 @@ pub(super) fn place<I: Interpretation>(
         origin: Vector3::splat(zero),
         turns: Turns(Vec::new()),
     };
+    let mut angles: Vec<&Value> = Vec::new();
     for Placement { xyz, rpy } in placements {
         let turns = rpy.each_ref().map(|angle| Turn::from(cells.sin_cos(angle)));
         place.origin = place.leave_point(vector(cells, xyz));
-        let turns = [Axis::X, Axis::Y, Axis::Z].into_iter().zip(turns).zip(rpy);
-        let turns = turns.filter(|(_, angle)| !angle.is_zero()).rev();
-        place.turns.0.extend(turns.map(|(turn, _)| turn));
+        let axes = [Axis::X, Axis::Y, Axis::Z].into_iter();
+        for ((axis, turn), angle) in axes.zip(turns).zip(rpy).rev() {
+            // A turn and the same turn back are none.
+            let last = place.turns.0.last().zip(angles.last().copied());
+            let is_back = |((before, _), back): (&(Axis, _), &Value)| {
+                *before == axis && *back == -angle.clone()
+            };
+            if last.is_some_and(is_back) {
+                place.turns.0.pop();
+                angles.pop();
+            } else if !angle.is_zero() {
+                place.turns.0.push((axis, turn));
+                angles.push(angle);
+            }
+        }
     }
     place
 }
@@ -32,11 +43,6 @@ pub(super) fn place<I: Interpretation>(
 pub(super) fn base<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option<Place<I::Number>> {
     let base = arm.base.as_ref()?;
     Some(place(cells, core::slice::from_ref(base)))
-}
-
-/// The tool frame in the last link frame.
-pub(super) fn tool<I: Interpretation>(cells: &mut I, tool: &Tool) -> Place<I::Number> {
-    place(cells, core::slice::from_ref(&tool.placement))
 }
 
 /// The acceleration of gravity in the axes of frame 0.
@@ -52,12 +58,6 @@ pub(super) fn datum<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option
     let base = arm.base.as_ref()?;
     let gravity = vector(cells, &arm.gravity);
     Some(gravity.dot(vector(cells, &base.xyz)))
-}
-
-/// The tool's body, in the last link frame of the table.
-pub(super) fn body<I: Interpretation>(cells: &mut I, tool: &Tool) -> Central<I::Number> {
-    let body = central(cells, &tool.mass, &tool.com, &tool.inertia);
-    self::tool(cells, tool).leave_body(body)
 }
 
 /// A rigid body, from its cells.

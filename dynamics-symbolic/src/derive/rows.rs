@@ -4,36 +4,41 @@ use super::place::{self, place};
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
 use crate::mechanism::{Joint, Mechanism};
-use crate::robot::{Interpretation, Tool};
+use crate::robot::{Interpretation, Placement, Tool, Value};
 use crate::spatial::{Body, Central, Place, Turn};
 
 /// The constant places of an arm.
 pub(super) struct Places<R> {
-    /// Of each joint's axis, in the frame of the joint before.
+    /// Of each joint's axis, in the aligned frame of the joint before.
     pub(super) before: Vec<Place<R>>,
-    /// Of each link frame, in the frame of its joint.
+    /// Of each joint's own frame, in its aligned frame.
+    pub(super) own: Vec<Place<R>>,
+    /// Of each link frame, in the own frame of its joint.
     behind: Vec<Place<R>>,
 }
 
 impl<R: Ring> Places<R> {
     /// Reads them.
     pub(super) fn new<I: Interpretation<Number = R>>(cells: &mut I, arm: &Mechanism) -> Self {
-        let joints = arm.joints.iter();
-        let before = joints.map(|joint| place(cells, &joint.before)).collect();
-        let joints = arm.joints.iter();
-        let behind = joints.map(|joint| place(cells, &joint.link_frame));
+        let mut all = |placements: fn(&Joint) -> &[Placement]| {
+            let joints = arm.joints.iter();
+            joints
+                .map(|joint| place(cells, placements(joint)))
+                .collect()
+        };
         Places {
-            before,
-            behind: behind.collect(),
+            before: all(|joint| &joint.aligned.before),
+            own: all(|joint| &joint.aligned.own),
+            behind: all(|joint| &joint.link_frame),
         }
     }
 
-    /// A point of link frame i, in the frame of joint i.
+    /// A point of link frame i, in the own frame of joint i.
     pub(super) fn leave_point(&self, i: usize, point: Vector3<R>) -> Vector3<R> {
         self.behind[i].leave_point(point)
     }
 
-    /// The parameters of link i and of what is fixed to it, in the frame of joint i.
+    /// The parameters of link i and of what is fixed to it, in the own frame of joint i.
     pub(super) fn body<I: Interpretation<Number = R>>(
         &self,
         cells: &mut I,
@@ -50,18 +55,18 @@ impl<R: Ring> Places<R> {
         ));
         let is_here = |tool: &&Tool| arm.tip == Some(i) && tool.has_body();
         match arm.tool.as_ref().filter(is_here) {
-            Some(tool) => own.joined(leave(place::body(cells, tool))),
+            Some(tool) => {
+                let body = place::central(cells, &tool.mass, &tool.com, &tool.inertia);
+                own.joined(leave(place(cells, &arm.tip_frame).leave_body(body)))
+            }
             None => own,
         }
     }
 }
 
-/// The constant turn about a joint's axis.
-pub(super) fn constant_turn<I: Interpretation>(cells: &mut I, joint: &Joint) -> Turn<I::Number> {
-    let angles = joint
-        .turn
-        .iter()
-        .map(|angle| Turn::from(cells.sin_cos(angle)));
+/// The turn about an axis by the sum of some angles.
+pub(super) fn constant_turn<I: Interpretation>(cells: &mut I, angles: &[Value]) -> Turn<I::Number> {
+    let angles = angles.iter().map(|angle| Turn::from(cells.sin_cos(angle)));
     angles.reduce(Turn::plus).expect("theta is one of them")
 }
 
@@ -84,7 +89,7 @@ impl<R: Ring> Moved<R> {
         I: Interpretation<Number = R>,
     {
         let (joint, coupling) = arm.moved_by(i)?;
-        let turn = constant_turn(cells, &arm.joints[i]);
+        let turn = constant_turn(cells, &arm.joints[i].turn);
         let (factor, offset) = match coupling {
             Some(coupling) => (cells.value(&coupling.factor), cells.value(&coupling.offset)),
             None => (

@@ -255,7 +255,7 @@ impl<'g> Symbols<'g> {
     /// Sine and cosine of the turn about the axis of joint i, q_i and the constant turn (revolute) or the latter
     /// (prismatic). The constant rotates the sine and cosine of q: added to q it would cost digits where q is large.
     pub(crate) fn turn(&mut self, i: usize) -> Turn<Expr<'g>> {
-        let constant = constant_turn(self, &self.arm.joints[i]);
+        let constant = constant_turn(self, &self.arm.joints[i].aligned.turn);
         match self.arm.joints[i].joint_type {
             JointType::Prismatic => constant,
             JointType::Revolute => turned(self.joints[i].sin_cos, (constant.s, constant.c)).into(),

@@ -90,12 +90,12 @@ impl<'g> Body<'g> {
     /// The centre of mass in the world.
     fn center(&self, symbols: &mut Symbols<'g>) -> Vector3<Expr<'g>> {
         let com = Vector3(self.com.each_ref().map(|x| symbols.value(x)));
-        self.pose.rotation.apply(com) + self.pose.origin
+        self.pose.leave(com) + self.pose.origin
     }
 
     /// w of [w]x = R^T R', in the body's frame.
     fn angular_velocity(&self, motion: &Direction<'g>) -> Vector3<Expr<'g>> {
-        let column = |j: usize| self.pose.rotation.column(j);
+        let column = |j: usize| self.pose.axes[j];
         let rate = |j: usize| Vector3(column(j).0.map(|x| x.derivative(motion)));
         let entry = |i: usize, j: usize| column(i).dot(rate(j));
         Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0))

@@ -24,14 +24,13 @@ type Vector<'g> = Vector3<Expr<'g>>;
 
 /// Where the tip is in the frame of the link that carries it.
 fn place_of_tip<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector<'g> {
-    let (none, arm) = (Vector3::splat(chain.zero), symbols.arm());
-    let tool = arm.tool.as_ref();
-    let of_tool = tool.map_or(none, |tool| place::tool(symbols, tool).origin);
+    let arm = symbols.arm();
+    let in_link = place::place(symbols, &arm.tip_frame).origin;
     let places = Places::new(symbols, arm);
     let Some(tip) = arm.tip else {
-        return of_tool;
+        return in_link;
     };
-    let on_axis = places.leave_point(tip, of_tool);
+    let on_axis = places.leave_point(tip, in_link);
     let link = &chain.links[tip];
     leave_about(Axis::Z, link.behind, on_axis.plus_z(-link.shift))
 }

@@ -42,12 +42,22 @@ pub(super) fn lines(robot: &Robot) -> Vec<String> {
 
 /// The meaning of the names.
 fn legend(robot: &Robot) -> String {
+    let is_mounted = robot.rows.iter().any(|row| row.mount.is_some());
     let frame = match robot.convention {
+        Convention::Modified if is_mounted => {
+            "at the origin of the link frame of joint i in the file, turned so that its z axis is that of the joint"
+        }
         Convention::Modified => "the link frame i of the table",
         Convention::Standard => {
             "the link frame i of the table before its factors Tx(a) Rx(alpha): its origin and its z axis are on \
              the axis of joint i"
         }
+    };
+    let cells = if is_mounted {
+        "xi, yi, zi are its origin in frame i - 1, si_k, ci_k sine and cosine of the k-th angle between the two that is \
+         no quarter turn"
+    } else {
+        "ai, di are cells of row i, sai, cai sine and cosine of its alpha"
     };
     let shown_if = |holds: bool, text: &'static str| if holds { text } else { "" };
     let motor = shown_if(
@@ -57,11 +67,16 @@ fn legend(robot: &Robot) -> String {
     let is_locked = robot.rows.iter().any(|row| row.locked.is_some());
     let mut joint_types = robot.rows.iter().map(|row| row.joint_type);
     let slides = joint_types.any(|joint_type| joint_type == JointType::Prismatic);
-    let turn = shown_if(slides || is_locked, ", sti, cti of its theta");
-    let locked = shown_if(
-        is_locked,
-        "; where joint i is locked, its position is added to theta or d",
+    let turn = shown_if(
+        (slides || is_locked) && !is_mounted,
+        ", sti, cti of its theta",
     );
+    let position = if is_mounted {
+        "; where joint i is locked, di or the angle of sti and cti is its position"
+    } else {
+        "; where joint i is locked, its position is added to theta or d"
+    };
+    let locked = shown_if(is_locked, position);
     let coupled = shown_if(
         robot.is_coupled(),
         ". Links of joints that follow others are told apart as far as the arm moves them: what the forces show of \
@@ -69,8 +84,8 @@ fn legend(robot: &Robot) -> String {
     );
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
-         (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. ai, di are cells of row i, \
-         sai, cai sine and cosine of its alpha{turn}{locked}{coupled}."
+         (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. \
+         {cells}{turn}{locked}{coupled}."
     )
 }
 
@@ -248,8 +263,8 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
         }
     };
     let one = graph.one();
-    let turn = |turn: Turn<Expr<'_>>, letter: &str, row: usize| {
-        let (s, c) = all.circle([format!("s{letter}{row}"), format!("c{letter}{row}")]);
+    let turn = |turn: Turn<Expr<'_>>, name: String| {
+        let (s, c) = all.circle([format!("s{name}"), format!("c{name}")]);
         let known = |value: Expr<'_>, named| match value {
             x if x.is_zero() => all.number(0),
             x if x == one => all.number(1),
@@ -268,20 +283,36 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
             Convention::Standard => i,
             Convention::Modified => i + 1,
         };
+        let is_mounted = robot.rows[i].mount.is_some();
+        let name = |axis: &str| {
+            if is_mounted {
+                format!("{axis}{}", i + 1)
+            } else {
+                format!("a{row}")
+            }
+        };
+        let [x, y, z] = link.before.origin.0;
+        let origin = Vector3::new(cell(x, name("x")), cell(y, name("y")), cell(z, name("z")));
+        let mut angles = 0;
+        let turns = link.before.turns.map(|step| {
+            if !is_mounted {
+                return turn(step, format!("a{row}"));
+            }
+            // Quarter turns have no names.
+            angles += usize::from(!step.s.is_zero() && !step.c.is_zero());
+            turn(step, format!("{}_{angles}", i + 1))
+        });
         LinkGeometry {
             joint_type: link.joint_type,
             stands: link.stands,
-            before: Place {
-                origin: Vector3(link.before.origin.0.map(|x| cell(x, format!("a{row}")))),
-                turns: link.before.turns.map(|t| turn(t, "a", row)),
-            },
+            before: Place { origin, turns },
             d: cell(link.d, format!("d{}", i + 1)),
             turn: match link.joint_type {
                 JointType::Revolute if !link.stands => Turn {
                     s: all.number(0),
                     c: all.number(1),
                 },
-                _ => turn(link.turn, "t", i + 1),
+                _ => turn(link.turn, format!("t{}", i + 1)),
             },
         }
     });

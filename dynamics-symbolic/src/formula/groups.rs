@@ -1,7 +1,8 @@
 //! Groups of joints with parallel axes.
 
 use super::atom::Run;
-use crate::robot::{Angle, Convention, JointType, Robot, Value};
+use crate::mechanism::{Law, Mechanism};
+use crate::robot::{Angle, JointType, Value};
 
 /// Revolute joints with parallel axes, group by group: joints that follow each other, with prismatic
 /// joints between them or none.
@@ -18,31 +19,32 @@ pub(super) struct Member {
 
 impl Groups {
     /// The groups of an arm.
-    pub(super) fn new(robot: &Robot) -> Self {
+    pub(super) fn new(arm: &Mechanism) -> Self {
         let mut groups: Vec<Vec<Member>> = Vec::new();
         let mut is_parallel = false;
         let mut is_reversed = false;
-        let mut joint = 0;
-        for row in &robot.rows {
-            if robot.convention == Convention::Modified {
-                follow(&row.alpha, &mut is_parallel, &mut is_reversed);
+        for joint in &arm.joints {
+            for placement in &joint.aligned.before {
+                let [roll, pitch, _] = &placement.rpy;
+                for angle in [roll, pitch] {
+                    follow(angle, &mut is_parallel, &mut is_reversed);
+                }
             }
-            if row.follows.is_some() {
-                is_parallel = false;
-            } else if row.locked.is_none() {
-                if row.joint_type == JointType::Revolute {
+            match joint.law {
+                Law::Free { number } if joint.joint_type == JointType::Revolute => {
                     if !is_parallel {
                         groups.push(Vec::new());
                         is_reversed = false;
                     }
                     is_parallel = true;
                     let group = groups.last_mut().expect("one was begun");
-                    group.push(Member { joint, is_reversed });
+                    group.push(Member {
+                        joint: number,
+                        is_reversed,
+                    });
                 }
-                joint += 1;
-            }
-            if robot.convention == Convention::Standard {
-                follow(&row.alpha, &mut is_parallel, &mut is_reversed);
+                Law::Following { .. } => is_parallel = false,
+                Law::Free { .. } | Law::Standing { .. } => {}
             }
         }
         Groups(groups)
@@ -74,7 +76,7 @@ impl Groups {
     }
 }
 
-/// Passes over a twist: axes on both sides of it are parallel where it is 0 or half a turn.
+/// Passes over a turn across an axis: axes on both sides of it are parallel where it is 0 or half a turn.
 fn follow(alpha: &Value, is_parallel: &mut bool, is_reversed: &mut bool) {
     let angle = Angle::new(alpha);
     match (angle.rest, angle.quarter_turns) {

@@ -95,7 +95,7 @@ impl Formulas {
     /// The formulas of a program of some functions. Functions whose values have no letter to name them by are
     /// left out, and so are those whose values are arranged in arrays and tuples.
     pub fn new(robot: &Robot, functions: &[Function], program: &Program, budget: Budget) -> Self {
-        let groups = Groups::new(robot);
+        let groups = Groups::new(&robot.into());
         let (atoms, values) = multiply_out::multiplied_out(&groups, program, budget);
         let collected = |polynomial| {
             let merged = angles::merged(polynomial, &groups);

@@ -3,9 +3,11 @@
 //! Rows of both conventions, mounts of files, locked joints and couplings are read into it (`read`). The derivations
 //! know nothing else of an arm. The proof reads the table by itself.
 
+mod aligned;
 mod read;
 mod walk;
 
+pub(crate) use aligned::Aligned;
 pub(crate) use walk::Tree;
 
 use crate::robot::{Coupling, JointType, Neglected, Placement, Spring, Stribeck, Tool, Value};
@@ -25,7 +27,9 @@ pub struct Mechanism {
     pub(crate) tree: Tree,
     /// The link that carries the tip; `None` for the base.
     pub(crate) tip: Option<usize>,
-    /// What is fixed to that link.
+    /// The tip in the frame of that link, each placement in the one before it.
+    pub(crate) tip_frame: Vec<Placement>,
+    /// The body at the tip.
     pub(crate) tool: Option<Tool>,
     /// The base inertial parameters that are left out of the Lagrangian.
     pub(crate) neglected: Option<Neglected>,
@@ -33,7 +37,7 @@ pub struct Mechanism {
 
 /// A joint and the link that it moves.
 ///
-/// The joint's frame has its z axis on the joint's axis. In the joint's frame of the link that carries it, or in frame 0,
+/// The joint's own frame has its z axis on the joint's axis. In the joint's frame of the link that carries it, or in frame 0,
 /// it is at `before` Rz(turn) Tz(d), and a position of the joint turns it about z or slides it along z.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
@@ -47,6 +51,8 @@ pub(crate) struct Joint {
     pub(crate) turn: Vec<Value>,
     /// The constant step along the axis.
     pub(crate) d: Value,
+    /// The same between frames that recursions are short in.
+    pub(crate) aligned: Aligned,
     /// The point of the axis to which Jacobians refer.
     pub(crate) origin: Origin,
     /// How the joint moves.
@@ -59,7 +65,7 @@ pub(crate) struct Joint {
     pub(crate) com: [Value; 3],
     /// Its inertia tensor about the centre of mass: xx, yy, zz, xy, yz, xz.
     pub(crate) inertia: [Value; 6],
-    /// What acts at the joint itself: nothing at a joint that stands still.
+    /// Friction, motor and spring: none at a joint that stands still.
     pub(crate) forces: Forces,
     /// The range of positions, where it is known.
     pub(crate) limits: Option<[Value; 2]>,
@@ -85,14 +91,14 @@ pub(crate) enum Law {
     Following { number: usize, coupling: Coupling },
 }
 
-/// What acts at a joint itself.
+/// Friction, motor and spring of a joint.
 #[derive(Clone, Debug)]
 pub(crate) struct Forces {
     pub(crate) motor_inertia: Value,
     /// The number zero where there is no motor.
     pub(crate) gear_ratio: Value,
     pub(crate) viscous: Value,
-    /// Of positive velocities, and of negative ones.
+    /// The values for positive velocities and for negative ones.
     pub(crate) coulomb: [Value; 2],
     pub(crate) stribeck: Option<Stribeck>,
     pub(crate) spring: Option<Spring>,

@@ -1,6 +1,6 @@
 //! From the rows of a table to a mechanism.
 
-use super::{Forces, Joint, Law, Mechanism, Origin, Tree};
+use super::{Aligned, Forces, Joint, Law, Mechanism, Origin, Tree};
 use crate::robot::{Convention, JointType, Placement, Robot, Row, Value};
 
 impl From<&Robot> for Mechanism {
@@ -17,13 +17,19 @@ impl From<&Robot> for Mechanism {
             };
             joint(robot, (i, tree.parent(i)), numbers)
         });
+        let mut joints: Vec<_> = joints.collect();
+        Aligned::align(&mut joints, &tree);
+        let tip = robot.rows.last().and_then(|row| row.mount.as_ref());
+        let tip = tip.map_or(Vec::new(), |mount| mount.tip.clone());
+        let tool = robot.tool.iter().map(|tool| tool.placement.clone());
         Mechanism {
             fields: robot.fields.len(),
             gravity: robot.gravity.clone(),
             base: robot.base.clone(),
-            joints: joints.collect(),
+            joints,
             tree,
             tip: rows.last(),
+            tip_frame: tip.into_iter().chain(tool).collect(),
             tool: robot.tool.clone(),
             neglected: robot.neglected.clone(),
         }
@@ -37,22 +43,29 @@ fn joint(
     numbers: &mut impl Iterator<Item = usize>,
 ) -> Joint {
     let row = &robot.rows[i];
-    let own = vec![screw(row)];
-    let (before, link_frame, origin) = match robot.convention {
+    let parent = parent.map(|parent| &robot.rows[parent]);
+    let (before, link_frame, origin) = match (robot.convention, &row.mount) {
         // The a and the alpha of a row are behind its joint.
-        Convention::Standard => {
-            let before = parent.map(|parent| screw(&robot.rows[parent]));
-            (before.into_iter().collect(), own, Origin::BeforeOffset)
+        (Convention::Standard, _) => {
+            let before = parent.map(screw).into_iter().collect();
+            (before, vec![screw(row)], Origin::BeforeOffset)
         }
-        Convention::Modified => {
-            let frame = row.mount.as_ref().map(|mount| mount.frame.clone());
-            (own, frame.unwrap_or_default(), Origin::AfterOffset)
+        (Convention::Modified, None) => (vec![screw(row)], Vec::new(), Origin::AfterOffset),
+        (Convention::Modified, Some(_)) => {
+            let [before, link_frame, _] = robot.mounted(i);
+            (before, link_frame, Origin::AfterOffset)
         }
     };
     let law = law(row, numbers);
     Joint {
         name: row.name.clone(),
         joint_type: row.joint_type,
+        aligned: Aligned {
+            before: before.clone(),
+            turn: constant_turn(row),
+            d: row.d.clone(),
+            own: Vec::new(),
+        },
         before,
         turn: constant_turn(row),
         d: row.d.clone(),

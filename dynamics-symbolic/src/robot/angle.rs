@@ -20,7 +20,7 @@ const LARGEST: f64 = 1e6;
 pub struct Angle {
     /// Whole quarter turns, modulo 4.
     pub quarter_turns: u8,
-    /// What remains, `None` where that is zero.
+    /// The rest, `None` where that is zero.
     pub rest: Option<Value>,
 }
 
@@ -34,7 +34,7 @@ struct LinearForm {
 impl Angle {
     /// Takes the whole quarter turns out of an angle.
     pub fn new(angle: &Value) -> Self {
-        let form = LinearForm::of(angle);
+        let form = LinearForm::read(angle);
         if let Some(quarter_turns) = form.whole_quarter_turns() {
             return Angle {
                 quarter_turns,
@@ -90,7 +90,7 @@ impl LinearForm {
     }
 
     /// The form of a value. What it would take long numbers to separate is one of the others, as it is written.
-    fn of(value: &Value) -> Self {
+    fn read(value: &Value) -> Self {
         let number = |number: Rational, pi: Rational| LinearForm {
             number,
             pi,
@@ -99,15 +99,15 @@ impl LinearForm {
         let form = match value {
             Value::Rational(r) => Some(number(r.clone(), Rational::ZERO)),
             Value::Pi => Some(number(Rational::ZERO, Rational::ONE)),
-            Value::Neg(a) => LinearForm::of(a).scaled(&Rational::from(-1)),
-            Value::Add(a, b) => LinearForm::of(a).plus(LinearForm::of(b)),
+            Value::Neg(a) => LinearForm::read(a).scaled(&Rational::from(-1)),
+            Value::Add(a, b) => LinearForm::read(a).plus(LinearForm::read(b)),
             Value::Mul(a, b) => match (a.as_rational(), b.as_rational()) {
-                (Some(k), _) => LinearForm::of(b).scaled(k),
-                (_, Some(k)) => LinearForm::of(a).scaled(k),
+                (Some(k), _) => LinearForm::read(b).scaled(k),
+                (_, Some(k)) => LinearForm::read(a).scaled(k),
                 _ => None,
             },
             Value::Div(a, b) => match b.as_rational() {
-                Some(k) if !k.is_zero() => LinearForm::of(a).scaled(&(Rational::ONE / k)),
+                Some(k) if !k.is_zero() => LinearForm::read(a).scaled(&(Rational::ONE / k)),
                 _ => None,
             },
             Value::Field(_) => None,
@@ -229,7 +229,7 @@ mod tests {
         }
         let rest = Angle::new(&angle).rest.expect("it is not zero");
         assert!((rest.to_f64(&[]) / angle.to_f64(&[]) - 1.0).abs() < 1e-12);
-        let LinearForm { number, pi, .. } = LinearForm::of(&angle);
+        let LinearForm { number, pi, .. } = LinearForm::read(&angle);
         assert!(bit_length(&number) + bit_length(&pi) <= MOST_BITS);
     }
 

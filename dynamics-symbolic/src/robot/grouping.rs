@@ -2,14 +2,14 @@
 
 use super::Parameter;
 
-/// What the forces can tell apart, link by link.
+/// The inertial parameters that the forces can tell apart, link by link.
 #[derive(Clone, Debug)]
 pub struct Grouping {
     /// The links from the base outwards.
     pub links: Vec<LinkGrouping>,
 }
 
-/// What one link keeps.
+/// The parameters that one link keeps.
 #[derive(Clone, Debug)]
 pub struct LinkGrouping {
     /// The link in whose axes the first moments are written, counted from 0: this one, or the last
@@ -18,7 +18,7 @@ pub struct LinkGrouping {
     pub axes: usize,
     /// The parameters that are kept, in order.
     pub kept: Vec<Parameter>,
-    /// Those that are not, but also add to one that is kept.
+    /// The parameters that are not kept, but also add to one that is.
     pub ties: Vec<Tie>,
     /// Where the joint's axis is that of the joint before.
     pub coincides: Option<Sense>,

@@ -1,4 +1,4 @@
-//! What the cells of a table mean in a ring.
+//! The meaning of cells in a ring.
 
 use super::{Angle, Value};
 use crate::exact::Rational;

@@ -2,7 +2,7 @@
 
 use super::{Coupling, JointType, Mount, Placement, Row, Spring, Stribeck, Tool, Value};
 
-/// What a cell is.
+/// The kind of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// An angle by which a frame is turned: its quarter turns are exact.
@@ -94,7 +94,7 @@ impl<C> Mount<C> {
         Mount {
             places: self.places.iter().map(|place| place.map(cell)).collect(),
             axis: self.axis.each_ref().map(|angle| cell(angle, Angle)),
-            frame: self.frame.iter().map(|place| place.map(cell)).collect(),
+            tip: self.tip.iter().map(|place| place.map(cell)).collect(),
         }
     }
 }

@@ -22,7 +22,7 @@ pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
 pub use map::Quantity;
-pub use mount::{Mount, mounted};
+pub use mount::Mount;
 pub use parameter::Parameter;
 pub use placement::{Placement, Tool};
 pub use spring::Spring;
@@ -88,9 +88,8 @@ pub struct Row<C = Value> {
     /// freedom of the arm, its link is a part of the link before it, and its motor, friction and spring do
     /// nothing.
     pub locked: Option<C>,
-    /// Where the joint and the link frame are, if a file says so in place of a row. The cells a, alpha, d and
-    /// theta then follow from it ([`mounted`]), and the body refers to the link frame of the mount. Only rows of
-    /// a modified table have it.
+    /// Where the joint is, if a file says so in place of the cells a, alpha, d and theta, which are then zero. Only rows
+    /// of a modified table have it, all of them or none.
     pub mount: Option<Mount<C>>,
     /// The joint that this one follows, if it does. A follower is not a degree of freedom of the arm; its link,
     /// motor, friction and spring act on the joint that leads.
@@ -107,11 +106,6 @@ impl Row {
     /// the table says that it is zero.
     pub fn has_motor(&self) -> bool {
         !self.gear_ratio.is_zero()
-    }
-
-    /// Whether the row is no joint of the arm's but a place between two axes, or its tip: see [`mounted`].
-    pub fn is_place(&self) -> bool {
-        self.name.is_empty() && self.locked.is_some()
     }
 
     /// Whether the table says of any friction at the joint.
@@ -139,9 +133,9 @@ pub struct Robot {
     pub base: Option<Placement>,
     /// The rows, from the base outwards.
     pub rows: Vec<Row>,
-    /// What is fixed to the last link. The tip of the arm is its frame, or else the last link frame.
+    /// The tool on the last link. The tip of the arm is its frame, or else the last link frame.
     pub tool: Option<Tool>,
-    /// What the functions leave out: see [`crate::neglect`].
+    /// The parameters that the functions leave out: see [`crate::neglect`].
     pub neglected: Option<Neglected>,
 }
 
@@ -181,7 +175,7 @@ impl Robot {
         self.followers().next().is_some()
     }
 
-    /// Of a row, the joint of those that move by themselves.
+    /// The number of a row's joint among those that move by themselves.
     pub fn joint_of(&self, row: usize) -> usize {
         let before = self.rows[..row].iter();
         before.filter(|row| row.is_free()).count()
@@ -204,6 +198,16 @@ impl Robot {
             }
             _ => None,
         }
+    }
+
+    /// The placements of row i that its cells do not say, each placement in the one before it: of the joint's own frame
+    /// in that of the joint before, of the link frame in the joint's own, and of the tip in the last link frame.
+    pub fn mounted(&self, i: usize) -> [Vec<Placement>; 3] {
+        let Some(mount) = &self.rows[i].mount else {
+            return [(); 3].map(|()| Vec::new());
+        };
+        let before = self.rows[..i].last().and_then(|row| row.mount.as_ref());
+        [mount.step(before), mount.link_frame(), mount.tip.clone()]
     }
 
     /// The row behind the index of a [`Symbol`].

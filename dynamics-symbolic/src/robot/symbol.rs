@@ -1,9 +1,9 @@
-//! What the symbols in a robot's equations stand for.
+//! The meaning of the symbols in a robot's equations.
 
 use super::Value;
 use crate::function::Argument;
 
-/// What a symbol stands for. Indices of joints count from 0, joints that are locked left out. Joints that
+/// The meaning of a symbol. Indices of joints count from 0, joints that are locked left out. Joints that
 /// follow others come after all that move by themselves, and have symbols of their own only for what is
 /// no polynomial in those of the joint they follow.
 #[derive(Clone, Debug, PartialEq)]

@@ -55,7 +55,7 @@ impl<R: Ring> Body<R> {
         }
     }
 
-    /// What is left of it without the other.
+    /// The body without the other.
     pub fn less(self, other: Self) -> Self {
         Body {
             mass: self.mass - other.mass,

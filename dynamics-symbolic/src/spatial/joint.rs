@@ -39,7 +39,7 @@ impl<R: Ring> Joint<R> {
 
     /// A body of this frame, in the previous frame and about its origin.
     pub fn leave_body(&self, body: Body<R>) -> Body<R> {
-        // What slides does so along its own axis: fewer products than in the previous frame.
+        // A joint slides along its own axis: fewer products than in the previous frame.
         let slid = body.left(Axis::Z, self.turn).moved_z(self.slide);
         let turned = self.twist.leave_body(slid).left(Axis::Z, self.before);
         turned.moved(self.offset)

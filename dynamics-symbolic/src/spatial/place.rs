@@ -32,7 +32,7 @@ impl<R: Ring> Turns<R> {
     }
 
     /// The same in other numbers.
-    pub fn map<S>(&self, turn: impl Fn(Turn<R>) -> Turn<S>) -> Turns<S> {
+    pub fn map<S>(&self, mut turn: impl FnMut(Turn<R>) -> Turn<S>) -> Turns<S> {
         let turns = self.0.iter();
         Turns(turns.map(|&(axis, old)| (axis, turn(old))).collect())
     }

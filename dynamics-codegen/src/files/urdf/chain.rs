@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
 use crate::description::{
-    Allow, Coulomb, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Mount, Name, Operator,
-    Part, Placement, Positioned, Row,
+    Allow, Coulomb, Entry, Expr, ExprKind, Friction, Given, Inertia, Joints, Name, Operator, Part,
+    Positioned, Row,
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
-use crate::geometry::{Mass, Transform, Vector, number, tidy};
+use crate::geometry::{Mass, Transform, number, tidy};
 use crate::mistake::{Mistake, urdf as mistake};
 use crate::place::Place;
 use crate::validate::refusal;
@@ -76,9 +76,9 @@ pub(super) struct Chain<'a> {
     outward: BTreeMap<&'a str, Vec<usize>>,
     /// The joints of the chain, from the base outwards.
     pub(super) on_chain: Vec<usize>,
-    /// Those of them that follow others of them.
+    /// The joints of the chain that follow others of it.
     pub(super) coupled: Vec<Positioned>,
-    /// Those that follow joints which stand still beside the chain.
+    /// The joints of the chain that follow joints which stand still beside it.
     pub(super) locked: Vec<Positioned>,
     /// The joints of the chain that move, with what moves with each.
     moving: Vec<Moving<'a>>,
@@ -214,7 +214,7 @@ impl<'a> Chain<'a> {
     }
 
     fn rows(&mut self, first: &'a Name) -> Joints {
-        // What hangs on the base link does not move, but has to be said to stand still.
+        // Joints on the base link do not move the chain, but must be said to stand still.
         self.gather(first.plain(), &Transform::identity());
         let mut rows: Vec<Row> = Vec::new();
         let mut places = Vec::new();
@@ -250,10 +250,12 @@ impl<'a> Chain<'a> {
             rows.push(row(joint, core::mem::take(&mut places)));
         }
         self.finish(&mut rows, body);
+        if let Some(mount) = rows.last_mut().and_then(|row| row.mount.as_mut()) {
+            mount.tip = places;
+        }
         Joints {
             rows,
             complete: true,
-            tip: places,
         }
     }
 
@@ -346,7 +348,7 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// What a joint off the chain does where it stands still.
+    /// The displacement by a joint off the chain, which stands still.
     fn moved(&mut self, joint: &'a Joint) -> Option<Transform> {
         if let Kind::Other(kind) = joint.kind {
             self.error(joint.place, mistake::unsupported(&joint.name, kind));
@@ -379,18 +381,9 @@ fn origin(joint: &Joint) -> Transform {
 }
 
 fn placement(joint: &Joint) -> Placement {
-    let numbers = |v: &Vector| {
-        v.each_ref()
-            .map(|x| Some(Expr::signed(x.clone(), joint.place)))
-    };
     Placement {
-        xyz: Given::As(numbers(&joint.xyz)),
-        rpy: Given::As(
-            joint
-                .rpy
-                .each_ref()
-                .map(|x| Some(expression(x, joint.place))),
-        ),
+        xyz: joint.xyz.clone().map(Value::Rational),
+        rpy: joint.rpy.clone(),
     }
 }
 
@@ -421,7 +414,8 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
         }),
         mount: Some(Mount {
             places,
-            axis: joint.axis.each_ref().map(|x| expression(x, joint.place)),
+            axis: joint.axis.clone(),
+            tip: Vec::new(),
         }),
         ..Row::default()
     }

@@ -17,11 +17,11 @@ use crate::parse::number::in_file;
 use crate::place::Place;
 use crate::words;
 
-/// What a document says of links and joints.
+/// The links and joints of a document.
 pub(super) struct Tree {
     pub(super) links: Vec<Link>,
     pub(super) joints: Vec<Joint>,
-    /// What was taken as another number.
+    /// The numbers that were taken as others.
     pub(super) rounding: Rounding,
 }
 
@@ -168,7 +168,7 @@ fn report_unknown_links(tree: &Tree, diagnostics: &Diagnostics) {
     }
 }
 
-/// What is wrong, without the place, which the message has behind "at".
+/// The mistake without its place, which the message has behind "at".
 fn reason(error: &roxmltree::Error) -> String {
     let shown = error.to_string();
     let end = shown.rfind(" at ").unwrap_or(shown.len());
@@ -204,9 +204,10 @@ fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
 
 /// The known word that was meant by one that is none.
 fn misspelled<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
-    match known.contains(&word) {
-        true => None,
-        false => words::nearest(word, known),
+    if known.contains(&word) {
+        None
+    } else {
+        words::nearest(word, known)
     }
 }
 
@@ -221,7 +222,7 @@ impl Reader<'_> {
 
     /// Refuses a document whose root is no `<robot>`, and calls of xacro that would give it links and joints.
     fn require_robot(&self, root: Node) -> Read<()> {
-        /// What they define does nothing by itself.
+        /// Their definitions do nothing by themselves.
         const DEFINITIONS: [&str; 3] = ["arg", "macro", "property"];
         if !is_named(root, "robot") {
             return Err(self.error(root, mistake::no_robot(root.tag_name().name())));
@@ -310,9 +311,10 @@ impl Reader<'_> {
     fn name(&self, node: Node) -> Read<String> {
         let name = self.attribute(node, "name")?;
         let word = name.value();
-        match word.chars().any(char::is_control) {
-            true => Err(self.error(node, text::control_in_name(word))),
-            false => Ok(word.to_owned()),
+        if word.chars().any(char::is_control) {
+            Err(self.error(node, text::control_in_name(word)))
+        } else {
+            Ok(word.to_owned())
         }
     }
 

@@ -1,7 +1,7 @@
 //! Joints that follow others: `<mimic>`.
 //!
-//! What follows a joint on the chain is coupled to it, on whichever side of it. What follows a joint that
-//! stands still beside the chain stands still itself.
+//! A joint that follows one on the chain is coupled to it, on either side of it. A joint that follows one which stands
+//! still beside the chain stands still itself.
 
 use dynamics_symbolic::exact::bit_length;
 use dynamics_symbolic::robot::Value;

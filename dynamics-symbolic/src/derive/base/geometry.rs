@@ -46,6 +46,12 @@ impl<R: Ring> Geometry<R> {
         }
     }
 
+    /// The axis of joint i in the frame of the link before.
+    pub(crate) fn direction(&self, i: usize) -> Vector3<R> {
+        let axis = Vector3::new(self.zero, self.zero, self.one);
+        self.links[i].before.turns.leave(axis)
+    }
+
     /// Where the origin of link i is in the frame of the link before, at q = 0 for a prismatic joint.
     pub(crate) fn offset(&self, i: usize) -> Vector3<R> {
         let (link, zero) = (&self.links[i], self.zero);
@@ -93,14 +99,14 @@ pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geo
         let turn = match (joint.joint_type, &joint.law) {
             (JointType::Revolute, Law::Standing { at }) => {
                 let at = Turn::from(cells.sin_cos(at));
-                constant_turn(cells, joint).plus(at)
+                constant_turn(cells, &joint.turn).plus(at)
             }
             (JointType::Revolute, _) => Turn::none(zero, one),
             (JointType::Prismatic, law) => {
                 if let Law::Standing { at } = law {
                     d = d + cells.value(at);
                 }
-                constant_turn(cells, joint)
+                constant_turn(cells, &joint.turn)
             }
         };
         LinkGeometry {

@@ -109,14 +109,15 @@ impl<R: Ring> Geometry<R> {
 /// How far along the axis the origin is from where the axis meets the one before it; axes that
 /// coincide count as one.
 pub(super) fn height<R: Ring>(grouping: &Grouping, geometry: &Geometry<R>, i: usize) -> R {
-    let d = geometry.links[i].d;
+    let (link, direction) = (&geometry.links[i], geometry.direction(i));
+    let [x, y, z] = link.before.origin.0;
     let coincides = grouping.links[i].coincides.zip(geometry.tree.parent(i));
     let Some((sense, before)) = coincides else {
-        return d;
+        return link.d + x * direction[0] + y * direction[1];
     };
-    let before = height(grouping, geometry, before);
+    let before = z + height(grouping, geometry, before);
     match sense {
-        Sense::Same => d + before,
-        Sense::Opposite => d - before,
+        Sense::Same => link.d + before,
+        Sense::Opposite => link.d - before,
     }
 }

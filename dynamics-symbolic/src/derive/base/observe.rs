@@ -67,9 +67,7 @@ impl Grouping {
 fn coincides(geometry: &Geometry<Expr<'_>>, i: usize) -> Option<Sense> {
     let link = &geometry.links[i];
     geometry.tree.parent(i)?;
-    let (zero, one) = (geometry.zero, geometry.one);
-    let [x, y, _] = link.before.origin.0;
-    let direction = link.before.turns.leave(Vector3::new(zero, zero, one));
+    let ([x, y, _], direction) = (link.before.origin.0, geometry.direction(i));
     let is_on_axis = [x, y, direction[0], direction[1]];
     if is_on_axis.iter().any(|x| !x.is_zero()) {
         return None;

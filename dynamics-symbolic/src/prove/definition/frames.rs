@@ -6,14 +6,12 @@ use super::place::Frames;
 use super::pose::{Lift, Pose, Position};
 
 impl Definition {
-    /// The frames of all rows. A mount is written in the link frame before it, a row in the frame of the cells.
+    /// The frames of all rows.
     pub(super) fn frames<R: Lift>(&self, q: &[Position<R>]) -> Vec<Frames<R>> {
         let base = Pose::identity().then_fixed(&self.base);
         self.outward(|i, inner: Option<&Frames<R>>| {
+            let base = inner.map_or(base, |inner| inner.link);
             let row = &self.rows[i];
-            let is_mounted = row.place.cells.is_some();
-            let frame = |inner: &Frames<R>| if is_mounted { inner.link } else { inner.cells };
-            let base = inner.map_or(base, frame);
             row.place.frames(&base, row.joint.joint_type, &q[i])
         })
     }
@@ -22,8 +20,7 @@ impl Definition {
     pub(super) fn tip<R: Lift>(&self, q: &[Position<R>]) -> Pose<R> {
         let frames = self.frames(q);
         let last = frames.last().expect("a robot has links");
-        last.link
-            .then_fixed(&self.tool.as_ref().map(|(place, _)| *place))
+        last.link.then_fixed(&self.tip)
     }
 
     /// Every body, the row of its link, and the pose of its frame: the links, then the tool.
@@ -33,8 +30,7 @@ impl Definition {
         let links = links.map(|(i, (row, frames))| (i, &row.body, frames.link));
         let tool = self.tool.iter().zip(frames.last());
         let last = self.rows.len() - 1;
-        let tool =
-            tool.map(|((place, body), frames)| (last, body, frames.link.then_fixed(&Some(*place))));
+        let tool = tool.map(|(body, frames)| (last, body, frames.link.then_fixed(&self.tip)));
         links.chain(tool).collect()
     }
 

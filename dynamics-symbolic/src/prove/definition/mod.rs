@@ -49,8 +49,10 @@ pub struct Definition {
     gravity: Vector3<Number>,
     base: Option<Pose<Number>>,
     rows: Vec<Row>,
-    /// The tool frame in the last link frame, and the tool's body.
-    tool: Option<(Pose<Number>, Body)>,
+    /// The tip in the last link frame.
+    tip: Option<Pose<Number>>,
+    /// The tool's body in the frame of the tip.
+    tool: Option<Body>,
     /// The positions of all joints.
     q: Vec<Position<Number>>,
     qd: Vector,
@@ -102,11 +104,12 @@ impl Definition {
         let gravity = Vector3([0, 1, 2].map(|k| point.cell(&robot.gravity[k])));
         let base = robot.base.as_ref();
         let base = base.map(|base| place::placement(point, base));
-        let tool = robot.tool.as_ref().map(|tool| {
-            let frame = place::placement(point, &tool.placement);
-            let body = Body::new(point, &tool.mass, &tool.com, &tool.inertia);
-            (frame, body)
-        });
+        let mount = robot.rows.last().and_then(|row| row.mount.as_ref());
+        let behind = mount.map(|mount| place::product(point, &mount.tip));
+        let tool = robot.tool.as_ref();
+        let tool_frame = tool.map(|tool| place::placement(point, &tool.placement));
+        let tip = behind.map_or(tool_frame, |behind| Some(behind.then_fixed(&tool_frame)));
+        let tool = tool.map(|tool| Body::new(point, &tool.mass, &tool.com, &tool.inertia));
         let uncoupled = robot.is_coupled().then(|| {
             let complete = Robot {
                 neglected: None,
@@ -122,6 +125,7 @@ impl Definition {
         let mut definition = Definition {
             gravity,
             base,
+            tip,
             tool,
             q: rows.iter().map(|row| row.joint.position).collect(),
             rows,

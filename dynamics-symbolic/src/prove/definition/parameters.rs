@@ -86,8 +86,8 @@ impl Definition {
             let link = row.place.link_in_parameters();
             let mut parameters = row.body.parameters(&link);
             let tool = self.tool.as_ref().filter(|_| i + 1 == self.rows.len());
-            if let Some((place, body)) = tool {
-                let tool = body.parameters(&link.then(place));
+            if let Some(body) = tool {
+                let tool = body.parameters(&link.then_fixed(&self.tip));
                 parameters = core::array::from_fn(|k| parameters[k] + tool[k]);
             }
             parameters[10] = row.reflected;

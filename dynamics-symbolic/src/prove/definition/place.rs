@@ -2,7 +2,7 @@
 
 use super::super::assignment::{Assignment, Number};
 use super::pose::{Lift, Pose, Position};
-use crate::robot::{self, Convention, JointType, Robot};
+use crate::robot::{self, Convention, JointType};
 
 /// The link frame of a row in the frame of the row that carries it: a constant transform, the joint
 /// Rz(turn + q) Tz(d) or Rz(turn) Tz(d + q), and another constant transform. `None` is the identity.
@@ -12,8 +12,6 @@ pub(super) struct Place {
     turn: (Number, Number),
     d: Number,
     behind: Option<Pose<Number>>,
-    /// For a mount, the frame that the row's cells describe, in the link frame. Parameters refer to it.
-    pub(super) cells: Option<Pose<Number>>,
 }
 
 /// The frames of a row in the world.
@@ -21,8 +19,6 @@ pub(super) struct Frames<R> {
     pub(super) link: Pose<R>,
     /// The frame to which the parameters of the link refer: on the joint's own axis, after its motion.
     pub(super) parameters: Pose<R>,
-    /// The frame that the cells of the row describe.
-    pub(super) cells: Pose<R>,
 }
 
 /// T(xyz) Rz(yaw) Ry(pitch) Rx(roll)
@@ -30,6 +26,12 @@ pub(super) fn placement(point: &mut Assignment, placement: &robot::Placement) ->
     let xyz = placement.xyz.each_ref().map(|x| point.cell(x));
     let rpy = placement.rpy.each_ref().map(|angle| point.angle(angle));
     Pose::placed(xyz, rpy)
+}
+
+/// The last of some frames, each placed in the one before it.
+pub(super) fn product(point: &mut Assignment, places: &[robot::Placement]) -> Pose<Number> {
+    let places = places.iter().map(|place| placement(point, place));
+    places.fold(Pose::identity(), |pose, place| pose.then(&place))
 }
 
 impl Place {
@@ -51,17 +53,12 @@ impl Place {
             turn: point.angle(&(row.theta.clone() + offset)),
             d: point.cell(&row.d),
             behind,
-            cells: None,
         }
     }
 
     /// With S = Rz(azimuth) Ry(polar): the places and S, the turn of the joint, and S^-1.
     fn mounted(point: &mut Assignment, mount: &robot::Mount, offset: &robot::Value) -> Self {
-        let mut product = |places: &[robot::Placement]| {
-            let places = places.iter().map(|place| placement(point, place));
-            places.fold(Pose::identity(), |pose, place| pose.then(&place))
-        };
-        let (places, frame) = (product(&mount.places), product(&mount.frame));
+        let places = product(point, &mount.places);
         let [azimuth, polar] = mount.axis.each_ref().map(|angle| point.angle(angle));
         let none = (Number::ZERO, Number::ONE);
         let axis = Pose::placed([Number::ZERO; 3], [none, polar, azimuth]);
@@ -70,7 +67,6 @@ impl Place {
             turn: point.angle(offset),
             d: Number::ZERO,
             behind: Some(axis.inverse()),
-            cells: Some(frame.inverse()),
         }
     }
 
@@ -87,28 +83,15 @@ impl Place {
             JointType::Revolute => Pose::screw_z((s * q.c + c * q.s, c * q.c - s * q.s), d),
             JointType::Prismatic => Pose::screw_z((s, c), d + q.q),
         };
-        let joint = base.then_fixed(&self.before).then(&motion);
-        let link = joint.then_fixed(&self.behind);
-        let cells = link.then_fixed(&self.cells);
-        let parameters = if self.cells.is_some() { cells } else { joint };
+        let parameters = base.then_fixed(&self.before).then(&motion);
         Frames {
-            link,
+            link: parameters.then_fixed(&self.behind),
             parameters,
-            cells,
         }
     }
 
     /// The link frame in the frame to which its parameters refer.
     pub(super) fn link_in_parameters(&self) -> Pose<Number> {
-        match &self.cells {
-            Some(cells) => cells.inverse(),
-            None => Pose::identity().then_fixed(&self.behind),
-        }
+        Pose::identity().then_fixed(&self.behind)
     }
-}
-
-/// The row that carries a row. Rows that only place the frames between two mounts carry no link.
-pub(super) fn parent(robot: &Robot, index: usize) -> Option<usize> {
-    let is_mounted = robot.rows[index].mount.is_some();
-    (0..index).rfind(|&k| !is_mounted || robot.rows[k].mount.is_some())
 }

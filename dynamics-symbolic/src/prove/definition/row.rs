@@ -4,8 +4,11 @@ use super::super::assignment::{Assignment, Number};
 use super::body::Body;
 use super::friction::Friction;
 use super::joint::Joint;
-use super::place::{Place, parent};
-use crate::robot::{JointType, Robot};
+use super::place::Place;
+use crate::robot::{self, JointType, Robot};
+
+// Each cell of a row is read here, in `place`, in `body` or in `friction`.
+const _: () = assert!(robot::Row::CELLS == 11);
 
 /// A row of the table in the field.
 pub(super) struct Row {
@@ -32,7 +35,7 @@ impl Row {
         let ratio = point.cell(&row.gear_ratio);
         let spring = row.spring.as_ref().filter(|_| moves);
         Row {
-            parent: parent(robot, index),
+            parent: index.checked_sub(1),
             joint: Joint::new(point, robot, index),
             place: Place::new(point, robot.convention, row),
             body: Body::new(point, &row.mass, &row.com, &row.inertia),
