@@ -112,11 +112,12 @@ impl Batch {
         let Batch { path, result, .. } = self;
         let [function, value] = &self.function;
         let is_of_table = self.joints.is_none();
-        let name = if parallel {
-            format_ident!("par_{}_batch", self.name)
+        let (prefix, run) = if parallel {
+            ("par_", quote!(on_all_cores))
         } else {
-            format_ident!("{}_batch", self.name)
+            ("", quote!(on_one_core))
         };
+        let name = format_ident!("{prefix}{}_batch", self.name);
         let visibility = (self.receiver == Receiver::Each || !is_of_table).then(|| quote!(pub));
         let n = match &self.joints {
             Some(n) => n.to_token_stream(),
@@ -137,11 +138,6 @@ impl Batch {
         let vectors = self.arguments.iter().filter(|a| a.shape().is_some());
         let names = vectors.map(|argument| format_ident!("{}", argument.name()));
         let bounds = self.bounds(parallel, &n);
-        let run = if parallel {
-            quote!(on_all_cores)
-        } else {
-            quote!(on_one_core)
-        };
         let done = quote! {
             #path::#run::<_, #arm, T, _, _, _, #n>(
                 #value,
