@@ -45,12 +45,13 @@
 //! | feature | default | what it adds |
 //! |---|---|---|
 //! | `std` | yes | simulation, checks, batches. Without it neither the standard library nor an allocator is needed |
-//! | `nalgebra-std` | yes | all of nalgebra: aligned columns of printed matrices, exponentials of matrices, fast products of large ones; a seventh of a first build. |
+//! | `nalgebra-std` | yes | all of nalgebra: aligned columns of printed matrices, exponentials of matrices, fast products of large ones; a seventh of a first build |
 //! | `files` | yes | `file:` in a call: the readers of TOML, JSON and URDF, three seconds of the macro's build |
 //! | `rayon` | | batches on all cores: `par_NAME_batch` |
 //! | `num-dual` | | [`Scalar`] for the dual numbers of that crate |
 //! | `runtime-robot` | | `evaluation::RuntimeRobot`, an arm that is not known before run time |
 //! | `plot` | | `Trajectory::plot`: curves over time as SVG |
+//! | `csv` | | `Trajectory::write_csv` and `read_csv`: comma-separated values |
 //! | `serde` | | tables, trajectories, settings and reports as data |
 //!
 //! # Compile time
