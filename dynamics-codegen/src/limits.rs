@@ -44,9 +44,8 @@ pub(crate) const MOST_BITS_IN_ALL: usize = 170_000;
 /// Joints of a robot, those that are locked or follow others included. The default set of functions of 64 joints, all cells full, takes ten seconds.
 pub(crate) const MOST_JOINTS: usize = 64;
 
-/// Joints that follow others, for which a table has room without an allocator, and joints of an arm that has some.
+/// Joints that follow others, for which a table has room without an allocator.
 pub(crate) const MOST_FOLLOWERS: usize = 8;
-pub(crate) const MOST_JOINTS_OF_COUPLED: usize = 32;
 
 /// Joints where a function is asked for whose length grows with their square or cube, such as
 /// `coriolis_matrix`: it takes ten seconds, all cells full, and has 180,000 operations.

@@ -21,8 +21,6 @@ mistakes! {
     factor_zero(name: &str, leader: &str) [lock: lock(name, "position")]
         "the factor of `{leader}` is zero: where `{name}` stands still, write {lock}";
     too_many() "more joints follow others than an arm may have: at most {MOST_FOLLOWERS}";
-    too_many_rows(most: usize)
-        "too many joints for an arm in which some follow others: at most {most}, the followers included";
     /// Joints that follow one another: the names, the first one again at the end.
     circle(names: &[&str]) {first: names[0], chain: quoted(&names[1..], ", which follows ")}
         "`{first}` follows {chain}: one of them has to move by itself";

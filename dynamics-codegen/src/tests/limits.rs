@@ -105,8 +105,13 @@ fn as_many_joints_as_are_allowed() {
                      stribeck: { static: 0.5, velocity: 0.05 }, \
                  }";
     let call = with_rows(&rows(MOST_JOINTS, cells));
-    let (items, _) = expansion(&call, IN_SECONDS);
-    assert!(errors(&items).is_empty());
+    let followers: Vec<_> = (0..MOST_FOLLOWERS)
+        .map(|i| format!("joint{} = 2 * joint{}", 4 * i + 3, 4 * i + 1))
+        .collect();
+    for call in [&call, &format!("{call} couple: [{}]", followers.join(", "))] {
+        let (items, _) = expansion(call, IN_SECONDS);
+        assert!(errors(&items).is_empty());
+    }
 }
 
 #[test]

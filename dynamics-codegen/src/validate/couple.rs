@@ -9,7 +9,7 @@ use super::lock::report_out_of_limits;
 use super::measured::Measured;
 use super::scope::{Scope, is_identically_zero};
 use crate::description::{self, Given, Name, Positioned};
-use crate::limits::{MOST_FOLLOWERS, MOST_JOINTS_OF_COUPLED};
+use crate::limits::MOST_FOLLOWERS;
 use crate::mistake::couple as mistake;
 use crate::place::Place;
 
@@ -72,7 +72,7 @@ pub(super) fn couple(
     written: &[description::Row],
     scope: &Scope,
 ) {
-    if report_too_many(couples, written.len(), scope) {
+    if report_too_many(couples, scope) {
         return;
     }
     let laws = laws_of_rows(rows, couples, written, scope);
@@ -90,19 +90,13 @@ pub(super) fn couple(
     }
 }
 
-/// Reports more followers, or more rows beside followers, than there may be; whether it did.
-fn report_too_many(couples: &[Couple], rows: usize, scope: &Scope) -> bool {
-    let (couple, mistake) = match couples {
-        [_, ..] if couples.len() > MOST_FOLLOWERS => {
-            (&couples[MOST_FOLLOWERS], mistake::too_many())
-        }
-        [couple, ..] if rows > MOST_JOINTS_OF_COUPLED => {
-            (couple, mistake::too_many_rows(MOST_JOINTS_OF_COUPLED))
-        }
-        _ => return false,
-    };
-    scope.error(&couple.name, mistake);
-    true
+/// Reports more followers than there may be; whether it did.
+fn report_too_many(couples: &[Couple], scope: &Scope) -> bool {
+    let first_too_many = couples.get(MOST_FOLLOWERS);
+    if let Some(couple) = first_too_many {
+        scope.error(&couple.name, mistake::too_many());
+    }
+    first_too_many.is_some()
 }
 
 /// How each row is led. Reports names that are no joints, joints that follow twice, and what their rows say that a

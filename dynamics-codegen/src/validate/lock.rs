@@ -70,7 +70,7 @@ pub(super) fn lock(
     let mut locked = BTreeSet::new();
     for lock in locks {
         let Some(index) = scope.row_of(&lock.name, written) else {
-            return;
+            continue;
         };
         if !locked.insert(index) {
             scope.error(&lock.name, mistake::locked_twice(lock.name.plain()));

@@ -6,5 +6,5 @@ robot_dynamics! {
         shoulder: revolute { a: 0.5, mass: 1 },
         elbow: revolute { a: 0.5, mass: 1, limits: [-2, 2] },
     ],
-    lock: [elbo = 0.3],
+    lock: [elbo = 0.3, showlder = 1],
 }
