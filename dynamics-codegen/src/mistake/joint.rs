@@ -49,8 +49,7 @@ mistakes! {
     in_millimetres(length: f64 => number, right: f64 => rounded, place: &str) [allow: allow("odd_length", place)]
         "a length of {length} m: lengths are in m, and {length} mm are `{right}`; correct all lengths alike ({allow} \
          accepts them)";
-    /// The mass of one body, kg, the same taken for g, and the longest part of the arm, m. `place` is where it can be
-    /// allowed.
+    /// The mass of a body, kg, what it is if it was meant in g, and the longest part of the arm, m.
     in_grams(mass: f64 => number, right: f64 => rounded, longest: f64 => rounded, place: &str)
         [allow: allow("odd_mass", place)]
         "a mass of {mass} kg in an arm whose longest part is {longest} m: masses are in kg, and {mass} g are \

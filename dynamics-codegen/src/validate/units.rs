@@ -1,7 +1,5 @@
-//! Lengths in mm and masses in g.
-//!
-//! Each is a mistake of the whole table, and is reported once, at the largest of the numbers. What depends on a field is
-//! not judged.
+//! Lengths in mm and masses in g: mistakes of the whole table, each reported once, at the largest of the numbers. A
+//! table in which a field matters to the judgement is not judged.
 
 use dynamics_symbolic::robot::Value;
 
@@ -121,7 +119,7 @@ fn judged(
     let mass = number(mass)?;
     let moments: Option<Vec<f64>> = inertia.iter().take(3).map(number).collect();
     let moment = moments?.into_iter().fold(0.0, f64::max);
-    // A slender rod: J = m l^2 / 12. The length of a body without mass is none, 0 / 0 or infinite.
+    // A slender rod: J = m l^2 / 12. A body without mass has no such length.
     let length = Some((12.0 * moment / mass).sqrt()).filter(|_| mass > 0.0);
     let place = place_of(written.mass.value());
     let place = place.filter(|_| !scope.with(&written.allow).odd_mass);
@@ -161,10 +159,8 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
             cells.extend(vector(&tool.com, &written.body.com));
         }
     }
-    let cells = cells.into_iter();
-    cells
-        .filter_map(|(value, place)| number(value).zip(place))
-        .collect()
+    let known = |(value, place): (&Value, Option<Place>)| number(value).zip(place);
+    cells.into_iter().filter_map(known).collect()
 }
 
 fn vector<'v>(values: &'v [Value; 3], written: &Given<Vector>) -> Vec<(&'v Value, Option<Place>)> {
