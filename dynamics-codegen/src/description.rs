@@ -426,15 +426,19 @@ macro_rules! allowances {
 allowances! {
     /// Links of a URDF file whose inertia is not given, and arms without any: they are massless.
     no_inertia,
-    /// An angle of more than a turn, or nearly a right one.
+    /// An angle of more than a turn or of four whole radians or more, or nearly a right one.
     odd_angle,
     /// A centre of mass far from everything.
     odd_com,
-    /// Gravity as it is nowhere.
+    /// A motor that turns more slowly than its joint.
+    odd_gear_ratio,
+    /// Gravity as it is nowhere, or the same along all axes.
     odd_gravity,
+    /// Lengths in mm.
+    odd_length,
     /// Limits whose lower one is above the upper one: the joint has none then.
     odd_limits,
-    /// A centre of mass or a tensor without a mass; an arm without any inertia, too.
+    /// A centre of mass or a tensor without a mass, or a mass in g; an arm without any inertia, too.
     odd_mass,
     /// A tensor that no body has.
     unphysical_inertia,

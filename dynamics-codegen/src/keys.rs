@@ -75,7 +75,7 @@ pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 
 /// The allowances of a row or the tool.
 pub(crate) const ALLOWANCES_OF_BODY: &[&str] =
-    word_list![odd_angle odd_com odd_mass unphysical_inertia];
+    word_list![odd_angle odd_com odd_gear_ratio odd_mass unphysical_inertia];
 
 /// The word for the default set of functions.
 pub(crate) const DEFAULT: &str = "default";

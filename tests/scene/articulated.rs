@@ -27,7 +27,7 @@ both! {
     gravity: [0, -9.81, 0],
     joints: [
         shoulder: revolute { a: 1, mass: 1 },
-        elbow: revolute { a: 1, mass: 1e9 },
+        elbow: revolute { a: 1, mass: 1e9, allow: [odd_mass] },
     ],
 }
 
@@ -50,7 +50,7 @@ both! {
     joints: [
         shoulder: revolute { a: 1, mass: 1 },
         elbow: revolute { a: 1, mass: 1 },
-        wrist: revolute { a: 1, mass: 1e9 },
+        wrist: revolute { a: 1, mass: 1e9, allow: [odd_mass] },
     ],
 }
 

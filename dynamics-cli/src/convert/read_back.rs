@@ -31,12 +31,14 @@ pub(super) fn refused_words(
         let word = Allow::WORDS
             .into_iter()
             .find(|word| error.message.contains(word))?;
+        // A word of the whole table belongs in no row, wherever the number stands that it accepts.
+        let is_of_table = error.message.contains("at the top of the file");
         let Place::File { line, .. } = error.place else {
             return Some((None, word));
         };
         let rows = text.lines().take(line).filter(|line| *line == head).count();
         let joint = rows.checked_sub(1).and_then(|row| document.names.get(row));
-        Some((joint.cloned(), word))
+        Some((joint.filter(|_| !is_of_table).cloned(), word))
     };
     refusals.iter().filter_map(word_of).collect()
 }

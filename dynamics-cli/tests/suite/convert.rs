@@ -400,6 +400,26 @@ fn couplings_are_kept() {
     assert!(urdf.contains(mimic), "{urdf}");
 }
 
+/// Words by which a file accepts its numbers go where they belong: to the whole table, or to the row of the number.
+#[test]
+fn odd_numbers_stay_allowed() {
+    let text = "convention = \"standard\"\ngravity = [0, 0, -9.81]\nallow = [\"odd_length\", \"odd_gear_ratio\"]\n\
+                [[joint]]\nname = \"one\"\ntype = \"revolute\"\na = 120\nmass = 9\ncom = [-60, 0, 0]\n\
+                [[joint]]\nname = \"two\"\ntype = \"revolute\"\na = 110\nmass = 8\ncom = [-50, 0, 0]\n\
+                motor = { inertia = 0.1, gear_ratio = 0.5 }\n";
+    let path = file("odd_numbers.toml", text);
+    for convention in ["standard", "modified"] {
+        let options = ["--convention", convention, "--to", "toml"];
+        let to = format!("odd_numbers_{convention}.toml");
+        let (written, _) = converted(&path, &options, &to, &ReadOptions::new());
+        let written = std::fs::read_to_string(written).expect("a table");
+        let (head, rows) = written.split_once("[[joint]]").expect("joints");
+        assert!(head.contains("allow = [\"odd_length\"]"), "{written}");
+        assert_eq!(rows.matches("odd_").count(), 1, "{written}");
+        assert!(rows.contains("allow = [\"odd_gear_ratio\"]"), "{written}");
+    }
+}
+
 /// Everything that a table may say of joints and tool stays in a table; URDF has no words for some of it.
 #[test]
 fn what_urdf_cannot_say_is_told() {

@@ -44,6 +44,10 @@ mistakes! {
     /// Gravity, m/s^2, as it is nowhere.
     odd_gravity(magnitude: f64 => number) [allow: allow("odd_gravity", AT_THE_END)]
         "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none ({allow} accepts it)";
+    /// The same along each axis, m/s^2, and the magnitude of all.
+    gravity_along_all(component: f64 => number, magnitude: f64) [allow: allow("odd_gravity", AT_THE_END)]
+        "gravity of {component} m/s^2 along each axis is {magnitude:.2} m/s^2 in all: write `[0, 0, -9.81]` where z \
+         points up ({allow} accepts it)";
     no_lock() "no joint is locked: name one, `[joint = position]`, or leave `lock` out";
     /// `joint: position`, or `follower: leader`
     joint_by_colon(name: &Name, is_follower: bool)

@@ -45,6 +45,15 @@ mistakes! {
     far_com(distance: f64 => number, longest: f64 => number, place: &str) [allow: allow("odd_com", &format!("on the {place}"))]
         "a centre of mass {distance} m from its frame, in an arm whose longest part is {longest} m: lengths are in \
          m, `com` in the link frame ({allow} accepts it)";
+    /// A length in mm, and the same in m. `place` is where it can be allowed.
+    in_millimetres(length: f64 => number, right: f64 => rounded, place: &str) [allow: allow("odd_length", place)]
+        "a length of {length} m: lengths are in m, and {length} mm are `{right}`; correct all lengths alike ({allow} \
+         accepts them)";
+    /// The mass of a body, kg, what it is if it was meant in g, and the longest part of the arm, m.
+    in_grams(mass: f64 => number, right: f64 => rounded, longest: f64 => rounded, place: &str)
+        [allow: allow("odd_mass", place)]
+        "a mass of {mass} kg in an arm whose longest part is {longest} m: masses are in kg, and {mass} g are \
+         `{right}`; correct all masses alike ({allow} accepts it)";
     /// A centre of mass and no mass.
     com_without_mass(place: &str) [allow: allow("odd_mass", &format!("on the {place}"))]
         "a centre of mass without a mass: write the {place}'s `mass` (`mass: 0` says that it has none, or {allow})";
@@ -73,6 +82,10 @@ mistakes! {
     gear_ratio_zero() "a gear ratio of zero: a motor with inertia turns with its joint";
     gear_ratio_missing() [direct: cell("gear_ratio: 1")]
         "missing `gear_ratio`, motor speed over joint speed: write {direct} for a direct drive";
+    /// The motor's speed over the joint's, below 1. `place` is where it can be allowed.
+    slow_motor(ratio: f64 => number, inverse: f64 => rounded, place: &str) [allow: allow("odd_gear_ratio", place)]
+        "a gear ratio of {ratio} is below 1, and the motor slower than its joint: motor speed over joint speed, the \
+         inverse, is `{inverse}` ({allow} accepts {ratio})";
     /// One direction of two.
     direction_missing(word: &str) [coulomb: cell("coulomb: { positive: 0.5, negative: 0.4 }")]
         "missing `{word}`: write {coulomb}, for example";
@@ -103,6 +116,11 @@ mistakes! {
     limit_in_degrees(radians: f64) {degrees: number(radians), right: radians.to_radians()}
         "`<limit>` is in radians, and {degrees} rad are more than five turns: {degrees} degrees are {right:.4} rad, and \
          a joint that turns so far is `continuous`";
+}
+
+/// A computed number in twelve digits: 1 / 0.49 is 2.04081632653.
+fn rounded(x: f64) -> String {
+    number(format!("{x:.11e}").parse().unwrap_or(x))
 }
 
 const STRIBECK: &str = "stribeck: { static: 0.8, velocity: 0.01 }";

@@ -14,9 +14,9 @@ mistakes! {
     element_missing(element: &str, name: &str) "`<{element}>` has no `<{name}>`";
     three_numbers(name: &str, count: usize) "`{name}` has three numbers, found {count}";
     twice(what: &str, name: &str => shortened) "there is a {what} `{name}` already";
-    /// Roll, pitch or yaw of many turns.
-    in_degrees(radians: f64 => number) [allow: allow("odd_angle", "in the call")]
-        "`rpy` is in radians, and {radians} rad are more than two turns ({allow} accepts it)";
+    /// Roll, pitch or yaw of many turns, or of whole radians.
+    in_degrees(angle: f64) {degrees: number(angle), right: angle.to_radians()} [allow: allow("odd_angle", "in the call")]
+        "`rpy` is in radians, and {degrees} degrees are {right:.4} rad ({allow} accepts {degrees} rad)";
     /// An element or attribute in whose place another one was meant.
     misspelled(element: &str, what: &str, word: &str => shortened, right: &str)
         "unknown {what} `{word}` of `<{element}>`: did you mean `{right}`?";

@@ -78,7 +78,8 @@ fn a_zero_that_only_algebra_sees() {
 fn a_quotient_that_may_be_finite() {
     model(
         "struct Arm { m: f64, l: f64 } convention: standard, gravity: [0, 0, 0],
-         joints: [j: revolute { a: 1 / (m - l), d: 1 / (PI - 3.14159), mass: 1 }]",
+         joints: [j: revolute { a: 1 / (m - l), d: 1 / (PI - 3.14159), mass: 1 }],
+         allow: [odd_length]",
     );
 }
 
@@ -175,6 +176,9 @@ fn odd_angles_are_allowed_by_name() {
         ("85.5", DEGREES),
         ("3.6e2", DEGREES),
         ("6.3", DEGREES),
+        ("4", DEGREES),
+        ("5.0", DEGREES),
+        ("-6", DEGREES),
         ("1.5708", NEARLY),
         ("-1.57", NEARLY),
         ("1.570796", NEARLY),
@@ -218,7 +222,10 @@ fn angles_that_are_not_odd() {
         "alpha: PI/2 + 0.003",
         "alpha: PI/2 - deg(0.1)",
         "theta: 1.5",
-        "theta: 6",
+        "theta: 3",
+        "theta: 3.5",
+        "alpha: -5.25",
+        "theta: 1 * 5",
         "theta: 1 * 90",
         "theta: 5*PI/2",
         "theta: deg(11)",
@@ -239,7 +246,7 @@ fn odd_angles_elsewhere() {
     let call = |entry: &str, allow: &str| {
         with_cells("mass: 1")
             .replace(
-                "allow: [no_inertia, odd_mass],",
+                "allow: [no_inertia, odd_length, odd_mass],",
                 &format!("{entry} {allow}"),
             )
             .replace(
@@ -361,6 +368,10 @@ fn gravity_as_it_is_nowhere() {
         "[0, 0, -981]",
         "[0, 0.5, 0]",
         "[0, 0, 30.1]",
+        "[9.81, 9.81, 9.81]",
+        "[-9.81, -9.81, -9.81]",
+        "[9.8, -9.8, 9.8]",
+        "[981, 981, 981]",
     ] {
         let message = message(&call(odd));
         assert!(message.starts_with("gravity of "), "{message}");
@@ -371,6 +382,9 @@ fn gravity_as_it_is_nowhere() {
         "[0, 0, -1]",
         "[6, 0, 8]",
         "[0, -g, 0]",
+        "[-g, -g, -g]",
+        // An arm that hangs along the diagonal of its axes.
+        "[-5.664, -5.664, -5.664]",
         "[0, 0, 24.79]",
     ] {
         model(

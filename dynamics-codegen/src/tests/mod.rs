@@ -13,6 +13,7 @@ mod limits;
 mod messages;
 mod names;
 mod table;
+mod units;
 
 use proc_macro2::TokenStream;
 
@@ -50,7 +51,7 @@ fn model(source: &str) -> Model {
 /// A call with those rows and otherwise nothing wrong: what is read and judged is more than masses.
 fn with_rows(rows: &str) -> String {
     format!(
-        "struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [{rows}], allow: [no_inertia, odd_mass],"
+        "struct Arm; convention: standard, gravity: [0, 0, -9.81], joints: [{rows}], allow: [no_inertia, odd_length, odd_mass],"
     )
 }
 

@@ -18,13 +18,19 @@ const EXACT: f64 = 1e-9;
 /// between axes that were meant to be parallel.
 const NEAR: f64 = 1e-2;
 
+/// From here on a whole number is an angle in degrees. Angles between half a turn and a whole one are measured, and have
+/// decimals: 3.5 rad. Nobody measures 5 rad, but 5 degrees are a usual offset.
+const WHOLE: f64 = 4.0;
+
 /// An angle that was hardly meant.
 #[derive(Clone)]
 pub(super) enum Odd {
     /// Within [`NEAR`] of that many right angles, which are written so.
     NearlyRight(&'static str),
-    /// More than a turn: the angle in rad, and whether it is written as such.
-    ManyTurns(f64, bool),
+    /// A decimal that was meant in degrees: more than a turn, or a whole number.
+    InDegrees(f64),
+    /// Another angle of more than a turn, rad.
+    ManyTurns(f64),
 }
 
 /// The oddity of an angle; `is_computed` says whether several values were put together in it.
@@ -40,8 +46,19 @@ pub(super) fn odd(angle: &Value, is_computed: bool) -> Option<Odd> {
     {
         return Some(Odd::NearlyRight(right));
     }
-    let is_long = !is_computed && radians.abs() > TAU + EXACT;
-    is_long.then_some(Odd::ManyTurns(radians, is_decimal))
+    let is_long = radians.abs() > TAU + EXACT;
+    if is_computed {
+        None
+    } else if is_decimal && (is_long || is_in_whole_degrees(radians)) {
+        Some(Odd::InDegrees(radians))
+    } else {
+        is_long.then_some(Odd::ManyTurns(radians))
+    }
+}
+
+/// Whether a decimal is whole, and too large for an angle in rad.
+pub(crate) fn is_in_whole_degrees(decimal: f64) -> bool {
+    decimal.fract() == 0.0 && decimal.abs() >= WHOLE
 }
 
 /// The multiple of a right angle that is near, up to a turn, as it is written, and how far it is.
@@ -69,8 +86,8 @@ impl Odd {
     pub(super) fn mistake(&self, place: &str) -> Mistake {
         match *self {
             Odd::NearlyRight(right) => mistake::nearly_right(right, place),
-            Odd::ManyTurns(radians, true) => mistake::angle_in_degrees(radians, place),
-            Odd::ManyTurns(radians, false) => mistake::more_than_a_turn(radians, place),
+            Odd::InDegrees(radians) => mistake::angle_in_degrees(radians, place),
+            Odd::ManyTurns(radians) => mistake::more_than_a_turn(radians, place),
         }
     }
 }

@@ -10,18 +10,32 @@ use crate::mistake::entry as mistake;
 /// Magnitudes of gravity, m/s^2: the Moon has 1.6, Jupiter 24.8.
 const USUAL: core::ops::RangeInclusive<f64> = 1.0..=30.0;
 
+/// Magnitudes on Earth, m/s^2, rounded or not. An arm may hang along the diagonal of its axes: then its gravity has this
+/// magnitude in all, and not along each axis.
+const OF_EARTH: core::ops::RangeInclusive<f64> = 9.7..=10.05;
+
 /// The components of gravity, `None` where one is in error; a magnitude that is found nowhere is reported.
 pub(super) fn gravity(vector: &Vector, scope: &mut Scope) -> Option<[Value; 3]> {
     let components = scope.vector(vector)?;
     if let (Some(magnitude), [Some(first), _, Some(last)]) = (norm(&components), vector)
         && magnitude != 0.0
-        && !USUAL.contains(&magnitude)
         && !scope.allowed().odd_gravity
     {
         let place = first.place.to(last.place);
-        scope.error(place, mistake::odd_gravity(magnitude));
+        if !USUAL.contains(&magnitude) {
+            scope.error(place, mistake::odd_gravity(magnitude));
+        } else if is_same_along_all(&components) && !OF_EARTH.contains(&magnitude) {
+            let component = components[0].to_f64(&[]);
+            scope.error(place, mistake::gravity_along_all(component, magnitude));
+        }
     }
     Some(components)
+}
+
+/// Whether the components are the same number, up to signs.
+fn is_same_along_all([x, y, z]: &[Value; 3]) -> bool {
+    let is_same = |other: &Value| other == x || *other == -x.clone();
+    is_same(y) && is_same(z)
 }
 
 /// The place of a frame; `None` where it is in error.

@@ -130,7 +130,7 @@ pub(super) fn report_out_of_limits(
 fn report_position(row: &Row, position: &Position, scope: &Scope) {
     let is_outside = report_out_of_limits(row, &position.value, position.place, scope);
     if let (Some(odd), JointType::Revolute, false) = (&position.odd, row.joint_type, is_outside)
-        && (row.limits.is_none() || !matches!(odd, Odd::ManyTurns(..)))
+        && (row.limits.is_none() || matches!(odd, Odd::NearlyRight(_)))
     {
         scope.report_odd(odd, position.place);
     }

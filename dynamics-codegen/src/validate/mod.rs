@@ -18,6 +18,7 @@ mod reach;
 mod row;
 mod scope;
 mod solid;
+mod units;
 
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value};
@@ -29,6 +30,8 @@ use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
 use crate::mistake::{Mistake, entry, joint, size, structure};
 use crate::place::Place;
+#[cfg(feature = "files")]
+pub(crate) use angle::is_in_whole_degrees;
 #[cfg(feature = "files")]
 pub(crate) use body::refusal;
 use couple::Couple;
@@ -59,7 +62,9 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
             parts.report_missing(name, diagnostics);
         }
         parts.lock_and_couple(table, &scope);
-        reach::report(&parts, table, &scope);
+        if !reach::report(&parts, table, &scope) {
+            units::report(&parts, table, &scope);
+        }
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
         if parts.have_values() {

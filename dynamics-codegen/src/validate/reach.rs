@@ -10,19 +10,21 @@ use crate::mistake::joint as mistake;
 /// A centre of mass may be so many times further from its frame than the arm's longest part is long.
 const FARTHEST: f64 = 10.0;
 
-/// Reports them, where all lengths are known. An arm without any is not judged: a pendulum has none but
-/// that of its centre of mass.
-pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
+/// Reports them, where all lengths are known; whether there is one. An arm without any length is not judged: a pendulum
+/// has none but that of its centre of mass.
+pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) -> bool {
     let Some(longest) = longest(parts).filter(|longest| *longest > 0.0) else {
-        return;
+        return false;
     };
-    let far = |com: &[Value; 3], body: &Body, place| {
+    let mut is_far = false;
+    let mut far = |com: &[Value; 3], body: &Body, place| {
         if let (Some(distance), Some([Some(first), _, Some(last)])) = (norm(com), body.com.value())
             && distance > FARTHEST * longest
             && !scope.with(&body.allow).odd_com
         {
             let place_of_com = first.place.to(last.place);
             scope.error(place_of_com, mistake::far_com(distance, longest, place));
+            is_far = true;
         }
     };
     for (row, written) in parts.rows.iter().flatten().zip(table.rows()) {
@@ -33,11 +35,13 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
         far(&tool.com, &written.body, "tool");
     }
+    is_far
 }
 
-/// The longest of `a`, `d`, the range of joints that slide, and the way to the tool. None where one of
-/// them is not known: a joint that slides without limits may slide as far as its links are long.
-fn longest(parts: &Parts) -> Option<f64> {
+/// The longest of `a`, `d`, the steps from joint to joint in a URDF file, the range of joints that slide, and the way to
+/// the tool. None where one of them is not known: a joint that slides without limits may slide as far as its links are
+/// long.
+pub(super) fn longest(parts: &Parts) -> Option<f64> {
     let mut longest = 0.0_f64;
     for row in parts.rows.iter().flatten() {
         longest = longest.max(length(row.as_ref()?)?);
@@ -54,9 +58,12 @@ fn length(row: &Row) -> Option<f64> {
         (JointType::Prismatic, Some(limits)) => limits,
         (JointType::Revolute, _) => &[],
     };
+    let mount = row.mount.iter();
+    let steps = mount.flat_map(|mount| mount.places.iter().chain(&mount.tip));
     [&row.a, &row.d]
         .into_iter()
         .chain(limits)
+        .chain(steps.flat_map(|step| &step.xyz))
         .try_fold(0.0_f64, |longest, length| {
             Some(longest.max(number(length)?.abs()))
         })

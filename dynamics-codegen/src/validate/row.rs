@@ -9,6 +9,7 @@ use super::limits;
 use super::scope::{Scope, all, number};
 use crate::description::{self, Coulomb, Given, Part};
 use crate::mistake::joint as mistake;
+use crate::place::Place;
 
 /// The meaning of each row; `None` where it is in error.
 pub(super) fn rows(rows: &[description::Row], scope: &mut Scope) -> Vec<Option<Row>> {
@@ -117,9 +118,21 @@ fn motor(cell: &Given<Part<2>>, scope: &mut Scope) -> Option<[Value; 2]> {
                 Some(expr) => scope.error(expr.place, mistake::gear_ratio_zero()),
                 None => scope.error(motor.place, mistake::gear_ratio_missing()),
             }
+        } else if let (Some(ratio), Some(expr)) = (&gear_ratio, written.value()) {
+            report_slow_motor(ratio, expr.place, scope);
         }
         Some([inertia?, gear_ratio?])
     })
+}
+
+/// Reports a motor that turns more slowly than its joint. Such gears exist, but joint speed over motor speed is written
+/// far more often by mistake. A direct drive has a ratio of 1, and the sign is free.
+fn report_slow_motor(ratio: &Value, place: Place, scope: &Scope) {
+    let ratio = number(ratio).filter(|ratio| *ratio != 0.0 && ratio.abs() < 1.0);
+    if let (Some(ratio), false) = (ratio, scope.allowed().odd_gear_ratio) {
+        let mistake = mistake::slow_motor(ratio, 1.0 / ratio, scope.place_of_allow());
+        scope.error(place, mistake);
+    }
 }
 
 /// How a message names Coulomb friction and static friction.

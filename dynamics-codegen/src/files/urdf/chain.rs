@@ -298,7 +298,9 @@ impl<'a> Chain<'a> {
         row.body.inertia = Given::As(Inertia::Tensor(Box::new(Part { place, values })));
         // Each of the bodies was judged where it stands, and angles are taken as they were written.
         row.body.allow = Given::As(Allow {
+            odd_gear_ratio: false,
             odd_limits: false,
+            odd_mass: false,
             ..Allow::EVERYTHING
         });
     }

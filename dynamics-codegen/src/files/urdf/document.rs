@@ -15,6 +15,7 @@ use crate::geometry::{Transform, Vector, direction};
 use crate::mistake::{Mistake, file as text, urdf as mistake};
 use crate::parse::number::in_file;
 use crate::place::Place;
+use crate::validate::is_in_whole_degrees;
 use crate::words;
 
 /// The links and joints of a document.
@@ -379,7 +380,8 @@ impl Reader<'_> {
         let (rpy, place) = self.vector(origin, "rpy", [0; 3])?;
         for angle in &rpy {
             let radians = angle.to_f64().value();
-            if radians.abs() > MOST_RADIANS && !self.odd_angle {
+            let is_odd = radians.abs() > MOST_RADIANS || is_in_whole_degrees(radians);
+            if is_odd && !self.odd_angle {
                 self.diagnostics.error(place, mistake::in_degrees(radians));
             }
         }
