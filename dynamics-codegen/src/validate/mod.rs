@@ -63,7 +63,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         }
         parts.lock_and_couple(table, &scope);
         if !reach::report(&parts, table, &scope) {
-            units::report(&parts, table, &scope);
+            units::report(&parts, reach::longest(&parts), table, &scope);
         }
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);

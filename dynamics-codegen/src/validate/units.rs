@@ -4,7 +4,6 @@
 use dynamics_symbolic::robot::Value;
 
 use super::Parts;
-use super::reach::longest;
 use super::scope::{Scope, norm, number};
 use crate::audience::AT_THE_END;
 use crate::description::{Body, Expr, Given, Row, Table, Vector};
@@ -41,8 +40,9 @@ struct Judged {
     mass_at: Option<(Place, &'static str)>,
 }
 
-/// Reports the longest length, if it is in mm, or the heaviest body, if its mass is in g.
-pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
+/// Reports the longest length, if it is in mm, or the heaviest body, if its mass is in g. `longest` is the longest part of
+/// the arm, if it is known.
+pub(super) fn report(parts: &Parts, longest: Option<f64>, table: &Table, scope: &Scope) {
     let bodies = bodies(parts, table, scope);
     let is_beside = |size| bodies.as_ref().is_some_and(|b| is_beside(size, b));
     // The first of several.
@@ -59,7 +59,7 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
             let mistake = mistake::in_millimetres(length, length / 1000.0, place_of_allow);
             scope.error(place, mistake);
         }
-    } else if let (Some(bodies), Some(longest)) = (bodies, longest(parts)) {
+    } else if let (Some(bodies), Some(longest)) = (bodies, longest) {
         report_grams(&bodies, longest, scope);
     }
 }
