@@ -94,9 +94,9 @@ fn spring(row: &description::Row, scope: &mut Scope) -> Option<Option<Spring>> {
         let stiffness = scope.not_negative(stiffness, "a spring's stiffness");
         let rest = scope.given(slack);
         if let (Given::As(written), Some(rest)) = (slack, &rest)
-            && let Some(mistake) = limits::many_turns(rest, row)
+            && let Some(size) = limits::many_turns(rest, row)
         {
-            scope.error(written.place, mistake);
+            scope.error(written.place, mistake::position_of_many_turns(size));
         }
         Some(Some(Spring {
             stiffness: stiffness?,

@@ -116,7 +116,7 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
     let mut reader = Reader {
         text: &declared,
         diagnostics,
-        odd_angle: request.odd_angle,
+        request,
         rounding: Rounding::new(within.map_or(0.0, |within| within.to_f64().value())),
         left_over: Cell::new(None),
     };
@@ -178,8 +178,7 @@ fn reason(error: &roxmltree::Error) -> String {
 struct Reader<'a> {
     text: &'a Declared<'a>,
     diagnostics: &'a Diagnostics,
-    /// Whether angles of many turns are accepted.
-    odd_angle: bool,
+    request: &'a Request,
     rounding: Rounding,
     /// Whether something was found that xacro should have replaced: the rest of it goes with the first.
     left_over: Cell<Option<Reported>>,
@@ -371,6 +370,9 @@ impl Reader<'_> {
 
     /// `<origin xyz rpy>`
     fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
+        // Of a joint; of an inertia, which has no name.
+        let joint = node.attribute("name").unwrap_or_default();
+        let odd_angle = self.request.allowed(joint).odd_angle;
         let origin = child(node, "origin");
         if let Some(origin) = origin {
             self.spelled(origin, &[], &["xyz", "rpy"]);
@@ -379,7 +381,7 @@ impl Reader<'_> {
         let (rpy, place) = self.vector(origin, "rpy", [0; 3])?;
         for angle in &rpy {
             let radians = angle.to_f64().value();
-            if radians.abs() > MOST_RADIANS && !self.odd_angle {
+            if radians.abs() > MOST_RADIANS && !odd_angle {
                 self.diagnostics.error(place, mistake::in_degrees(radians));
             }
         }
