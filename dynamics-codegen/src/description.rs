@@ -316,6 +316,10 @@ pub struct Row {
     pub spring: Given<Part<2>>,
     /// The range of the joint.
     pub limits: Given<Limits>,
+    /// The greatest torque or force in either direction.
+    pub torque_limit: Given<Expr>,
+    /// The greatest speed in either direction.
+    pub velocity_limit: Given<Expr>,
     /// Whether the range is that of a `<limit>`.
     pub limits_of_urdf: bool,
     /// Where the joint is, in a file that has no cells a, alpha, d and theta.

@@ -76,7 +76,7 @@ parts! {
     STRIBECK: "`stribeck`", "stribeck entry", [static velocity], "`{ static: ..., velocity: ... }`";
     SPRING: "`spring`", "spring entry", [stiffness rest], "`{ stiffness: ..., rest: ... }`";
     /// The cells of a joint that may stand beside its file.
-    BESIDE_A_FILE: "a joint of the file", "cell", [motor friction spring limits allow],
+    BESIDE_A_FILE: "a joint of the file", "cell", [motor friction spring limits torque_limit velocity_limit allow],
         "`{ friction: { ... }, motor: { ... } }`";
     BASE: "`base`", "base entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
     TOOL: "`tool`", "tool entry", [xyz rpy mass com inertia inertia_at_origin allow],

@@ -70,6 +70,8 @@ fn replace(row: &mut Row, cells: Row) {
     replace_cell(&mut row.friction, cells.friction);
     replace_cell(&mut row.spring, cells.spring);
     replace_cell(&mut row.limits, cells.limits);
+    replace_cell(&mut row.torque_limit, cells.torque_limit);
+    replace_cell(&mut row.velocity_limit, cells.velocity_limit);
     // A URDF file has no such cell: its reader has judged the bodies.
     let of_reader = row.mount.is_some().then(|| row.body.allow.value().copied());
     let of_reader = of_reader.flatten().unwrap_or_default();

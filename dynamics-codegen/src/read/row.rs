@@ -55,7 +55,8 @@ macro_rules! cells {
 cells! {
     {a: value(), alpha: value(), d: value(), theta: value()}
     {mass: value(), com: xyz(), inertia: inertia(), inertia_at_origin: tensor()}
-    {motor: values(&MOTOR), friction: friction(), spring: values(&SPRING), limits: range()}
+    {motor: values(&MOTOR), friction: friction(), spring: values(&SPRING), limits: range(), torque_limit: value(),
+     velocity_limit: value()}
     {allow: allow(ALLOWANCES_OF_BODY)}
 }
 

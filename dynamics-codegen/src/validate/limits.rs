@@ -3,7 +3,7 @@
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::{Scope, all};
-use crate::description::{self, Expr};
+use crate::description::{self, Expr, Given};
 use crate::mistake::joint as mistake;
 
 /// A revolute joint does not turn so far, in rad, unless its position is written in terms of PI: five
@@ -46,6 +46,20 @@ fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Valu
         Some(size) => scope.refused(limit.place, mistake::position_of_many_turns(size)),
         None => Some(value),
     }
+}
+
+/// The greatest torque or speed, a number. Outer `None`: in error; inner `None`: not written.
+pub(super) fn greatest(cell: &Given<Expr>, scope: &mut Scope) -> Option<Option<Value>> {
+    cell.read(None, |expr| {
+        let value = scope.value(expr)?;
+        if !value.is_number() {
+            return scope.refused(expr.place, mistake::limit_with_field());
+        }
+        if value.to_f64(&[]) <= 0.0 {
+            return scope.refused(expr.place, mistake::limit_not_positive());
+        }
+        Some(Some(value))
+    })
 }
 
 /// The size of a position of the row's joint that was hardly meant in rad.

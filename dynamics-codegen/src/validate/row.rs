@@ -45,6 +45,8 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     });
     let spring = spring(row, scope);
     let limits = limits::limits(row, scope);
+    let torque_limit = limits::greatest(&row.torque_limit, scope);
+    let velocity_limit = limits::greatest(&row.velocity_limit, scope);
     let (mass, com, inertia) = body?;
     let [motor_inertia, gear_ratio] = motor?;
     let (viscous, coulomb, stribeck) = friction?;
@@ -65,6 +67,8 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         stribeck,
         spring: spring?,
         limits: limits?,
+        torque_limit: torque_limit?,
+        velocity_limit: velocity_limit?,
         locked: None,
         mount: row.mount.clone(),
         follows: None,

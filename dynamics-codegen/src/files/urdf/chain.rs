@@ -394,8 +394,9 @@ fn placement(joint: &Joint) -> Placement {
 
 fn row(joint: &Joint, places: Vec<Placement>) -> Row {
     let number = |(x, place): &(Rational, Place)| Given::As(Expr::signed(x.clone(), *place));
+    let given = |x: &Option<(Rational, Place)>| x.as_ref().map_or(Given::Absent, number);
     let friction = Friction {
-        viscous: joint.damping.as_ref().map_or(Given::Absent, number),
+        viscous: given(&joint.damping),
         coulomb: match &joint.friction {
             Some(friction) => Given::As(Coulomb::Both(number(friction))),
             None => Given::Absent,
@@ -418,6 +419,8 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
             )
         }),
         limits_of_urdf: true,
+        torque_limit: given(&joint.effort),
+        velocity_limit: given(&joint.velocity),
         mount: Some(Mount {
             places,
             axis: joint.axis.clone(),

@@ -67,6 +67,8 @@ pub(super) struct Joint {
     pub(super) damping: Option<(Rational, Place)>,
     pub(super) friction: Option<(Rational, Place)>,
     pub(super) limits: Option<([Rational; 2], Place)>,
+    pub(super) effort: Option<(Rational, Place)>,
+    pub(super) velocity: Option<(Rational, Place)>,
     pub(super) mimic: Option<Mimic>,
 }
 
@@ -92,6 +94,9 @@ pub(super) enum Kind {
 
 /// Limits beyond so many rad or m are none.
 const WIDE: f64 = 1e3;
+
+/// Efforts and velocities of so much are none, N m, N, rad/s or m/s.
+const UNBOUNDED: f64 = 1e9;
 
 /// Angles of more turns are meant in degrees, rad. Files have a turn that is rounded up.
 const MOST_RADIANS: f64 = 2.0 * core::f64::consts::TAU;
@@ -458,6 +463,7 @@ impl Reader<'_> {
         let damping = self.optional(dynamics, "damping");
         let friction = self.optional(dynamics, "friction");
         let limits = self.limits(node);
+        let [effort, velocity] = ["effort", "velocity"].map(|name| self.greatest(node, name));
         let kind = kind?;
         let mimic = child(node, "mimic").map(|mimic| self.mimic(mimic, kind));
         let axis = self.axis(node, kind);
@@ -474,6 +480,8 @@ impl Reader<'_> {
             damping: damping?,
             friction: friction?,
             limits: limits?,
+            effort: effort?,
+            velocity: velocity?,
             mimic: mimic.transpose()?,
         })
     }
@@ -529,6 +537,13 @@ impl Reader<'_> {
         let (axis, place) = self.vector(child(node, "axis"), "xyz", [1, 0, 0])?;
         let zero = || self.diagnostics.error(place, mistake::axis_of_no_length());
         direction(&self.rounding.axis(axis)).ok_or_else(zero)
+    }
+
+    /// The greatest effort or velocity of `<limit>`, where it says something: many files have 0 there, or -1.
+    fn greatest(&self, node: Node, name: &str) -> Read<Option<(Rational, Place)>> {
+        let most = self.optional(child(node, "limit"), name)?;
+        let says = |most: &Rational| *most > Rational::ZERO && most.to_f64().value() < UNBOUNDED;
+        Ok(most.filter(|(most, _)| says(most)))
     }
 
     /// Where both are there and say something: continuous joints have none.
