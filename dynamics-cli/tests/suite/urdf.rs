@@ -1,6 +1,7 @@
 //! The options that say what a URDF file does not.
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
+use dynamics_runtime::Simulation;
 
 use super::calls::{data, errors, file, folder, output, run};
 
@@ -196,6 +197,7 @@ fn cells_beside_a_file_are_those_of_a_table() {
         .ignore(["mast"])
         .entries("gravity = [0, 0, -9.81]")
         .entries(&format!("[joints.turn]\n{turn}[joints.lift]\n{lift}"));
+    let options = options.functions(RuntimeRobot::simulation_functions());
     let given = RuntimeRobot::from_file(&path, &options).expect("the file");
     let table = format!(
         "convention = 'modified'\ngravity = [0, 0, -9.81]\n\
@@ -219,6 +221,10 @@ fn cells_beside_a_file_are_those_of_a_table() {
         limits.collect::<Vec<_>>()
     };
     assert_eq!(limits(&given), limits(&by_hand));
+    let dynamics = given.dynamics().expect("functions of simulations");
+    let strong = Simulation::new(&dynamics).torque(|_, q, _| q.map(|_| -50.0));
+    let motion = strong.saturate().duration(0.1).run().expect("a motion");
+    assert_eq!(motion.tau[0].as_slice(), [-9.0, -1.0]);
 }
 
 /// Efforts and velocities that bound something; written as URDF they are there again.
