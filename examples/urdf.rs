@@ -23,8 +23,12 @@ robot_dynamics! {
     functions: [default, forward_kinematics],
 }
 
-/// What the motors give at most, N m: the `effort` of the file, which is no entry of a table.
-const EFFORT: Vector4<f64> = Vector4::new(30.0, 30.0, 15.0, 5.0);
+/// The greatest torques of the motors, N m: the `effort` of the file.
+fn greatest_torques() -> Vector4<f64> {
+    Picker::TORQUE_LIMITS
+        .map(|limit| limit.unwrap_or(f64::INFINITY))
+        .into()
+}
 
 /// The motion: the load is lifted and turned aside.
 const START: Vector4<f64> = Vector4::new(0.0, 0.3, -1.2, 0.0);
@@ -55,7 +59,7 @@ fn main() {
     println!("duration, s  {}", Picker::JOINT_NAMES.join("  "));
     for duration in [2.0, 1.0, 0.5, 0.25] {
         let torques = largest_torques(&arm, duration);
-        let share = torques.component_div(&EFFORT).max();
+        let share = torques.component_div(&greatest_torques()).max();
         let verdict = if share > 1.0 { "too fast" } else { "" };
         println!("{duration:11}  {:6.2?}  {verdict}", torques.as_slice());
     }
@@ -63,6 +67,6 @@ fn main() {
     // Slowly, the motors hold the weight; fast, they feel the masses.
     let (slow, fast) = (largest_torques(&arm, 100.0), largest_torques(&arm, 0.25));
     let held = arm.gravity_vector(&START);
-    assert!(slow[1] >= held[1].abs() && slow[1] < EFFORT[1]);
+    assert!(slow[1] >= held[1].abs() && slow[1] < greatest_torques()[1]);
     assert!(fast[0] > 10.0 * slow[0]);
 }

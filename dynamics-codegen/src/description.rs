@@ -115,6 +115,8 @@ pub enum Entry {
     Base(Option<Box<Placement>>),
     /// `joints: [...]`
     Joints(Place, Option<Joints>),
+    /// `joints: { elbow: { friction: { viscous: 0.1 } } }`, cells of the joints of a file.
+    Beside(Place, Option<Vec<Row>>),
     /// `tool: { xyz: [0, 0, 0.1], mass: 2 }`
     Tool(Option<Box<Tool>>),
     /// `functions: [...]`
@@ -314,6 +316,12 @@ pub struct Row {
     pub spring: Given<Part<2>>,
     /// The range of the joint.
     pub limits: Given<Limits>,
+    /// The greatest torque or force in either direction.
+    pub torque_limit: Given<Expr>,
+    /// The greatest speed in either direction.
+    pub velocity_limit: Given<Expr>,
+    /// Whether the range is that of a `<limit>`.
+    pub limits_of_urdf: bool,
     /// Where the joint is, in a file that has no cells a, alpha, d and theta.
     pub mount: Option<Mount>,
 }

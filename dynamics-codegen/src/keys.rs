@@ -25,11 +25,15 @@ pub(crate) const KEYS: &[&str] = word_list![
     allow
 ];
 
+/// The keys of entries in TOML beside a file.
+const KEYS_BESIDE_A_FILE: &[&str] = word_list![
+    convention gravity base joint couple tool functions lock neglect tests allow let joints
+];
+
 /// The keys of a file.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
-pub(crate) const KEYS_OF_FILES: &[&str] = word_list![
-    convention gravity base joint couple tool functions lock neglect tests allow let
-];
+pub(crate) const KEYS_OF_FILES: &[&str] =
+    KEYS_BESIDE_A_FILE.split_at(KEYS_BESIDE_A_FILE.len() - 1).0;
 
 pub(crate) const CALL: Part = Part {
     name: "a robot",
@@ -40,6 +44,11 @@ pub(crate) const CALL: Part = Part {
 
 pub(crate) const FILE: Part = Part {
     keys: KEYS_OF_FILES,
+    ..CALL
+};
+
+pub(crate) const ENTRIES_BESIDE_A_FILE: Part = Part {
+    keys: KEYS_BESIDE_A_FILE,
     ..CALL
 };
 
@@ -66,10 +75,17 @@ parts! {
     DIRECTIONS: "`coulomb`", "direction", [positive negative], "`{ positive: ..., negative: ... }`";
     STRIBECK: "`stribeck`", "stribeck entry", [static velocity], "`{ static: ..., velocity: ... }`";
     SPRING: "`spring`", "spring entry", [stiffness rest], "`{ stiffness: ..., rest: ... }`";
+    /// The cells of a joint that may stand beside its file.
+    BESIDE_A_FILE: "a joint of the file", "cell", [motor friction spring limits torque_limit velocity_limit allow],
+        "`{ friction: { ... }, motor: { ... } }`";
     BASE: "`base`", "base entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
     TOOL: "`tool`", "tool entry", [xyz rpy mass com inertia inertia_at_origin allow],
         "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`";
 }
+
+/// The words of a row that only the file of a joint has.
+pub(crate) const OF_A_FILE: &[&str] =
+    word_list![name type a alpha d theta mass com inertia inertia_at_origin];
 
 pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 

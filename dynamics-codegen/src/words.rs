@@ -164,6 +164,8 @@ const ELSEWHERE: &[(&str, &[&str])] = &[
     ("friction", word_list![damping]),
     ("viscous", word_list![damping]),
     ("gear_ratio", word_list![ratio]),
+    ("torque_limit", word_list![effort max_torque]),
+    ("velocity_limit", word_list![max_velocity speed_limit]),
     ("spring", word_list![elasticity]),
     ("stiffness", word_list![k]),
     ("rest", word_list![neutral]),

@@ -115,7 +115,9 @@ impl ReadOptions {
 
     /// Entries in TOML. `lock`, `couple` and `allow` add to those of the file: a joint that both lock at different
     /// positions is a mistake. Each of `gravity`, `functions`, `base`, `tool`, `neglect` and `tests` takes the place of
-    /// the file's, and a name in `let` that of the same name. `convention` and `joint` are the file's alone.
+    /// the file's, and a name in `let` that of the same name. `convention` and `joint` are the file's alone. Cells that a
+    /// joint of the file lacks, or has wrong, stand in `[joints.elbow]`: `motor`, `friction`, `spring`, `limits`,
+    /// `torque_limit`, `velocity_limit` and `allow`.
     ///
     /// They are lines behind those that were given before.
     pub fn entries(mut self, toml: &str) -> Self {

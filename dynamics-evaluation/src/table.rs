@@ -123,6 +123,8 @@ impl Cells<'_> {
                 rest: of.rest,
             }),
             limits: row.limits,
+            torque_limit: row.torque_limit,
+            velocity_limit: row.velocity_limit,
             mount,
             link_frame,
             tip,

@@ -383,5 +383,12 @@ fn of_joint(joint: &Joint) -> Entries {
     if let Some(limits) = &joint.limits {
         cells.push(entry("limits", list(limits)));
     }
+    let greatest = [
+        ("torque_limit", &joint.torque_limit),
+        ("velocity_limit", &joint.velocity_limit),
+    ];
+    for (word, limit) in greatest {
+        cells.extend(limit.as_ref().map(|limit| entry(word, limit)));
+    }
     cells
 }

@@ -68,7 +68,14 @@ fn published(cells: &Entries) -> Vec<(String, String)> {
     for (word, node) in cells {
         let is_other = match word.as_str() {
             "friction" => stribeck.is_some(),
-            word => ["spring", "limits", "allow"].contains(&word),
+            word => [
+                "spring",
+                "limits",
+                "torque_limit",
+                "velocity_limit",
+                "allow",
+            ]
+            .contains(&word),
         };
         if is_other {
             put(word, JSON.value(node));

@@ -178,20 +178,26 @@ impl Writer {
         self.line(1, "</joint>");
     }
 
-    /// URDF asks for the greatest effort and velocity too, which a table does not have: they are so great
-    /// that they bound nothing.
+    /// URDF asks for the greatest effort and velocity too: where the table has none, they are so great that they bound
+    /// nothing.
     fn limit(&mut self, row: &Row) {
         const NONE: &str = "1000000000";
-        let [lower, upper] = match (&row.limits, row.joint_type) {
-            (Some(limits), _) => limits.each_ref().map(shown),
-            (None, JointType::Prismatic) => [format!("-{NONE}"), NONE.to_owned()],
-            (None, JointType::Revolute) => return,
+        let bounds = match (&row.limits, row.joint_type) {
+            (Some([lower, upper]), _) => Some([lower, upper].map(shown)),
+            (None, JointType::Prismatic) => Some([format!("-{NONE}"), NONE.to_owned()]),
+            (None, JointType::Revolute) => None,
         };
-        let bounds = format!("lower=\"{lower}\" upper=\"{upper}\"");
-        self.line(
-            2,
-            &format!("<limit {bounds} effort=\"{NONE}\" velocity=\"{NONE}\"/>"),
-        );
+        let greatest = [&row.torque_limit, &row.velocity_limit];
+        if bounds.is_none() && greatest.iter().all(|limit| limit.is_none()) {
+            return;
+        }
+        let bounds = bounds.map_or(String::new(), |[lower, upper]| {
+            format!("lower=\"{lower}\" upper=\"{upper}\" ")
+        });
+        let [effort, velocity] =
+            greatest.map(|limit| limit.as_ref().map_or(NONE.to_owned(), shown));
+        let line = format!("<limit {bounds}effort=\"{effort}\" velocity=\"{velocity}\"/>");
+        self.line(2, &line);
     }
 
     fn dynamics(&mut self, row: &Row) {

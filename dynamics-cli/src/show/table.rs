@@ -113,6 +113,8 @@ fn further(robot: &Robot, row: &Row) -> String {
         ("static, velocity", stribeck.collect()),
         ("spring", spring.collect()),
         ("limits", row.limits.iter().flatten().collect()),
+        ("torque limit", row.torque_limit.iter().collect()),
+        ("velocity limit", row.velocity_limit.iter().collect()),
     ];
     let mut text = String::new();
     for (word, values) in entries {

@@ -1,6 +1,7 @@
 //! The options that say what a URDF file does not.
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
+use dynamics_runtime::Simulation;
 
 use super::calls::{data, errors, file, folder, output, run};
 
@@ -185,6 +186,82 @@ fn angles_are_rounded_where_that_is_asked_for() {
     }
 }
 
+/// Friction, a motor, a spring and limits beside the file: the arm of a table that is written by hand.
+#[test]
+fn cells_beside_a_file_are_those_of_a_table() {
+    let path = file("lacking.urdf", turntable("1.5707963267948966"));
+    let turn = "friction = { viscous = 0.75 }\nmotor = { inertia = 1e-3, gear_ratio = 20 }\ntorque_limit = 9\n";
+    let lift = "spring = { stiffness = 3, rest = 0.5 }\nlimits = [-2, 2]\n";
+    let options = ReadOptions::new()
+        .chain(["base", "flange"])
+        .ignore(["mast"])
+        .entries("gravity = [0, 0, -9.81]")
+        .entries(&format!("[joints.turn]\n{turn}[joints.lift]\n{lift}"));
+    let options = options.functions(RuntimeRobot::simulation_functions());
+    let given = RuntimeRobot::from_file(&path, &options).expect("the file");
+    let table = format!(
+        "convention = 'modified'\ngravity = [0, 0, -9.81]\n\
+         [[joint]]\nname = 'turn'\ntype = 'revolute'\nd = 0.4\nmass = 5\ncom = [0, 0, -0.4]\n\
+         inertia = {{ xx = 0.1, yy = 0.1, zz = 0.15 }}\n{turn}\
+         [[joint]]\nname = 'lift'\ntype = 'revolute'\nalpha = 'PI/2'\nmass = 2\ncom = [0.25, 0, 0]\n\
+         inertia = {{ xx = 0.01, yy = 0.02, zz = 0.02 }}\ntorque_limit = 1\nvelocity_limit = 1\n{lift}"
+    );
+    let by_hand = RuntimeRobot::from_toml(&table, &ReadOptions::new()).expect("the table");
+    for (q, qd, qdd) in [
+        ([0.3, -0.7], [0.0; 2], [0.0; 2]),
+        ([1.0, 2.0], [-3.0, 0.4], [5.0, 6.0]),
+    ] {
+        let torques = |arm: &RuntimeRobot| arm.inverse_dynamics(&q, &qd, &qdd).expect("torques");
+        let difference = torques(&given) - torques(&by_hand);
+        assert!(difference.amax() < 1e-13, "{difference}");
+    }
+    let limits = |arm: &RuntimeRobot| {
+        let rows = arm.table().rows.into_iter();
+        let limits = rows.map(|row| (row.limits, row.torque_limit, row.velocity_limit));
+        limits.collect::<Vec<_>>()
+    };
+    assert_eq!(limits(&given), limits(&by_hand));
+    let dynamics = given.dynamics().expect("functions of simulations");
+    let strong = Simulation::new(&dynamics).torque(|_, q, _| q.map(|_| -50.0));
+    let motion = strong.saturate().duration(0.1).run().expect("a motion");
+    assert_eq!(motion.tau[0].as_slice(), [-9.0, -1.0]);
+}
+
+/// Efforts and velocities that bound something; written as URDF they are there again.
+#[test]
+fn greatest_torques_and_velocities_are_those_of_the_file() {
+    let limits = [
+        ("87", "2.5", true),
+        ("0", "-1", false),
+        ("1e9", "1e12", false),
+    ];
+    for (index, (effort, velocity, is_bound)) in limits.into_iter().enumerate() {
+        let limit = format!("effort=\"{effort}\" velocity=\"{velocity}\"");
+        let text = turntable("0").replace("effort=\"1\" velocity=\"1\"", &limit);
+        let path = file(&format!("greatest_{index}.urdf"), text);
+        let options = [
+            "--chain",
+            "base,flange",
+            "--ignore",
+            "mast",
+            "--gravity",
+            "0,0,-9.81",
+        ];
+        let converted =
+            |format: &str| output(&[&["convert", &path, "--to", format][..], &options].concat());
+        let (table, urdf) = (converted("toml"), converted("urdf"));
+        let is_in_table = table.contains("torque_limit = 87\nvelocity_limit = 2.5");
+        assert_eq!(is_in_table, is_bound, "{table}");
+        assert_eq!(table.contains("_limit"), is_bound, "{table}");
+        let again = if is_bound {
+            limit
+        } else {
+            "effort=\"1000000000\" velocity=\"1000000000\"".to_owned()
+        };
+        assert!(urdf.contains(&again), "{urdf}");
+    }
+}
+
 /// Elements and attributes that other programs read may have any prefix, and xacro may have left something in them.
 #[test]
 fn what_is_not_read_does_no_harm() {
@@ -192,7 +269,7 @@ fn what_is_not_read_does_no_harm() {
     let left = plain
         .replace("<inertial>", "<visual><xacro:grey/><origin xyz=\"${x} 0 0\"/></visual><inertial>")
         .replace("</robot>", "<gazebo><sensor:camera name=\"${name}\"/></gazebo><xacro:property name=\"x\"/></robot>")
-        .replace("effort=\"1\"", "effort=\"${effort}\" drake:acceleration=\"2\"");
+        .replace("effort=\"1\"", "effort=\"1\" drake:acceleration=\"${acceleration}\"");
     assert!(left.contains("drake") && left.contains("grey") && left.contains("sensor"));
     let chain = ["--chain", "base,flange", "--ignore", "mast"];
     let expected = mass_matrix(&file("without.urdf", plain), &chain);

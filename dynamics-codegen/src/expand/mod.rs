@@ -47,6 +47,7 @@ pub(crate) fn robot(
     let items = Items {
         names: robot.joints().map(|row| row.name.clone()).collect(),
         limits: robot.joints().map(table::limits).collect(),
+        greatest: table::greatest(robot),
         operations: operations(methods, path),
         formulas: formulas(methods, path),
         base_parameters: base_parameter_constants(&requests, Some(robot)),
@@ -87,6 +88,7 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let functions = requests.iter().enumerate();
     let items = Items {
         limits: vec![quote!(::core::option::Option::None); names.len()],
+        greatest: [(); 2].map(|()| vec![quote!(::core::option::Option::None); names.len()]),
         names,
         operations: Vec::new(),
         formulas: Vec::new(),
@@ -241,6 +243,8 @@ struct Items {
     names: Vec<String>,
     /// Their ranges.
     limits: Vec<TokenStream>,
+    /// Their greatest torques, and their greatest velocities.
+    greatest: [Vec<TokenStream>; 2],
     /// Names of methods, with their operations.
     operations: Vec<TokenStream>,
     /// Entries of the method `formulas`.
@@ -284,6 +288,7 @@ impl Items {
         let Items {
             names,
             limits,
+            greatest: [torques, velocities],
             operations,
             formulas,
             base_parameters,
@@ -308,6 +313,12 @@ impl Items {
 
                 /// Ranges of the joints' positions, lower ends first, rad or m, where the table has them.
                 pub const JOINT_LIMITS: [::core::option::Option<[f64; 2]>; #n] = [#(#limits),*];
+
+                /// Greatest torques or forces of the joints in either direction, N m or N, where the table has them.
+                pub const TORQUE_LIMITS: [::core::option::Option<f64>; #n] = [#(#torques),*];
+
+                /// Greatest velocities of the joints in either direction, rad/s or m/s, where the table has them.
+                pub const VELOCITY_LIMITS: [::core::option::Option<f64>; #n] = [#(#velocities),*];
 
                 /// Operations of each generated method, by the method's name.
                 pub const OPERATIONS: [(&'static str, #path::Operations); #count] =

@@ -159,6 +159,17 @@ fn row(
         quote!(spring: #path::Spring { stiffness: #stiffness, rest: #rest },)
     });
     let limits = range(row.limits.as_ref());
+    let greatest = [
+        ("torque_limit", &row.torque_limit),
+        ("velocity_limit", &row.velocity_limit),
+    ];
+    let greatest = greatest.into_iter().filter_map(|(name, value)| {
+        let (name, value) = (
+            Ident::new(name, Span::call_site()),
+            option(Some(value.as_ref()?)),
+        );
+        Some(quote!(#name: #value,))
+    });
     let [mount, link_frame, tip] = placements;
     let mount = mount.map(|placement| quote!(mount: #placement,));
     let link_frame = link_frame.map(|placement| quote!(link_frame: #placement,));
@@ -169,6 +180,7 @@ fn row(
             #stribeck
             #spring
             limits: #limits,
+            #(#greatest)*
             #mount
             #link_frame
             #tip
@@ -181,6 +193,17 @@ fn row(
 pub(super) fn limits(row: &Row) -> TokenStream {
     let numbers = |limits: &[Value; 2]| limits.each_ref().map(|value| number(value, &[]));
     range(row.limits.as_ref().map(numbers).as_ref())
+}
+
+/// The greatest torques of the joints, and their greatest velocities.
+pub(super) fn greatest(robot: &Robot) -> [Vec<TokenStream>; 2] {
+    let of = |cell: fn(&Row) -> &Option<Value>| {
+        let cells = robot.joints().map(cell);
+        cells
+            .map(|cell| option(cell.as_ref().map(|value| number(value, &[]))))
+            .collect()
+    };
+    [of(|row| &row.torque_limit), of(|row| &row.velocity_limit)]
 }
 
 fn range(limits: Option<&[TokenStream; 2]>) -> TokenStream {

@@ -3,7 +3,8 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use super::reading::{ADDING, bytes, decoded, forget_locks, read, request};
+use super::beside;
+use super::reading::{ADDING, bytes, decoded, forget_locks, joint_names, read, request};
 use super::report_without_file;
 use super::request::Format;
 use crate::audience::Audience;
@@ -24,8 +25,10 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
         _ => Audience::File,
     };
     diagnostics.reading(file, audience);
+    let is_beside = |entry: &Entry| matches!(entry, Entry::Beside(..));
+    let has_cells = call.table.entries.iter().any(is_beside);
     for (key, place) in &call.table.keys {
-        if INSTEAD.contains(key) {
+        if INSTEAD.contains(key) && !(has_cells && *key == "joints") {
             diagnostics.error(*place, mistake::instead_of(key, &file.path));
         }
     }
@@ -36,7 +39,7 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     }
     let request = request(&call.table, diagnostics)?;
     let used = &mut Vec::new();
-    let read = read(&text, format, &request, used, diagnostics)?;
+    let mut read = read(&text, format, &request, used, diagnostics)?;
     for (key, place) in &call.table.keys {
         let is_in_file = read.keys.iter().any(|(other, _)| other == key);
         if is_in_file && !INSTEAD.contains(key) && !ADDING.contains(key) {
@@ -46,9 +49,19 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     let table = &mut call.table;
     forget_locks(&mut table.entries, used);
     table.notes.extend(read.notes);
+    let cells = beside::take(&mut table.entries);
+    let in_front = cells.as_ref().map_or(0, |(at, ..)| *at);
+    if let Some((_, place, rows)) = cells {
+        let all = || joint_names(&text, format);
+        beside::put((place, rows), &mut read.entries, all, diagnostics);
+    }
     let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
     let at = table.entries.iter().position(is_file).unwrap_or(0);
+    let behind = at + read.entries.len() + in_front.saturating_sub(at + 1);
     table.entries.splice(at..=at, read.entries);
+    if in_front > at {
+        beside::move_rows(&mut table.entries, behind);
+    }
     table.mentions.extend(read.mentions);
     Some(())
 }

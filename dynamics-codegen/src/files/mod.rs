@@ -5,6 +5,8 @@
 //! call.
 
 #[cfg(feature = "files")]
+mod beside;
+#[cfg(feature = "files")]
 mod json;
 #[cfg(feature = "files")]
 mod load;

@@ -7,8 +7,8 @@ use std::path::Path;
 use dynamics_symbolic::exact::Rational;
 
 use super::request::{Format, Request};
-use super::{json, toml, urdf};
-use crate::description::{Entry, Expr, Name, Place, Positioned, Table};
+use super::{beside, json, toml, urdf};
+use crate::description::{Entry, Expr, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
 use crate::tree::Language;
@@ -122,7 +122,7 @@ fn put_name(name: &str, table: &mut Table) {
 }
 
 /// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled and
-/// what is allowed add to the file's. Every other entry replaces the file's (a `let` replaces that of the same name);
+/// what is allowed add to the file's, and cells of `joints` replace those of its rows. Every other entry replaces the file's (a `let` replaces that of the same name);
 /// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
 /// passed over for a table. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
 pub fn table_beside(
@@ -171,8 +171,12 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     };
     let mut table = read(text, format, &request, used, diagnostics).unwrap_or_else(unread);
     forget_locks(&mut beside.entries, used);
+    if let Some((_, place, rows)) = beside::take(&mut beside.entries) {
+        let all = || joint_names(text, format);
+        beside::put((place, rows), &mut table.entries, all, diagnostics);
+    }
     for (key, place) in &beside.keys {
-        if ["convention", "joint", "joints"].contains(key) {
+        if ["convention", "joint"].contains(key) {
             diagnostics.error(*place, mistake::beside_a_file(key));
         }
     }
@@ -230,6 +234,10 @@ pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Reques
             Entry::RoundAngles(angle) => {
                 let within = rounded_within(angle.as_ref()?, diagnostics)?;
                 request.round_angles = Some(within);
+            }
+            Entry::Beside(_, rows) => {
+                let allowed = |row: &Row| Some((row.name.clone()?, *row.body.allow.value()?));
+                request.allow = rows.iter().flatten().filter_map(allowed).collect();
             }
             Entry::Lock(locked) => {
                 let locked = locked.as_ref()?.iter();

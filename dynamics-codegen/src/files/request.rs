@@ -5,7 +5,7 @@ use std::path::Path;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use crate::description::Name;
+use crate::description::{Allow, Name};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,4 +50,20 @@ pub struct Request {
     pub no_inertia: bool,
     /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
     pub odd_angle: bool,
+    /// Joints for which more is accepted: angles of their placement, and tensors of what they carry.
+    pub allow: Vec<(Name, Allow)>,
+}
+
+#[cfg(feature = "files")]
+impl Request {
+    /// The allowances of a joint.
+    pub(super) fn allowed(&self, joint: &str) -> Allow {
+        let whole = Allow {
+            unphysical_inertia: self.unphysical_inertia,
+            odd_angle: self.odd_angle,
+            ..Allow::default()
+        };
+        let own = self.allow.iter().filter(|(name, _)| name.plain() == joint);
+        own.fold(whole, |allowed, (_, allow)| allowed.or(*allow))
+    }
 }

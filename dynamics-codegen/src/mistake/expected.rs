@@ -58,6 +58,7 @@ expectations! {
     named_joint(are_followers: bool)
         "the name of a joint: `follower = factor * leader + offset`" if are_followers
         else "the name of a joint: `joint = position`";
+    joint_of_file() "the name of a joint: `joint: {{ ... }}`";
     value_after(name: &Name, are_followers: bool)
         "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`" if are_followers
         else "`=` and a position after `{name}`";

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::Mistake;
-use crate::words::shortened;
+use crate::words::{all, shortened};
 
 mistakes! {
     /// A path at which nothing is.
@@ -45,9 +45,30 @@ mistakes! {
     dotted_name(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
         "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`";
     /// A key of the table in the row of a joint, behind whose line it stands.
-    of_the_whole_table(word: &str, is_json: bool)
+    of_the_whole_table(word: &str, is_json: bool, is_beside: bool)
+        {line: if is_beside { "[joints.NAME]" } else { "[[joint]]" }}
         "`{word}` belongs to the whole table and to no joint: write it beside `joints`" if is_json
-        else "`{word}` belongs to the whole table and to no joint: write it above the first line `[[joint]]`";
+        else "`{word}` belongs to the whole table and to no joint: write it above the first line `{line}`";
+    /// A cell of a joint that cannot be given beside its file.
+    said_by_the_file(word: &str, known: &[&str] => all)
+        "`{word}` of a joint is said by its file: the cells that stand beside a file are {known}";
+    /// `joints: { }` beside a file.
+    no_joint_of_file()
+        "no joint is named: give cells to one, `elbow: {{ friction: {{ viscous: 0.1 }} }}` for example, or leave \
+         `joints` out";
+    /// `[joints.joint.1]` in TOML, where a dot leads into a table.
+    dotted_joint(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
+        "expected the cells of a joint: a name with a dot stands in quotes, `[joints.\"{name}\"]`";
+    /// A joint that has no row.
+    not_of_the_arm(joint: &str => shortened)
+        "`{joint}` is none of the arm's joints, which are those of its chain that move: cells would do nothing there, \
+         remove them";
+    /// Cells of the joints of a file, where there is no file.
+    without_a_file(is_of_file: bool)
+        "`[joints.NAME]` stands beside a file that has the joint: in the file itself, write the cells in its \
+         `[[joint]]`" if is_of_file
+        else "in braces, `joints` gives cells to the joints of a `file`: rows of a table stand in brackets, \
+              `joints: [name: revolute {{ ... }}, ...]`";
     typeless_joint(is_json: bool) {word: if is_json { "\"type\":" } else { "type =" }}
         "this joint has no type: write `{word} \"revolute\"` or `{word} \"prismatic\"`";
 }

@@ -104,6 +104,8 @@ mistakes! {
         "`lower` is above `upper` in this `<limit>`: exchange the two, or write {allow}, which takes the joint as \
          one without limits, as some programs do";
     limit_with_field() "a limit is a number: it does not depend on a field";
+    /// The greatest torque or speed of a joint.
+    limit_not_positive() "the greatest torque or speed is above zero: leave it out where there is none";
     /// A position of a revolute joint, rad.
     position_of_many_turns(size: f64 => number)
         "{size} rad are more than five turns: write `deg({size})` for degrees, or a multiple of `PI` for a joint \

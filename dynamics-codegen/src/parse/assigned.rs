@@ -1,9 +1,10 @@
-//! Lists of names with something behind them: `lock: [joint = value, ...]`, `functions: [name = (function, ...), ...]`.
+//! Lists of names with something behind them: `lock: [joint = value, ...]`, `functions: [name = (function, ...), ...]`,
+//! `joints: { joint: { ... }, ... }` beside a file.
 
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::cursor::Cursor;
-use super::list::comma_separated;
+use super::list::{colon, comma_separated};
 use super::structure::name;
 use super::value::{absent, list, pair, stray, value};
 use crate::description::Name;
@@ -69,6 +70,48 @@ fn take_name(cursor: &mut Cursor) -> Option<Name> {
         Some(ident) => Some(Name::from(&ident)),
         None => cursor.take_text().map(|text| Name::new(text, place)),
     }
+}
+
+/// Whether joints of a file with their cells come next, `{ joint: { ... } }`, and no row in braces.
+pub(super) fn at_cells(cursor: &Cursor) -> bool {
+    let mut ahead = cursor.clone();
+    let Some(group) = ahead.take_group(Delimiter::Brace) else {
+        return false;
+    };
+    let mut inside = ahead.inside(&group);
+    let has_name = inside.take_ident().is_some();
+    let is_typed = inside.take_char(':').is_none() || inside.peek_ident().is_some();
+    !(has_name && is_typed)
+}
+
+/// Reads `{ joint: { friction: { ... } }, "joint 2": { motor: { ... } } }`.
+pub(super) fn cells_beside(cursor: &mut Cursor) -> Node {
+    let start = absent(cursor);
+    let Some(group) = cursor.take_group(Delimiter::Brace) else {
+        return start;
+    };
+    let items = comma_separated(cursor.inside(&group), at_joint, |cursor| {
+        let Some(name) = take_name(cursor) else {
+            let faults = vec![(cursor.here(), no_name(cursor, expected::joint_of_file()))];
+            return (stray(cursor, faults), String::new());
+        };
+        let node = match colon(cursor, name.plain()) {
+            Ok(()) => value(cursor),
+            Err(_) => absent(cursor),
+        };
+        let key = Key::new(name.to_string(), (&name).into());
+        ((key, node), format!("joint `{name}`"))
+    });
+    Node {
+        kind: Kind::Table(items),
+        ..start
+    }
+}
+
+/// Whether `name:` comes next, the name perhaps in quotes.
+fn at_joint(cursor: &Cursor) -> bool {
+    let mut ahead = cursor.clone();
+    take_name(&mut ahead).is_some() && ahead.at(':')
 }
 
 /// Reads `[jacobian, control_terms = (mass_matrix, gravity_vector)]`.

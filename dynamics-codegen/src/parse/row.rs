@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use proc_macro2::{Delimiter, Ident};
 
+use super::assigned::{at_cells, cells_beside};
 use super::cursor::Cursor;
 use super::list::{colon, comma_separated};
 use super::value::{absent, table};
@@ -15,9 +16,12 @@ use crate::place::Place;
 use crate::tree::{Kind, Node};
 
 /// Reads the rows. One that holds a mistake is returned all the same: it counts, unless
-/// it cannot be told where it ends.
+/// it cannot be told where it ends. Braces hold cells for the joints of a file.
 pub(super) fn rows(cursor: &mut Cursor) -> Node {
     let start = absent(cursor);
+    if at_cells(cursor) {
+        return cells_beside(cursor);
+    }
     let errors = cursor.errors();
     let Ok(group) = cursor.take_list(Delimiter::Bracket, expected::rows()) else {
         let kind = Kind::Unreadable(cursor.take_errors(errors));

@@ -14,7 +14,7 @@ use crate::description::{
     Allow, Asked, Entry, FileName, Name, Placement, Positioned, Share, Table, Tool, Vector,
 };
 use crate::diagnose::Diagnostics;
-use crate::keys::{BASE, CALL, DEFAULT, FILE, TOOL};
+use crate::keys::{BASE, CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
@@ -29,7 +29,11 @@ pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) 
         mentions: BTreeSet::new(),
     };
     let mut table = Table::default();
-    let part = if reader.is_call() { CALL } else { FILE };
+    let part = match language {
+        Language::Call => CALL,
+        Language::Toml if has_cells_beside(root) => ENTRIES_BESIDE_A_FILE,
+        Language::Toml | Language::Json => FILE,
+    };
     let _ = reader.visit(root, |reader, root| {
         reader.table(root, &part, |reader, item| {
             if item.key.kind == KeyKind::Word {
@@ -40,6 +44,15 @@ pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) 
     });
     table.mentions = reader.mentions;
     table
+}
+
+/// Whether the tree has a table `joints`, with cells for the joints of another file.
+fn has_cells_beside(root: &Node) -> bool {
+    let Kind::Table(items) = &root.kind else {
+        return false;
+    };
+    let mut items = items.iter();
+    items.any(|(key, node)| key.word == "joints" && matches!(node.kind, Kind::Table(_)))
 }
 
 /// Adds an entry, which is without a value if that could not be read.
@@ -68,6 +81,10 @@ impl Reader<'_> {
             "convention" => add(to, Entry::Convention, self.convention(node)),
             "gravity" => add(to, Entry::Gravity, self.gravity(node)),
             "base" => add(to, Entry::Base, self.base(node).map(Box::new)),
+            "joints" if matches!(node.kind, Kind::Table(_)) => {
+                let rows = self.joints_beside(node);
+                add(to, |rows| Entry::Beside(place, rows), rows)
+            }
             "joint" | "joints" => add(to, |rows| Entry::Joints(place, rows), self.joints(node)),
             "tool" => add(to, Entry::Tool, self.tool(node).map(Box::new)),
             "functions" => add(to, Entry::Functions, self.functions(node)),

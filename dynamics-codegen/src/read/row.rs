@@ -8,11 +8,11 @@ use crate::description::{
     Axis, Body, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
-    ALLOWANCES_OF_BODY, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, Part, SPRING, STRIBECK, TENSOR,
-    word_list,
+    ALLOWANCES_OF_BODY, BESIDE_A_FILE, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, OF_A_FILE, Part,
+    SPRING, STRIBECK, TENSOR, word_list,
 };
 use crate::mistake::{self, expected, file as wrong};
-use crate::tree::{Key, Kind, Language, Node};
+use crate::tree::{Key, KeyKind, Kind, Language, Node};
 
 /// The solids and their arguments.
 const SOLIDS: [(&str, Solid, &[&str]); 4] = [
@@ -33,7 +33,7 @@ macro_rules! cells {
 
         impl Reader<'_> {
             fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
-                let Row { name: _, joint_type: _, mount: _, body, $($($cell),*),* } = row;
+                let Row { name: _, joint_type: _, mount: _, limits_of_urdf: _, body, $($($cell),*),* } = row;
                 match item.name {
                     $($(stringify!($cell) => put($cell, self.$read(item.node, $($with),*)),)*)*
                     _ => self.cell_of_body(item, body),
@@ -55,7 +55,8 @@ macro_rules! cells {
 cells! {
     {a: value(), alpha: value(), d: value(), theta: value()}
     {mass: value(), com: xyz(), inertia: inertia(), inertia_at_origin: tensor()}
-    {motor: values(&MOTOR), friction: friction(), spring: values(&SPRING), limits: range()}
+    {motor: values(&MOTOR), friction: friction(), spring: values(&SPRING), limits: range(), torque_limit: value(),
+     velocity_limit: value()}
     {allow: allow(ALLOWANCES_OF_BODY)}
 }
 
@@ -72,6 +73,9 @@ const CELLS: Part = Part {
     keys: WORDS.split_at(2).1,
     ..ROW
 };
+
+// Each word of a row stands in a file alone, or beside it too.
+const _: () = assert!(WORDS.len() == OF_A_FILE.len() + BESIDE_A_FILE.keys.len());
 
 impl Reader<'_> {
     fn is_json(&self) -> bool {
@@ -143,6 +147,48 @@ impl Reader<'_> {
             row.body.mass.doubt();
             row.body.com.doubt();
         }
+        Ok(row)
+    }
+
+    /// `{ joint: { friction: { ... } }, ... }`, cells for the joints of a file.
+    pub(super) fn joints_beside(&mut self, node: &Node) -> Read<Vec<Row>> {
+        let Kind::Table(items) = &node.kind else {
+            return Err(self.instead_of(&expected::rows(), node));
+        };
+        let mut rows: Vec<Row> = Vec::new();
+        for (key, node) in self.until_full(items) {
+            if key.kind == KeyKind::Stray {
+                self.instead_of(&expected::joint_of_file(), node);
+                continue;
+            }
+            let Ok(name) = self.name(&key.word, key.place) else {
+                continue;
+            };
+            if rows.iter().any(|row| row.word() == name.plain()) {
+                self.error(key.place, mistake::given_twice(&key.word));
+                continue;
+            }
+            rows.extend(self.visit(node, |reader, node| reader.cells_beside(name, node)));
+        }
+        Ok(rows)
+    }
+
+    fn cells_beside(&mut self, name: Name, node: &Node) -> Read<Row> {
+        if let (Kind::Table(items), Language::Toml) = (&node.kind, self.language)
+            && let Some((part, cells)) = items.first()
+            && matches!(cells.kind, Kind::Table(_))
+            && part.word.starts_with(|c: char| c.is_ascii_digit())
+        {
+            let mistake = wrong::dotted_joint(name.plain(), &part.word);
+            return Err(self.error(&name, mistake));
+        }
+        let mut row = Row {
+            name: Some(name),
+            ..Row::default()
+        };
+        self.table(node, &BESIDE_A_FILE, |reader, item| {
+            reader.cell(item, &mut row)
+        })?;
         Ok(row)
     }
 

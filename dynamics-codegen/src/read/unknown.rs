@@ -1,6 +1,6 @@
 //! Words that mean nothing where they stand, and those that were probably meant.
 
-use crate::keys::{FRICTION, KEYS_OF_FILES, MOTOR, Part, SPRING, TENSOR};
+use crate::keys::{BESIDE_A_FILE, FRICTION, KEYS_OF_FILES, MOTOR, OF_A_FILE, Part, SPRING, TENSOR};
 use crate::mistake::{self, Mistake, file as wrong};
 use crate::tree::Language;
 use crate::words;
@@ -23,7 +23,7 @@ pub(super) fn unknown(what: &str, word: &str, known: &[&'static str]) -> Unknown
 /// The mistake of a key that a part does not have.
 pub(super) fn unknown_key(part: &Part, word: &str, language: Language) -> Unknown {
     match part.item {
-        "cell" => unknown_cell(word, part.keys, language),
+        "cell" => unknown_cell(part, word, language),
         item if item == TENSOR.item => unknown_entry(word),
         item => unknown(item, word, part.keys),
     }
@@ -33,14 +33,18 @@ pub(super) fn unknown_key(part: &Part, word: &str, language: Language) -> Unknow
 const PUBLISHED: [&str; 4] = ["motor_inertia", "gear_ratio", "viscous", "coulomb"];
 
 /// The mistake of a key that is no cell of a row. Published tables have keys of their own.
-fn unknown_cell(word: &str, known: &[&'static str], language: Language) -> Unknown {
+fn unknown_cell(part: &Part, word: &str, language: Language) -> Unknown {
     let certain = |mistake| Unknown {
         mistake,
         meant: None,
     };
     let is_json = language == Language::Json;
+    let is_beside = part.name == BESIDE_A_FILE.name;
+    if is_beside && OF_A_FILE.contains(&word) {
+        return certain(wrong::said_by_the_file(word, part.keys));
+    }
     if language != Language::Call && KEYS_OF_FILES.contains(&word) {
-        return certain(wrong::of_the_whole_table(word, is_json));
+        return certain(wrong::of_the_whole_table(word, is_json, is_beside));
     }
     let published = unknown("cell", word, &PUBLISHED);
     if is_json && published.meant.is_some() {
@@ -59,7 +63,9 @@ fn unknown_cell(word: &str, known: &[&'static str], language: Language) -> Unkno
         None => unknown(
             "cell",
             word,
-            known.strip_prefix(&["name", "type"]).unwrap_or(known),
+            part.keys
+                .strip_prefix(&["name", "type"])
+                .unwrap_or(part.keys),
         ),
     }
 }

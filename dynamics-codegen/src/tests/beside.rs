@@ -3,6 +3,7 @@
 use crate::description::{Entry, Name, Place, Table};
 use crate::files::{Format, Request, model_beside, table};
 use crate::{Error, Model};
+use dynamics_symbolic::robot::Value;
 
 const FILE: &str = include_str!("../../tests/mistakes/files/locked.toml");
 
@@ -72,6 +73,101 @@ fn what_is_the_file_s_alone_is_a_mistake_beside_it() {
     let expected = ["convention", "joint"]
         .map(|word| format!("`{word}` beside a file, which says it itself: remove `{word}`"));
     assert_eq!(messages, expected);
+}
+
+/// The rows are those of a file that has the cells itself.
+#[test]
+fn cells_of_joints_replace_those_of_the_file() {
+    let cells = "friction = { viscous = 0.1, coulomb = \"PI/8\" }\nspring = { stiffness = 3 }\nlimits = [-1, 2]\n\
+                 motor = { inertia = 1e-3, gear_ratio = 50 }\n";
+    let row = "name = \"wrist\"\ntype = \"revolute\"\n";
+    let within = FILE.replace(row, &format!("{row}{cells}"));
+    assert_ne!(within, FILE);
+    let allowed = "allow = [\"odd_mass\"]\n";
+    let request = Request::default();
+    let entries = table("beside", allowed, Format::Toml, &request).expect("entries");
+    let written = model_beside("locked", &within, Format::Toml, entries).expect("a robot");
+    let given = beside(&format!("{allowed}[joints.wrist]\n{cells}")).expect("a robot");
+    assert_eq!(given.robot.rows, written.robot.rows);
+    // A second time in place of the first, cell by cell.
+    let entries = format!("{allowed}[joints.wrist]\nfriction = {{ viscous = 7 }}");
+    let entries = table("beside", &entries, Format::Toml, &request).expect("entries");
+    let replaced = model_beside("locked", &within, Format::Toml, entries).expect("a robot");
+    let wrist = &replaced.robot.rows[2];
+    assert_eq!(wrist.viscous.to_f64(&[]), 7.0);
+    assert!(wrist.coulomb.iter().all(Value::is_zero));
+    assert_eq!(wrist.limits, written.robot.rows[2].limits);
+}
+
+#[test]
+fn mistakes_in_cells_beside_a_file_are_told() {
+    let told = |entries: &str| match table("beside", entries, Format::Toml, &Request::default()) {
+        Ok(_) => messages(entries),
+        Err(errors) => errors.into_iter().map(|error| error.message).collect(),
+    };
+    for (entries, part) in [
+        (
+            "[joints.elbo]\nspring = { stiffness = 1 }",
+            "unknown joint `elbo`: did you mean `elbow`?",
+        ),
+        (
+            "[joints.elbow]\nmass = 1",
+            "`mass` of a joint is said by its file",
+        ),
+        (
+            "[joints.elbow]\nsprng = { stiffness = 1 }",
+            "unknown cell `sprng`: did you mean `spring`?",
+        ),
+        (
+            "[joints.elbow]\ngravity = [0, 0, 0]",
+            "above the first line `[joints.NAME]`",
+        ),
+        (
+            "[joints.joint.1]\nspring = { stiffness = 1 }",
+            "in quotes, `[joints.\"joint.1\"]`",
+        ),
+        ("[joints]", "no joint is named"),
+        (
+            "joints.elbow = 3",
+            "expected a table for a joint of the file",
+        ),
+        (
+            "[[joints]]\nname = \"elbow\"\ntype = \"revolute\"",
+            "unknown key `joints`: did you mean `joint`?",
+        ),
+    ] {
+        let messages = told(&format!("allow = [\"odd_mass\"]\n{entries}"));
+        let [message] = &messages[..] else {
+            panic!("{entries}: {messages:#?}");
+        };
+        assert!(message.contains(part), "{entries}: {message}");
+    }
+}
+
+/// Bodies and angles that are allowed for a joint of a URDF file alone.
+#[test]
+fn allowances_of_a_joint_are_those_of_its_placement_and_its_bodies() {
+    let text = "<robot name='r'><link name='base'/>\
+        <joint name='one' type='revolute'><origin rpy='90 0 0'/><parent link='base'/><child link='arm'/></joint>\
+        <link name='arm'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='3' ixy='0' iyz='0' ixz='0'/>\
+        </inertial></link></robot>";
+    let read = |allow: &str| {
+        let entries = format!("gravity = [0, 0, -9.81]\n[joints.one]\nallow = [{allow}]");
+        let mut beside =
+            table("beside", &entries, Format::Toml, &Request::default()).expect("entries");
+        let link = |name| Name::new(name, Place::File { line: 1, column: 1 });
+        let chain = Entry::Chain(Some([link("base"), link("arm")]));
+        beside.entries.push(chain);
+        model_beside("r", text, Format::Urdf, beside)
+    };
+    assert!(read("\"odd_angle\", \"unphysical_inertia\"").is_ok());
+    for (allow, part) in [
+        ("\"odd_angle\"", "no body has this inertia tensor"),
+        ("\"unphysical_inertia\"", "`rpy` is in radians"),
+    ] {
+        let errors = read(allow).expect_err("a mistake");
+        assert!(errors[0].message.contains(part), "{errors:?}");
+    }
 }
 
 /// The description has each entry of the file once, and those that add beside it.

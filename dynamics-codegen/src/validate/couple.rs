@@ -125,9 +125,9 @@ fn laws_of_rows<'c>(
         let Some(law) = &couple.law else {
             continue;
         };
-        // A URDF file has limits at each joint, and angles that are rounded where it is asked for.
+        report_limits(&written[row], &law.leader, scope);
+        // The angles of a URDF file are rounded where it is asked for.
         if written[row].mount.is_none() {
-            report_limits(&written[row], &law.leader, scope);
             report_offset(rows[row].as_ref(), law, scope);
         }
         let leader = written.iter().position(|row| row.word() == law.leader);
@@ -153,12 +153,23 @@ fn follow(rows: &mut [Option<Row>], row: usize, coupling: Coupling, place: Place
     }
     // It is where the joint that leads is, within the limits of that one.
     row.limits = None;
+    (row.torque_limit, row.velocity_limit) = (None, None);
 }
 
 fn report_limits(row: &description::Row, leader: &str, scope: &Scope) {
-    if let Given::As([Some(lower), Some(upper)]) = &row.limits {
-        let mistake = mistake::limits(row.word(), leader);
-        scope.error(lower.place.to(upper.place), mistake);
+    let range = match &row.limits {
+        Given::As([Some(lower), Some(upper)]) if !row.limits_of_urdf => {
+            Some(lower.place.to(upper.place))
+        }
+        _ => None,
+    };
+    // A URDF file has an effort and a velocity at each joint, too.
+    let greatest = [&row.torque_limit, &row.velocity_limit].map(|cell| {
+        let written = cell.value().filter(|_| row.mount.is_none());
+        written.map(|limit| limit.place)
+    });
+    for place in range.into_iter().chain(greatest.into_iter().flatten()) {
+        scope.error(place, mistake::limits(row.word(), leader));
     }
 }
 

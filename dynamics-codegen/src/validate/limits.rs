@@ -3,8 +3,8 @@
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::{Scope, all};
-use crate::description::{self, Expr};
-use crate::mistake::{Mistake, joint as mistake};
+use crate::description::{self, Expr, Given};
+use crate::mistake::joint as mistake;
 
 /// A revolute joint does not turn so far, in rad, unless its position is written in terms of PI: five
 /// turns.
@@ -24,9 +24,10 @@ pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option
         if scope.allowed().odd_limits {
             return Some(None);
         }
-        let mistake = match row.mount {
-            Some(_) => mistake::limits_of_a_file_swapped(),
-            None => mistake::limits_swapped(),
+        let mistake = if row.limits_of_urdf {
+            mistake::limits_of_a_file_swapped()
+        } else {
+            mistake::limits_swapped()
         };
         scope.refused(first.place.to(last.place), mistake)
     })
@@ -39,18 +40,31 @@ fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Valu
         return scope.refused(limit.place, mistake::limit_with_field());
     }
     match many_turns(&value, row) {
-        Some(mistake) => scope.refused(limit.place, mistake),
+        Some(size) if row.limits_of_urdf => {
+            scope.refused(limit.place, mistake::limit_in_degrees(size))
+        }
+        Some(size) => scope.refused(limit.place, mistake::position_of_many_turns(size)),
         None => Some(value),
     }
 }
 
-/// The mistake of a position of the row's joint that was hardly meant in rad.
-pub(super) fn many_turns(value: &Value, row: &description::Row) -> Option<Mistake> {
+/// The greatest torque or speed, a number. Outer `None`: in error; inner `None`: not written.
+pub(super) fn greatest(cell: &Given<Expr>, scope: &mut Scope) -> Option<Option<Value>> {
+    cell.read(None, |expr| {
+        let value = scope.value(expr)?;
+        if !value.is_number() {
+            return scope.refused(expr.place, mistake::limit_with_field());
+        }
+        if value.to_f64(&[]) <= 0.0 {
+            return scope.refused(expr.place, mistake::limit_not_positive());
+        }
+        Some(Some(value))
+    })
+}
+
+/// The size of a position of the row's joint that was hardly meant in rad.
+pub(super) fn many_turns(value: &Value, row: &description::Row) -> Option<f64> {
     let is_angle = row.joint_type == Some(JointType::Revolute);
     let size = value.as_rational()?.to_f64().value().abs();
-    (is_angle && size > MANY_TURNS).then(|| match row.mount {
-        // Rows of URDF are mounted anywhere.
-        Some(_) => mistake::limit_in_degrees(size),
-        None => mistake::position_of_many_turns(size),
-    })
+    (is_angle && size > MANY_TURNS).then_some(size)
 }

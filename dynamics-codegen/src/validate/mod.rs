@@ -28,7 +28,7 @@ use crate::description::{Allow, Expr};
 use crate::description::{Asked, Entry, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
-use crate::mistake::{Mistake, entry, joint, size, structure};
+use crate::mistake::{Mistake, entry, file, joint, size, structure};
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use angle::is_in_whole_degrees;
@@ -152,6 +152,15 @@ impl Parts {
                         }
                         _ => Vec::new(),
                     });
+                }
+                Entry::Beside(place, _) => {
+                    // Beside a file that could be read they have gone into its rows.
+                    let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
+                    if !table.entries.iter().any(is_file) {
+                        let is_of_file = matches!(place, Place::File { .. });
+                        scope.error(*place, file::without_a_file(is_of_file));
+                    }
+                    parts.rows.get_or_insert_default();
                 }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
                 // A file may have one besides that of the call.

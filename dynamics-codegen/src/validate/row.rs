@@ -46,6 +46,8 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     });
     let spring = spring(row, scope);
     let limits = limits::limits(row, scope);
+    let torque_limit = limits::greatest(&row.torque_limit, scope);
+    let velocity_limit = limits::greatest(&row.velocity_limit, scope);
     let (mass, com, inertia) = body?;
     let [motor_inertia, gear_ratio] = motor?;
     let (viscous, coulomb, stribeck) = friction?;
@@ -66,6 +68,8 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
         stribeck,
         spring: spring?,
         limits: limits?,
+        torque_limit: torque_limit?,
+        velocity_limit: velocity_limit?,
         locked: None,
         mount: row.mount.clone(),
         follows: None,
@@ -95,9 +99,9 @@ fn spring(row: &description::Row, scope: &mut Scope) -> Option<Option<Spring>> {
         let stiffness = scope.not_negative(stiffness, "a spring's stiffness");
         let rest = scope.given(slack);
         if let (Given::As(written), Some(rest)) = (slack, &rest)
-            && let Some(mistake) = limits::many_turns(rest, row)
+            && let Some(size) = limits::many_turns(rest, row)
         {
-            scope.error(written.place, mistake);
+            scope.error(written.place, mistake::position_of_many_turns(size));
         }
         Some(Some(Spring {
             stiffness: stiffness?,

@@ -196,6 +196,11 @@ pub enum InvalidSetting {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// The greatest torque of a joint, where motors saturate, is not a number above zero.
+    TorqueLimit {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
     /// A joint begins outside of its limits, which are stops or errors.
     OutsideLimits {
         /// The joint, counted from 0.
@@ -320,6 +325,9 @@ impl fmt::Display for InvalidSetting {
                 "the limits of joint {} are no range: the lower one first, both numbers",
                 joint + 1
             ),
+            InvalidSetting::TorqueLimit { joint } => {
+                write!(f, "the torque limit of joint {} is not a number above zero", joint + 1)
+            }
             InvalidSetting::OutsideLimits { joint, q, limits } => write!(
                 f,
                 "joint {} begins at {q:?}, outside of its limits {:?} to {:?}",

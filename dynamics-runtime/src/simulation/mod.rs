@@ -104,6 +104,7 @@ impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
             method: Method::default(),
             friction: Law::sign(size),
             limits: Limits::none(size),
+            greatest: None,
             plan: Plan::new(size),
         };
         Simulation {
@@ -275,6 +276,38 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
         self
     }
 
+    /// Cuts the torques of the law to the `torque_limit` of each joint, as its motor does: a greater one is the limit, in
+    /// the same direction. A joint without that limit has any torque. By default, the torques are those of the law.
+    ///
+    /// The samples have the torques that act. Friction, springs and the force at the tool are not cut.
+    ///
+    /// ```
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::Vector1;
+    /// use robot_dynamics::{Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A cart of 2 kg on a level rail, with a motor of 4 N.
+    ///     struct Cart;
+    ///     convention: modified,
+    ///     gravity: [0, -9.81, 0],
+    ///     joints: [rail: prismatic { mass: 2, torque_limit: 4 }],
+    /// }
+    ///
+    /// let motion = Simulation::new(&Cart).torque(|_t, _q, _qd| Vector1::new(100.0)).saturate().run()?;
+    /// assert_eq!(motion.tau[100][0], 4.0);
+    /// assert!((motion.q[100][0] - 1.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn saturate(mut self) -> Self
+    where
+        R: SizedModel<D>,
+    {
+        let table = self.robot.sized_table();
+        self.setting.greatest = Some(torque::greatest::<D>(table.arm()));
+        self
+    }
+
     /// Makes the `limits` of the table hard stops, which throw a joint back with `restitution` times its speed, from 0
     /// to 1. By default, joints pass their limits as if there were none.
     ///
@@ -366,6 +399,7 @@ where
             robot: self.robot,
             torque: &self.torque,
             tool_wrench: &self.tool_wrench,
+            greatest: self.setting.greatest.as_ref(),
         };
         self.setting.run(self.robot, &laws)
     }
@@ -385,7 +419,8 @@ where
     pub fn run(&mut self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>> {
         let (size, period) = (self.robot.size(), Some(self.asked.period));
         let (torque, tool_wrench) = (&mut self.torque, &mut self.tool_wrench);
-        let laws = SampledLaws::new(size, self.robot, period, torque, tool_wrench);
+        let greatest = self.setting.greatest.as_ref();
+        let laws = SampledLaws::new(size, self.robot, period, torque, tool_wrench, greatest);
         self.setting.run(self.robot, &laws)
     }
 }
@@ -396,6 +431,8 @@ struct Setting<D: Size, M = Method> {
     method: M,
     friction: Law<D>,
     limits: Limits<D>,
+    /// The greatest torques, where motors saturate.
+    greatest: Option<D::Vector>,
     plan: Plan<D>,
 }
 
@@ -424,6 +461,7 @@ impl<D: Size, M> Setting<D, M> {
         self.plan.validate(motion.torque.period())?;
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
+        torque::validate(self.greatest.as_ref())?;
         self.method.validate(self.plan.duration, &self.friction)?;
         recorder.plan(&self.plan)?;
         let (laws, initial) = (motion.torque, recorder.phase.clone());

@@ -15,7 +15,7 @@ use super::recorder::Recorder;
 use super::sampling::Sampled;
 use super::settings::Taylor;
 use super::tool_wrench::NoToolWrench;
-use super::torque::{NoTorque, SampledLaws};
+use super::torque::{NoTorque, SampledLaws, greatest};
 use super::trajectory::Trajectory;
 use crate::equations_of_motion::inverse_columns;
 use crate::factorisation::JointFactors;
@@ -63,6 +63,7 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
                 ..Law::sign(Const)
             },
             limits: Limits::none(Const),
+            greatest: None,
             plan: Plan::new(Const),
         };
         TaylorSimulation {
@@ -141,6 +142,12 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
         self
     }
 
+    /// Cuts the torques to the `torque_limit` of each joint, as [`Simulation::saturate`](crate::Simulation::saturate).
+    pub fn saturate(mut self) -> Self {
+        self.setting.greatest = Some(greatest::<Const<N>>(self.robot.table().arm()));
+        self
+    }
+
     /// Makes the `limits` of the table hard stops, as [`Simulation::stops`](crate::Simulation::stops): a joint comes
     /// back with `restitution` times its speed, 0 to 1, or leans on its stop until the stop would have to pull it.
     ///
@@ -172,7 +179,8 @@ impl<const N: usize> Setting<Const<N>, Taylor> {
         L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
         let mut no_wrench = NoToolWrench;
-        let laws = SampledLaws::new(Const, robot, period, law, &mut no_wrench);
+        let greatest = self.greatest.as_ref();
+        let laws = SampledLaws::new(Const, robot, period, law, &mut no_wrench, greatest);
         self.run(&BySteps(robot), &laws)
     }
 }

@@ -2,10 +2,11 @@
 
 use core::cell::RefCell;
 
-use super::error::Cause;
+use super::error::{Cause, InvalidSetting};
 use super::tool_wrench::ToolWrench;
 use crate::integrate::{Phase, first_non_finite};
 use crate::size::{JointVector, Size};
+use crate::table::Arm;
 
 /// The forces that act on the joints from outside of the arm's own equations.
 pub(super) trait TorqueLaw<D: Size> {
@@ -35,21 +36,53 @@ pub(super) trait TorqueLaw<D: Size> {
 /// The torque law of free motion: no torque.
 pub type NoTorque<D> = fn(f64, &<D as Size>::Vector, &<D as Size>::Vector) -> <D as Size>::Vector;
 
+/// The greatest torques of a table, infinite where it has none.
+pub(super) fn greatest<D: Size>(arm: Arm<'_>) -> D::Vector {
+    let limit = |i: usize| arm.rows[i].torque_limit.unwrap_or(f64::INFINITY);
+    D::from_usize(arm.rows.len()).vector_of(limit)
+}
+
+/// Refuses greatest torques that make no sense.
+pub(super) fn validate<V: JointVector>(greatest: Option<&V>) -> Result<(), InvalidSetting> {
+    let is_none = |limit: &f64| limit.is_nan() || *limit <= 0.0;
+    match greatest.and_then(|limits| limits.entries().iter().position(is_none)) {
+        Some(joint) => Err(InvalidSetting::TorqueLimit { joint }),
+        None => Ok(()),
+    }
+}
+
+/// Torques, of which those beyond the greatest ones are these, if there are some. Numbers that are none stay.
+fn saturated<V: JointVector>(tau: V, greatest: Option<&V>) -> V {
+    let Some(greatest) = greatest else {
+        return tau;
+    };
+    let (tau, greatest) = (tau.entries(), greatest.entries());
+    V::from_entries(tau.len(), |i| {
+        if tau[i].abs() > greatest[i] {
+            greatest[i].copysign(tau[i])
+        } else {
+            tau[i]
+        }
+    })
+}
+
 /// The torques of the motors, a function of t in s, q in rad or m, and qd, and the force at the tool.
-pub(super) struct Laws<'a, R, L, W> {
+pub(super) struct Laws<'a, R, L, W, D: Size> {
     pub(super) robot: &'a R,
     pub(super) torque: &'a L,
     pub(super) tool_wrench: &'a W,
+    /// The greatest torques, where motors saturate.
+    pub(super) greatest: Option<&'a D::Vector>,
 }
 
-impl<R, L, W, D: Size> TorqueLaw<D> for Laws<'_, R, L, W>
+impl<R, L, W, D: Size> TorqueLaw<D> for Laws<'_, R, L, W, D>
 where
     L: Fn(f64, &D::Vector, &D::Vector) -> D::Vector,
     W: ToolWrench<R, D>,
 {
     #[inline]
     fn motors(&self, t: f64, phase: &Phase<D>) -> D::Vector {
-        (self.torque)(t, &phase.q, &phase.qd)
+        saturated((self.torque)(t, &phase.q, &phase.qd), self.greatest)
     }
 
     #[inline]
@@ -67,6 +100,8 @@ pub(super) struct SampledLaws<'a, R, L, W, D: Size> {
     torque: RefCell<&'a mut L>,
     tool_wrench: RefCell<&'a mut W>,
     held: RefCell<D::Vector>,
+    /// The greatest torques, where motors saturate.
+    greatest: Option<&'a D::Vector>,
 }
 
 impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
@@ -76,6 +111,7 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
         period: Option<f64>,
         torque: &'a mut L,
         tool_wrench: &'a mut W,
+        greatest: Option<&'a D::Vector>,
     ) -> Self {
         SampledLaws {
             robot,
@@ -83,6 +119,7 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
             torque: RefCell::new(torque),
             tool_wrench: RefCell::new(tool_wrench),
             held: RefCell::new(size.vector()),
+            greatest,
         }
     }
 
@@ -114,6 +151,7 @@ where
 
     fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
         let tau = (self.torque.borrow_mut())(t, &phase.q, &phase.qd);
+        let tau = saturated(tau, self.greatest);
         *self.held.borrow_mut() = tau.clone();
         finite(tau)?;
         let at = (t, &phase.q, &phase.qd);

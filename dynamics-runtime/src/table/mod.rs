@@ -116,6 +116,12 @@ pub struct Row {
     pub spring: Spring,
     /// The range of the joint's position, lower end first, rad or m, where the table has one.
     pub limits: Option<[f64; 2]>,
+    /// The greatest torque or force in either direction, N m or N, where the table has one.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub torque_limit: Option<f64>,
+    /// The greatest velocity in either direction, rad/s or m/s, where the table has one.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub velocity_limit: Option<f64>,
     /// Where this row begins: in the frame that the row before describes, of a modified table behind its `Rz(theta)
     /// Tz(d)`, for the first row in the base frame. It is [`Placement::IDENTITY`], unless joints between the two rows are
     /// locked ([`Table::lock`]), or a URDF file places the joint: the cells a, alpha, d and theta are then zero.
@@ -151,6 +157,8 @@ impl Row {
             stribeck: None,
             spring: Spring::NONE,
             limits: None,
+            torque_limit: None,
+            velocity_limit: None,
             mount: Placement::IDENTITY,
             link_frame: Placement::IDENTITY,
             tip: Placement::IDENTITY,
@@ -209,6 +217,16 @@ impl<const N: usize> Table<N> {
     /// The ranges of the joints' positions, lower ends first, rad or m, where the table has them.
     pub fn joint_limits(&self) -> [Option<[f64; 2]>; N] {
         self.rows.each_ref().map(|row| row.limits)
+    }
+
+    /// The greatest torques or forces of the joints in either direction, N m or N, where the table has them.
+    pub fn torque_limits(&self) -> [Option<f64>; N] {
+        self.rows.each_ref().map(|row| row.torque_limit)
+    }
+
+    /// The greatest velocities of the joints in either direction, rad/s or m/s, where the table has them.
+    pub fn velocity_limits(&self) -> [Option<f64>; N] {
+        self.rows.each_ref().map(|row| row.velocity_limit)
     }
 
     /// Mass of all links and of the tool, kg.

@@ -13,6 +13,7 @@ mod friction;
 mod methods;
 mod reference;
 mod sampling;
+mod saturation;
 mod springs;
 mod sticking;
 mod stops;

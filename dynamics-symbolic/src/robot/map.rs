@@ -31,6 +31,8 @@ macro_rules! cells {
                     stribeck: None,
                     spring: None,
                     limits: None,
+                    torque_limit: None,
+                    velocity_limit: None,
                     locked: None,
                     mount: None,
                     follows: None,
@@ -58,6 +60,8 @@ macro_rules! cells {
                         rest: cell(&of.rest, Number),
                     }),
                     limits: self.limits.as_ref().map(|of| cells!(@map cell, of, [Number])),
+                    torque_limit: self.torque_limit.as_ref().map(|of| cell(of, Number)),
+                    velocity_limit: self.velocity_limit.as_ref().map(|of| cell(of, Number)),
                     locked: self.locked.as_ref().map(|of| cell(of, position)),
                     mount: self.mount.as_ref().map(|of| of.map(cell)),
                     follows: self.follows.as_ref().map(|of| Coupling {

@@ -84,6 +84,10 @@ pub struct Row<C = Value> {
     pub spring: Option<Spring<C>>,
     /// The range of the joint's position, lower end first, rad or m, where it is known.
     pub limits: Option<[C; 2]>,
+    /// The greatest torque or force at the joint in either direction, N m or N, where it is known.
+    pub torque_limit: Option<C>,
+    /// Its greatest speed in either direction, rad/s or m/s, where it is known.
+    pub velocity_limit: Option<C>,
     /// The position at which the joint is locked, rad or m; `None` where it moves. A locked joint is not a degree of
     /// freedom of the arm, its link is a part of the link before it, and its motor, friction and spring do
     /// nothing.

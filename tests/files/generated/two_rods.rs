@@ -30,6 +30,18 @@ impl TwoRods {
         ::core::option::Option::None,
     ];
 
+    /// Greatest torques or forces of the joints in either direction, N m or N, where the table has them.
+    pub const TORQUE_LIMITS: [::core::option::Option<f64>; 2] = [
+        ::core::option::Option::None,
+        ::core::option::Option::None,
+    ];
+
+    /// Greatest velocities of the joints in either direction, rad/s or m/s, where the table has them.
+    pub const VELOCITY_LIMITS: [::core::option::Option<f64>; 2] = [
+        ::core::option::Option::None,
+        ::core::option::Option::None,
+    ];
+
     /// Operations of each generated method, by the method's name.
     pub const OPERATIONS: [(&'static str, ::robot_dynamics::Operations); 7] = [
         (

@@ -215,7 +215,7 @@ impl<'a> Chain<'a> {
 
     fn rows(&mut self, first: &'a Name) -> Joints {
         // Joints on the base link do not move the chain, but must be said to stand still.
-        self.gather(first.plain(), &Transform::identity());
+        self.gather(first.plain(), &Transform::identity(), "");
         let mut rows: Vec<Row> = Vec::new();
         let mut places = Vec::new();
         let mut body: Option<(&'a Joint, Gathered)> = None;
@@ -230,7 +230,8 @@ impl<'a> Chain<'a> {
             match joint.kind {
                 Kind::Fixed => {
                     frame = frame.then(&origin(joint));
-                    let gathered = self.gather(&joint.child, &frame);
+                    let carrier = body.as_ref().map_or("", |(joint, _)| &joint.name);
+                    let gathered = self.gather(&joint.child, &frame, carrier);
                     if let Some((_, body)) = &mut body {
                         body.mass.add(&gathered.mass);
                         body.is_known |= gathered.is_known;
@@ -245,7 +246,7 @@ impl<'a> Chain<'a> {
             }
             self.finish(&mut rows, body.take());
             frame = Transform::identity();
-            let gathered = self.gather(&joint.child, &frame);
+            let gathered = self.gather(&joint.child, &frame, &joint.name);
             body = Some((joint, gathered));
             rows.push(row(joint, core::mem::take(&mut places)));
         }
@@ -305,8 +306,9 @@ impl<'a> Chain<'a> {
         });
     }
 
-    /// The body of a link and of all that hangs on it by joints that do not move, off the chain.
-    fn gather(&mut self, link: &'a str, frame: &Transform) -> Gathered {
+    /// The body of a link and of all that hangs on it by joints that do not move, off the chain. `carrier` is the joint that
+    /// moves them.
+    fn gather(&mut self, link: &'a str, frame: &Transform, carrier: &str) -> Gathered {
         let place = self
             .link(link)
             .map_or(Place::File { line: 1, column: 1 }, |link| link.place);
@@ -319,7 +321,7 @@ impl<'a> Chain<'a> {
         while let Some((name, frame)) = open.pop() {
             let inertial = self.link(name).and_then(|link| link.inertial.as_ref());
             if let Some(inertial) = inertial {
-                self.judge(inertial);
+                self.judge(inertial, carrier);
                 let frame = frame.then(&inertial.frame);
                 gathered
                     .mass
@@ -340,12 +342,15 @@ impl<'a> Chain<'a> {
         gathered
     }
 
-    fn judge(&self, inertial: &Inertial) {
+    fn judge(&self, inertial: &Inertial, carrier: &str) {
         if inertial.mass < Rational::ZERO {
             self.error(inertial.place, mistake::negative_mass());
         }
         let tensor = inertial.tensor.each_ref().map(|entry| Some(entry.clone()));
-        if let (Some(reason), false) = (refusal(&tensor), self.request.unphysical_inertia) {
+        if let (Some(reason), false) = (
+            refusal(&tensor),
+            self.request.allowed(carrier).unphysical_inertia,
+        ) {
             self.error(inertial.place, mistake::no_body(reason));
         }
     }
@@ -391,8 +396,9 @@ fn placement(joint: &Joint) -> Placement {
 
 fn row(joint: &Joint, places: Vec<Placement>) -> Row {
     let number = |(x, place): &(Rational, Place)| Given::As(Expr::signed(x.clone(), *place));
+    let given = |x: &Option<(Rational, Place)>| x.as_ref().map_or(Given::Absent, number);
     let friction = Friction {
-        viscous: joint.damping.as_ref().map_or(Given::Absent, number),
+        viscous: given(&joint.damping),
         coulomb: match &joint.friction {
             Some(friction) => Given::As(Coulomb::Both(number(friction))),
             None => Given::Absent,
@@ -414,6 +420,9 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
                     .map(|x| Some(Expr::signed(x.clone(), *place))),
             )
         }),
+        limits_of_urdf: true,
+        torque_limit: given(&joint.effort),
+        velocity_limit: given(&joint.velocity),
         mount: Some(Mount {
             places,
             axis: joint.axis.clone(),

@@ -68,6 +68,8 @@ pub(super) struct Joint {
     pub(super) damping: Option<(Rational, Place)>,
     pub(super) friction: Option<(Rational, Place)>,
     pub(super) limits: Option<([Rational; 2], Place)>,
+    pub(super) effort: Option<(Rational, Place)>,
+    pub(super) velocity: Option<(Rational, Place)>,
     pub(super) mimic: Option<Mimic>,
 }
 
@@ -94,6 +96,9 @@ pub(super) enum Kind {
 /// Limits beyond so many rad or m are none.
 const WIDE: f64 = 1e3;
 
+/// Efforts and velocities of so much are none, N m, N, rad/s or m/s.
+const UNBOUNDED: f64 = 1e9;
+
 /// Angles of more turns are meant in degrees, rad. Files have a turn that is rounded up.
 const MOST_RADIANS: f64 = 2.0 * core::f64::consts::TAU;
 
@@ -117,7 +122,7 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
     let mut reader = Reader {
         text: &declared,
         diagnostics,
-        odd_angle: request.odd_angle,
+        request,
         rounding: Rounding::new(within.map_or(0.0, |within| within.to_f64().value())),
         left_over: Cell::new(None),
     };
@@ -179,8 +184,7 @@ fn reason(error: &roxmltree::Error) -> String {
 struct Reader<'a> {
     text: &'a Declared<'a>,
     diagnostics: &'a Diagnostics,
-    /// Whether angles of many turns are accepted.
-    odd_angle: bool,
+    request: &'a Request,
     rounding: Rounding,
     /// Whether something was found that xacro should have replaced: the rest of it goes with the first.
     left_over: Cell<Option<Reported>>,
@@ -372,6 +376,9 @@ impl Reader<'_> {
 
     /// `<origin xyz rpy>`
     fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
+        // Of a joint; of an inertia, which has no name.
+        let joint = node.attribute("name").unwrap_or_default();
+        let odd_angle = self.request.allowed(joint).odd_angle;
         let origin = child(node, "origin");
         if let Some(origin) = origin {
             self.spelled(origin, &[], &["xyz", "rpy"]);
@@ -381,7 +388,7 @@ impl Reader<'_> {
         for angle in &rpy {
             let radians = angle.to_f64().value();
             let is_odd = radians.abs() > MOST_RADIANS || is_in_whole_degrees(radians);
-            if is_odd && !self.odd_angle {
+            if is_odd && !odd_angle {
                 self.diagnostics.error(place, mistake::in_degrees(radians));
             }
         }
@@ -458,6 +465,7 @@ impl Reader<'_> {
         let damping = self.optional(dynamics, "damping");
         let friction = self.optional(dynamics, "friction");
         let limits = self.limits(node);
+        let [effort, velocity] = ["effort", "velocity"].map(|name| self.greatest(node, name));
         let kind = kind?;
         let mimic = child(node, "mimic").map(|mimic| self.mimic(mimic, kind));
         let axis = self.axis(node, kind);
@@ -474,6 +482,8 @@ impl Reader<'_> {
             damping: damping?,
             friction: friction?,
             limits: limits?,
+            effort: effort?,
+            velocity: velocity?,
             mimic: mimic.transpose()?,
         })
     }
@@ -529,6 +539,13 @@ impl Reader<'_> {
         let (axis, place) = self.vector(child(node, "axis"), "xyz", [1, 0, 0])?;
         let zero = || self.diagnostics.error(place, mistake::axis_of_no_length());
         direction(&self.rounding.axis(axis)).ok_or_else(zero)
+    }
+
+    /// The greatest effort or velocity of `<limit>`, where it says something: many files have 0 there, or -1.
+    fn greatest(&self, node: Node, name: &str) -> Read<Option<(Rational, Place)>> {
+        let most = self.optional(child(node, "limit"), name)?;
+        let says = |most: &Rational| *most > Rational::ZERO && most.to_f64().value() < UNBOUNDED;
+        Ok(most.filter(|(most, _)| says(most)))
     }
 
     /// Where both are there and say something: continuous joints have none.
