@@ -71,8 +71,8 @@ impl Random {
             com: [(); 3].map(|()| self.length()),
             inertia: [(); 6].map(|()| self.decimal()),
             locked: (self.below(6) == 0).then(|| self.decimal()),
+            at: (0..places).map(|_| self.place()).collect(),
             mount: Some(Mount {
-                places: (0..places).map(|_| self.place()).collect(),
                 axis: [self.angle(), self.angle()],
                 tip: Vec::new(),
             }),
@@ -116,6 +116,7 @@ impl Random {
             convention: Convention::Modified,
             gravity: [(); 3].map(|()| self.decimal()),
             rows,
+            frames: Vec::new(),
             neglected: None,
             base: None,
             tool: None,

@@ -412,8 +412,8 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
                     .map(|x| Some(Expr::signed(x.clone(), *place))),
             )
         }),
+        places,
         mount: Some(Mount {
-            places,
             axis: joint.axis.clone(),
             tip: Vec::new(),
         }),
