@@ -29,8 +29,8 @@ pub struct Gauge {
     pub pivot: Option<usize>,
 }
 
-/// How many nodes of trial graphs one search may make for each function: the search ends within
-/// a fraction of a second where the engine runs unoptimised.
+/// How many nodes of trial graphs one search may make for each function and each tip of the tree: the search of an arm
+/// ends within a fraction of a second where the engine runs unoptimised.
 const MOST_NODES: usize = 100_000;
 
 impl Gauge {
@@ -80,7 +80,7 @@ impl Gauge {
         if parts.is_empty() {
             return gauge;
         }
-        let most = MOST_NODES * parts.len();
+        let most = MOST_NODES * parts.len() * arm.tree.tips();
         let mut trials = Trials {
             arm,
             parts: &parts,
