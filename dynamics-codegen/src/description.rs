@@ -3,7 +3,7 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Mount};
+use dynamics_symbolic::robot::{self, Convention, JointType, Mount};
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -322,7 +322,9 @@ pub struct Row {
     pub velocity_limit: Given<Expr>,
     /// Whether the range is that of a `<limit>`.
     pub limits_of_urdf: bool,
-    /// Where the joint is, in a file that has no cells a, alpha, d and theta.
+    /// Where a file begins the row on the link that carries it, each place in the one before it.
+    pub places: Vec<robot::Placement>,
+    /// The joint's axis, in a file that has no cells a, alpha, d and theta.
     pub mount: Option<Mount>,
 }
 

@@ -31,5 +31,8 @@ fn unknown_field(robot: &Robot) -> Option<usize> {
     }
     robot.base.as_ref().map(|base| base.map(&mut visit));
     robot.tool.as_ref().map(|tool| tool.map(&mut visit));
+    for frame in &robot.frames {
+        frame.map(&mut visit);
+    }
     unknown
 }

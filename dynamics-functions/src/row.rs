@@ -32,6 +32,8 @@ pub struct Row {
     pub growth: Growth,
     /// How it depends on masses.
     pub masses: Masses,
+    /// Whether it is about the tip.
+    pub of_tip: bool,
     /// The other factor, if only the product of both functions can be compared with Newton-Euler.
     pub compared_with: Option<Function>,
 }

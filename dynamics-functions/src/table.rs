@@ -43,6 +43,7 @@ const USUAL: Row = Row {
     search: Search::Own,
     growth: Growth::Moderate,
     masses: Masses::Inertia,
+    of_tip: false,
     compared_with: None,
 };
 
@@ -189,6 +190,7 @@ functions! {
     ForwardKinematics: forward_kinematics(Position) -> POSE => {
         "Forward kinematics: the homogeneous transform of the {tip} in the {frame}, m.",
         symbol: Some("T"), masses: Masses::Unread,
+        of_tip: true,
     }
 
     /// Homogeneous transforms of every link frame in the world.
@@ -201,6 +203,7 @@ functions! {
     Jacobian: jacobian(Position) -> Shape::Matrix(Fixed(6), Joints) => {
         "Geometric Jacobian of the {tip}'s origin, 6 x N, rows vx vy vz wx wy wz, in the {frame}.",
         symbol: Some("J"), masses: Masses::Unread,
+        of_tip: true,
     }
 
     /// d tau/dq and d tau/dqd.
@@ -257,12 +260,14 @@ functions! {
     WrenchTorques: wrench_torques(Position, Wrench) -> VECTOR => {
         "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
         masses: Masses::Unread,
+        of_tip: true,
     }
 
     /// J qd
     ToolVelocity: tool_velocity(Position, Velocity) -> TWIST => {
         "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the {frame}, m/s and rad/s, without J.",
         masses: Masses::Unread,
+        of_tip: true,
     }
 
     /// J qdd + Jdot qd
@@ -270,6 +275,7 @@ functions! {
         "Acceleration of the tip J(q) qdd + dJ/dt qd: of its origin and of its rotation, in the {frame}, m/s^2 and \
             rad/s^2, without J and its rate.",
         masses: Masses::Unread,
+        of_tip: true,
     }
 
     /// dJ/dt
@@ -277,6 +283,7 @@ functions! {
         "Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the \
             tip is J qdd + dJ/dt qd.",
         search: Search::None, masses: Masses::Unread,
+        of_tip: true,
     }
 
     /// Geometric Jacobian of every link frame's origin.
@@ -305,6 +312,7 @@ functions! {
             `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is \
             regular itself, its inverse is the operational-space inertia (Khatib).",
         refuses: true, search: Search::By(Function::MassMatrix),
+        of_tip: true,
     }
 
     /// M qd

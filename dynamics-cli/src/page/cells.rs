@@ -144,6 +144,7 @@ mod tests {
             base: None,
             rows: Vec::new(),
             tool: None,
+            frames: Vec::new(),
             neglected: None,
         }
     }

@@ -96,8 +96,8 @@ impl Writer<'_> {
         let [_, link_frame, tip] = self.0.mounted(self.0.rows.len() - 1);
         let row = Row {
             locked: Some(Value::zero()),
+            at: tip.clone(),
             mount: Some(Mount {
-                places: tip.clone(),
                 axis: [Value::zero(), Value::zero()],
                 tip: Vec::new(),
             }),
@@ -151,7 +151,7 @@ impl Writer<'_> {
         let placements = |places: &[Placement]| array(places.iter().map(|p| self.placement(p)));
         let mount = row.mount.as_ref().map(|mount| {
             object([
-                ("places", placements(&mount.places)),
+                ("places", placements(&row.at)),
                 ("axis", self.vector(&mount.axis)),
                 ("step", placements(step)),
                 ("frame", placements(link_frame)),

@@ -77,7 +77,7 @@ fn cells(robot: &Robot, row: &Row, width: usize) -> String {
 
 /// A joint of a URDF file with its link.
 fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
-    let places = places(&mount.places);
+    let places = places(&row.at);
     let [azimuth, polar] = mount.axis.each_ref().map(|angle| angle.to_f64(&[]));
     let axis = [
         polar.sin() * azimuth.cos(),

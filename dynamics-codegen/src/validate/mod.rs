@@ -246,6 +246,7 @@ impl Parts {
             convention: self.convention??,
             gravity: self.gravity??,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
+            frames: Vec::new(),
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,

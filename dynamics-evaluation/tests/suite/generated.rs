@@ -156,6 +156,7 @@ pub(crate) fn description() -> Robot {
             com: numbers([0.0, 0.0, 0.05]),
             inertia: [(); 6].map(|()| zero()),
         }),
+        frames: Vec::new(),
         neglected: None,
     }
 }

@@ -108,21 +108,16 @@ fn fields_are_known_by_name() {
     assert!(arm.set_fields(&[1.0]).is_err());
 }
 
-/// Mounts with that field in one of their cells, of each kind.
-fn mounts_with_field(index: usize) -> [Mount; 3] {
+/// Places and mounts with that field in one of their cells, of each kind.
+fn mounts_with_field(index: usize) -> [(Vec<Placement>, Mount); 3] {
     let zeros = || [0; 3].map(|_| Value::zero());
     let still = || Mount {
-        places: Vec::new(),
         axis: [Value::zero(), Value::zero()],
         tip: Vec::new(),
     };
     let turned = || Placement {
         xyz: zeros(),
         rpy: [Value::zero(), Value::field(index), Value::zero()],
-    };
-    let places = Mount {
-        places: vec![turned()],
-        ..still()
     };
     let axis = Mount {
         axis: [Value::field(index), Value::zero()],
@@ -132,7 +127,11 @@ fn mounts_with_field(index: usize) -> [Mount; 3] {
         tip: vec![turned()],
         ..still()
     };
-    [places, axis, tip]
+    [
+        (vec![turned()], still()),
+        (Vec::new(), axis),
+        (Vec::new(), tip),
+    ]
 }
 
 #[test]
@@ -142,11 +141,13 @@ fn descriptions_that_make_no_sense_are_refused() {
     let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
     assert_eq!(refused, BuildError::NoSuchField(3));
     robot.rows[0].mass = Value::zero();
-    for mount in mounts_with_field(2) {
+    for (at, mount) in mounts_with_field(2) {
+        robot.rows[0].at = at;
         robot.rows[0].mount = Some(mount);
         let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();
         assert_eq!(refused, BuildError::NoSuchField(2));
     }
+    robot.rows[0].at = Vec::new();
     robot.rows[0].mount = None;
     robot.rows[0].locked = Some(Value::zero());
     let refused = RuntimeRobot::new(robot.clone(), [Function::MassMatrix]).unwrap_err();

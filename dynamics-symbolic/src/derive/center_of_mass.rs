@@ -18,7 +18,7 @@ use crate::mechanism::Mechanism;
 use crate::robot::{Interpretation, JointType, Robot};
 use crate::spatial::{Axis, Body};
 
-/// Whether an arm has no mass at all, whatever its fields are: then it has no centre of mass.
+/// Whether a robot has no mass that moves, whatever its fields are: then it has no centre of mass.
 pub fn is_massless(robot: &Robot) -> bool {
     let (graph, arm) = (Graph::new(), Mechanism::from(robot));
     total_mass(&mut Symbols::new(&graph, &arm)).is_zero()
@@ -26,11 +26,11 @@ pub fn is_massless(robot: &Robot) -> bool {
 
 fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let (zero, arm) = (symbols.graph().zero(), symbols.arm());
-    let links = arm.joints.iter().enumerate();
-    let links = links.filter(|(i, _)| !arm.is_of_base(*i));
-    let masses = links.map(|(_, joint)| &joint.mass);
-    let masses = masses.chain(arm.tool.iter().map(|tool| &tool.mass));
-    masses.fold(zero, |sum, mass| sum + symbols.value(mass))
+    let links = arm.joints.iter().map(|joint| &joint.mass).enumerate();
+    let fixed_bodies = arm.fixed_bodies.iter();
+    let masses = links.chain(fixed_bodies.map(|fixed| (fixed.frame.link, &fixed.body.mass)));
+    let moving = masses.filter(|(link, _)| !arm.is_of_base(*link));
+    moving.fold(zero, |sum, (_, mass)| sum + symbols.value(mass))
 }
 
 /// The centre of mass.

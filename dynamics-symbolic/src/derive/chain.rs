@@ -56,7 +56,7 @@ pub struct Chain<R> {
     pub links: Vec<Link<R>>,
     /// Which of them carries which.
     pub(crate) tree: Tree,
-    /// Which of them carries the tip; `None` for the base.
+    /// Which of them carries the tip, if there is one.
     pub(crate) tip: Option<usize>,
     /// The joint about whose origin the moment of a wrench on the tip is told, where it is about one.
     pub pivot: Option<usize>,
@@ -91,7 +91,7 @@ impl<'g> Chain<Expr<'g>> {
             base: Body::splat(zero),
             links,
             tree: arm.tree.clone(),
-            tip: arm.tip,
+            tip: arm.tip_link(),
             pivot: None,
         }
     }

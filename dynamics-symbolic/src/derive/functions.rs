@@ -322,12 +322,18 @@ impl<'g> Equations<'_, 'g> {
         let joints = self.joints();
         let matrix = joints.block(composite::mass_matrix(self.chain));
         let nothing = vec![self.chain.zero; matrix.len()];
-        let (factors, _) = Factors::new(self.symbols.graph(), matrix.clone(), nothing);
+        let (factors, _) = self.factored(matrix.clone(), nothing);
         let jacobian = kinematics::jacobian(self.symbols);
         let rows = jacobian.chunks(self.chain.links.len());
         let rows: Vec<_> = rows.map(|row| joints.entries(row.to_vec())).collect();
         let values = factors.congruence(&rows).concat();
         [values, factors.pivots().to_vec(), diagonal(&matrix)].concat()
+    }
+
+    /// The factors of M, and the solution of M x = b.
+    fn factored(&self, matrix: Vec<Vector<'g>>, b: Vector<'g>) -> (Factors<'g>, Vector<'g>) {
+        let outermost = self.symbols.arm().outermost();
+        Factors::new(self.symbols.graph(), outermost, matrix, b)
     }
 
     /// Accelerations, pivots, and the diagonal of M.
@@ -341,7 +347,7 @@ impl<'g> Equations<'_, 'g> {
             (joints.entries(qdd), joints.entries(pivots))
         } else {
             let net = joints.entries(net);
-            let (factors, qdd) = Factors::new(self.symbols.graph(), matrix, net);
+            let (factors, qdd) = self.factored(matrix, net);
             (qdd, factors.pivots().to_vec())
         };
         [qdd, pivots, diagonal].concat()
@@ -397,7 +403,7 @@ impl<'g> Equations<'_, 'g> {
         let (joints, n) = (self.joints(), self.symbols.arm().dof());
         let matrix = joints.block(composite::mass_matrix(self.chain));
         let net = joints.entries(self.net_force());
-        let (factors, qdd) = Factors::new(self.symbols.graph(), matrix.clone(), net);
+        let (factors, qdd) = self.factored(matrix.clone(), net);
         let qdd = self.symbols.of_all(&qdd);
         let of_links = derivatives::recursion(self.chain, &self.qd, &qdd);
         let forces = self.force_derivatives(of_links.of_joints(self.symbols));

@@ -9,7 +9,7 @@ use super::functions::{Part, outputs};
 use super::symbols::Symbols;
 use crate::expr::{Edge, Expr, Graph};
 use crate::function::{Function, Search};
-use crate::mechanism::{Mechanism, Origin};
+use crate::mechanism::{Mechanism, Origin, Tree};
 use crate::simplify::Network;
 use crate::spatial::Keep;
 
@@ -29,8 +29,8 @@ pub struct Gauge {
     pub pivot: Option<usize>,
 }
 
-/// How many nodes of trial graphs one search may make for each function: the search ends within
-/// a fraction of a second where the engine runs unoptimised.
+/// How many nodes of trial graphs one search may make for each function and each tip of the tree: the search of an arm
+/// ends within a fraction of a second where the engine runs unoptimised.
 const MOST_NODES: usize = 100_000;
 
 impl Gauge {
@@ -80,7 +80,7 @@ impl Gauge {
         if parts.is_empty() {
             return gauge;
         }
-        let most = MOST_NODES * parts.len();
+        let most = MOST_NODES * parts.len() * arm.tree.tips();
         let mut trials = Trials {
             arm,
             parts: &parts,
@@ -101,7 +101,7 @@ impl Gauge {
                     gauge.pivot = known;
                 }
             }
-            for step in steps(dof) {
+            for step in steps(&arm.tree) {
                 if trials.nodes > most {
                     return gauge;
                 }
@@ -203,17 +203,22 @@ enum Choice {
     Keep(usize),
 }
 
-/// The steps of one round of the descent, the most promising first. Where all origins move at
-/// once, a long chain takes the step for which its nodes would not suffice one by one.
-fn steps(dof: usize) -> Vec<Vec<Choice>> {
+/// The steps of one round of the descent, the most promising first; neighbours are a joint and the one that carries
+/// it. Where all origins move at once, a long chain takes the step for which its nodes would not suffice one by one.
+fn steps(tree: &Tree) -> Vec<Vec<Choice>> {
     use Choice::{Keep, Origin, Stay};
+    let dof = tree.len();
     let single = (0..dof)
         .rev()
         .map(|i| vec![Stay(i)])
         .chain((0..dof).map(|i| vec![Origin(i)]));
-    let pairs = (1..dof)
-        .rev()
-        .flat_map(|i| [vec![Stay(i - 1), Stay(i)], vec![Origin(i - 1), Origin(i)]]);
+    let carried = (0..dof).rev().filter_map(|i| Some((tree.parent(i)?, i)));
+    let pairs = carried.flat_map(|(carrier, i)| {
+        [
+            vec![Stay(carrier), Stay(i)],
+            vec![Origin(carrier), Origin(i)],
+        ]
+    });
     let mixed = (0..dof).map(|i| vec![Stay(i), Origin(i)]);
     let keep = (0..dof).map(|i| vec![Keep(i)]);
     let all = core::iter::once((0..dof).map(Origin).collect());

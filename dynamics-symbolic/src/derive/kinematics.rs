@@ -4,7 +4,7 @@ use super::place::{self, place};
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::mechanism::{Mechanism, Origin};
+use crate::mechanism::{self, Mechanism, Origin};
 use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Axis, Place, Turn, Turns};
 
@@ -93,20 +93,26 @@ pub(super) fn base<'g>(symbols: &mut Symbols<'g>) -> Pose<'g> {
     base.map_or(world, |base| world.placed(symbols, &base))
 }
 
-/// The frame whose motion is that of the tip: the tool's, or else the last one of `frames`, which are
-/// those of all links.
+/// The tip, by the `frames` of all links; frame 0 if there is none.
 pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, frames: &[Frame<'g>]) -> Pose<'g> {
-    let last = match symbols.arm().tip {
-        Some(link) => frames[link].pose,
+    match &symbols.arm().tip {
+        Some(tip) => fixed(symbols, frames, tip),
         None => base(symbols),
-    };
-    match &symbols.arm().tip_frame[..] {
-        [] => last,
-        frames => {
-            let tip = place(symbols, frames);
-            last.placed(symbols, &tip)
-        }
     }
+}
+
+/// A frame that is fixed to a link, by the `frames` of all links.
+pub(super) fn fixed<'g>(
+    symbols: &mut Symbols<'g>,
+    frames: &[Frame<'g>],
+    frame: &mechanism::Frame,
+) -> Pose<'g> {
+    let link = frames[frame.link].pose;
+    if frame.places.is_empty() {
+        return link;
+    }
+    let in_link = place(symbols, &frame.places);
+    link.placed(symbols, &in_link)
 }
 
 /// Every link frame.
@@ -156,7 +162,7 @@ pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
     by_rows(&columns(
         symbols.arm(),
         &frames,
-        symbols.arm().tip,
+        symbols.arm().tip_link(),
         (tip, zero),
     ))
 }

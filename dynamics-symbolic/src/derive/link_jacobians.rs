@@ -32,7 +32,7 @@ pub(super) fn rate<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
     let qd = symbols.all(|joint| joint.qd);
     let frames = frames(symbols);
     let tip = tip(symbols, &frames).origin;
-    let columns = columns(arm, &frames, arm.tip, (tip, zero));
+    let columns = columns(arm, &frames, arm.tip_link(), (tip, zero));
     let none = Vector3::splat(zero);
     // u_j: the velocity of the tip by joint j and those beyond.
     let mut velocities = vec![none; columns.len()];

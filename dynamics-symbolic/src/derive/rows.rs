@@ -3,8 +3,8 @@
 use super::place::{self, place};
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
-use crate::mechanism::{Joint, Mechanism};
-use crate::robot::{Interpretation, Placement, Tool, Value};
+use crate::mechanism::{FixedBody, Joint, Mechanism};
+use crate::robot::{Interpretation, Placement, Value};
 use crate::spatial::{Body, Central, Place, Turn};
 
 /// The constant places of an arm.
@@ -53,14 +53,12 @@ impl<R: Ring> Places<R> {
             &joint.com,
             &joint.inertia,
         ));
-        let is_here = |tool: &&Tool| arm.tip == Some(i) && tool.has_body();
-        match arm.tool.as_ref().filter(is_here) {
-            Some(tool) => {
-                let body = place::central(cells, &tool.mass, &tool.com, &tool.inertia);
-                own.joined(leave(place(cells, &arm.tip_frame).leave_body(body)))
-            }
-            None => own,
-        }
+        let fixed_bodies = arm.fixed_bodies.iter();
+        let here = fixed_bodies.filter(|fixed| fixed.frame.link == i);
+        here.fold(own, |own, FixedBody { frame, body }| {
+            let body = place::central(cells, &body.mass, &body.com, &body.inertia);
+            own.joined(leave(place(cells, &frame.places).leave_body(body)))
+        })
     }
 }
 

@@ -1,9 +1,10 @@
-//! The mass matrix, factored from the tip inwards.
+//! The mass matrix, factored from the tips inwards.
 //!
 //! M = U D U^T with U unit upper triangular: d_j is the inertia that joint j
 //! feels when the joints outside it are free (the articulated inertia of its
 //! axis), so that the relative pivot d_j / M_jj says how near joint j is to
-//! losing its inertia.
+//! losing its inertia. An entry of joints of which neither carries the other is zero in M, and stays zero in U: what
+//! is taken out of a joint's row is shared among the joints that carry it (Featherstone 2008, 6.5).
 //!
 //! What is computed solves a system beside M to rounding, however nearly singular M is (Higham 2002,
 //! 10.1), because its entries share their errors: the factors are of one matrix, and each x_j makes
@@ -24,12 +25,15 @@ pub(super) struct Factors<'g> {
     pivots: Vec<Expr<'g>>,
     /// 1 / d
     reciprocals: Vec<Expr<'g>>,
+    /// Whether nothing was taken out of a joint's pivot.
+    outermost: Vec<bool>,
 }
 
 impl<'g> Factors<'g> {
-    /// Factors a symmetric matrix, and solves M x = b on the way.
+    /// Factors a symmetric matrix, and solves M x = b on the way. `outermost` are the joints that carry no other.
     pub(super) fn new(
         graph: &'g Graph,
+        outermost: Vec<bool>,
         mut m: Matrix<'g>,
         mut b: Vec<Expr<'g>>,
     ) -> (Self, Vec<Expr<'g>>) {
@@ -37,13 +41,14 @@ impl<'g> Factors<'g> {
         let mut reciprocals = vec![graph.zero(); n];
         for j in (0..n).rev() {
             let step = || take_out(graph, &mut m, &mut b, j);
-            reciprocals[j] = hold_unless(j + 1 == n, graph, step);
+            reciprocals[j] = hold_unless(outermost[j], graph, step);
         }
         let factors = Factors {
             graph,
             pivots: (0..n).map(|j| m[j][j]).collect(),
             upper: m,
             reciprocals,
+            outermost,
         };
         let x = graph.holding(|| factors.solve_lower(&b));
         (factors, x)
@@ -64,7 +69,7 @@ impl<'g> Factors<'g> {
     fn solve_upper(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
         let n = b.len();
         for j in (0..n).rev() {
-            hold_unless(j + 1 == n, self.graph, || {
+            hold_unless(self.outermost[j], self.graph, || {
                 for i in (0..j).rev() {
                     b[i] = b[i] - self.upper[i][j] * b[j];
                 }
@@ -152,16 +157,24 @@ fn take_out<'g>(graph: &'g Graph, m: &mut Matrix<'g>, b: &mut [Expr<'g>], j: usi
     reciprocal
 }
 
-/// The step of the tip's joint is held by nothing: its pivot is an entry of M and no difference, so
+/// The step of a joint that carries no other is held by nothing: its pivot is an entry of M and no difference, so
 /// that its results are as accurate however they are written.
-fn hold_unless<T>(is_tip: bool, graph: &Graph, step: impl FnOnce() -> T) -> T {
-    if is_tip { step() } else { graph.holding(step) }
+fn hold_unless<T>(is_outermost: bool, graph: &Graph, step: impl FnOnce() -> T) -> T {
+    if is_outermost {
+        step()
+    } else {
+        graph.holding(step)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::expr::Level;
+
+    fn outermost() -> Vec<bool> {
+        vec![false, false, false, true]
+    }
 
     fn symmetric(graph: &Graph) -> Matrix<'_> {
         let mut m = vec![vec![graph.zero(); 4]; 4];
@@ -184,7 +197,7 @@ mod tests {
         let graph = Graph::new();
         let m = symmetric(&graph);
         let b: Vec<_> = (0..4).map(|_| graph.symbol(Level::Variable)).collect();
-        let (factors, x) = Factors::new(&graph, m.clone(), b.clone());
+        let (factors, x) = Factors::new(&graph, outermost(), m.clone(), b.clone());
         assert_eq!(times(&m, &x, graph.zero()), b);
         assert_eq!(factors.solve(b), x);
     }
@@ -194,7 +207,7 @@ mod tests {
         let graph = Graph::new();
         let m = symmetric(&graph);
         let b = vec![graph.zero(); 4];
-        let inverse = Factors::new(&graph, m.clone(), b).0.inverse();
+        let inverse = Factors::new(&graph, outermost(), m.clone(), b).0.inverse();
         for j in 0..4 {
             let column: Vec<_> = inverse.iter().map(|row| row[j]).collect();
             let unit = (0..4).map(|i| if i == j { graph.one() } else { graph.zero() });

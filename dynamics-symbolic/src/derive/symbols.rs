@@ -5,7 +5,7 @@ use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph, Level};
 use crate::function::Argument;
 use crate::mechanism::{Joint, Law, Mechanism};
-use crate::robot::{Coupling, Interpretation, JointType, Symbol, Value};
+use crate::robot::{Angle, Coupling, Interpretation, JointType, Symbol, Value};
 use crate::spatial::Turn;
 
 /// The variables of one joint.
@@ -313,8 +313,8 @@ impl<'g> Interpretation for Symbols<'g> {
         if let Some((_, s, c)) = self.angles.iter().find(|(known, ..)| known == angle) {
             return (*s, *c);
         }
-        let opposite = -angle.clone();
-        if let Some((_, s, c)) = self.angles.iter().find(|(known, ..)| *known == opposite) {
+        let mut known = self.angles.iter();
+        if let Some((_, s, c)) = known.find(|(known, ..)| Angle::are_opposite(known, angle)) {
             return (-*s, *c);
         }
         let level = if angle.is_number() {

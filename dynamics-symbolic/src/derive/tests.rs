@@ -1,4 +1,4 @@
-//! Arms with branches, which no table describes yet: the recursions agree with the textbook, which differentiates.
+//! Robots with branches: the recursions agree with the textbook, which differentiates.
 
 use super::functions::{Form, Part, outputs};
 use super::gauge::Gauge;
@@ -7,8 +7,8 @@ use super::textbook::Textbook;
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph};
 use crate::function::{Argument, Function};
-use crate::mechanism::{Mechanism, Tree};
-use crate::robot::{Convention, JointType, Robot, Row, Value};
+use crate::mechanism::{Frame, Mechanism};
+use crate::robot::{Carrier, Convention, JointType, Robot, Row, Value};
 
 fn number(thousandths: i64) -> Value {
     Value::Rational(Rational::from_parts_signed(
@@ -41,15 +41,22 @@ fn branched() -> Mechanism {
         rows: vec![
             row(0, JointType::Revolute, &Value::zero()),
             row(1, JointType::Revolute, &quarter),
-            row(2, JointType::Prismatic, &quarter),
+            Row {
+                on: Carrier::Row(0),
+                ..row(2, JointType::Prismatic, &quarter)
+            },
             row(3, JointType::Revolute, &-quarter.clone()),
         ],
         tool: None,
+        frames: Vec::new(),
         neglected: None,
     };
-    let tree = Tree::new(vec![None, Some(0), Some(0), Some(2)]);
+    let tip = Frame {
+        link: 3,
+        places: Vec::new(),
+    };
     Mechanism {
-        tree,
+        tip: Some(tip),
         ..Mechanism::from(&robot)
     }
 }

@@ -7,10 +7,11 @@
 //! for a program; the shorter derivations are compared with it.
 
 use super::base::reflected;
-use super::kinematics::{Pose, frames, tip};
+use super::kinematics::{Pose, fixed, frames};
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
+use crate::mechanism::FixedBody;
 use crate::robot::{Interpretation, Value};
 
 /// The equations of motion of the joints that move by themselves, by the textbook.
@@ -80,6 +81,8 @@ impl<'g> Textbook<'g> {
 
 /// A body of the table, and its frame.
 struct Body<'g> {
+    /// The link that carries it.
+    link: usize,
     mass: &'g Value,
     com: &'g [Value; 3],
     inertia: &'g [Value; 6],
@@ -108,23 +111,29 @@ impl<'g> Body<'g> {
     }
 }
 
-/// The links' bodies, and the tool's.
+/// The links' bodies, and those that are fixed to links.
 fn bodies<'g>(symbols: &mut Symbols<'g>) -> Vec<Body<'g>> {
     let frames = frames(symbols);
     let arm = symbols.arm();
-    let links = arm.joints.iter().zip(&frames).map(|(joint, frame)| Body {
+    let links = arm.joints.iter().zip(&frames).enumerate();
+    let links = links.map(|(link, (joint, frame))| Body {
+        link,
         mass: &joint.mass,
         com: &joint.com,
         inertia: &joint.inertia,
         pose: frame.pose,
     });
-    let tool = arm.tool.iter().map(|tool| Body {
-        mass: &tool.mass,
-        com: &tool.com,
-        inertia: &tool.inertia,
-        pose: tip(symbols, &frames),
-    });
-    links.chain(tool).collect()
+    let fixed_bodies = arm
+        .fixed_bodies
+        .iter()
+        .map(|FixedBody { frame, body }| Body {
+            link: frame.link,
+            mass: &body.mass,
+            com: &body.com,
+            inertia: &body.inertia,
+            pose: fixed(symbols, &frames, frame),
+        });
+    links.chain(fixed_bodies).collect()
 }
 
 fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, half: Expr<'g>) -> Expr<'g> {
@@ -151,7 +160,9 @@ fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, half: Expr<'g>) -> Expr<'g> {
 fn potential_energy<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let gravity = Vector3([0, 1, 2].map(|k| symbols.value(&symbols.arm().gravity[k])));
     let mut energy = symbols.graph().zero();
-    for body in bodies(symbols) {
+    let arm = symbols.arm();
+    let bodies = bodies(symbols).into_iter();
+    for body in bodies.filter(|body| !arm.is_of_base(body.link)) {
         let center = body.center(symbols);
         energy = energy - symbols.value(body.mass) * gravity.dot(center);
     }

@@ -22,16 +22,16 @@ use crate::spatial::{Axis, Joint, leave_about};
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
-/// Where the tip is in the frame of the link that carries it.
+/// Where the tip is in the frame of the link that carries it; anywhere if there is none.
 fn place_of_tip<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector<'g> {
     let arm = symbols.arm();
-    let in_link = place::place(symbols, &arm.tip_frame).origin;
-    let places = Places::new(symbols, arm);
-    let Some(tip) = arm.tip else {
-        return in_link;
+    let Some(tip) = &arm.tip else {
+        return Vector3::splat(chain.zero);
     };
-    let on_axis = places.leave_point(tip, in_link);
-    let link = &chain.links[tip];
+    let in_link = place::place(symbols, &tip.places).origin;
+    let places = Places::new(symbols, arm);
+    let on_axis = places.leave_point(tip.link, in_link);
+    let link = &chain.links[tip.link];
     leave_about(Axis::Z, link.behind, on_axis.plus_z(-link.shift))
 }
 

@@ -8,7 +8,7 @@ use crate::expr::{Expr, Graph};
 use crate::linear::Vector3;
 use crate::mechanism::Mechanism;
 use crate::program::{Operand, Output};
-use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Symbol};
+use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Row, Symbol};
 use crate::simplify::Network;
 use crate::spatial::{Body, Place, Turn};
 
@@ -53,12 +53,7 @@ fn legend(robot: &Robot) -> String {
              the axis of joint i"
         }
     };
-    let cells = if is_mounted {
-        "xi, yi, zi are its origin in frame i - 1, si_k, ci_k sine and cosine of the k-th angle between the two that is \
-         no quarter turn"
-    } else {
-        "ai, di are cells of row i, sai, cai sine and cosine of its alpha"
-    };
+    let cells = cells(robot);
     let shown_if = |holds: bool, text: &'static str| if holds { text } else { "" };
     let motor = shown_if(
         robot.rows.iter().any(|row| row.has_motor()),
@@ -87,6 +82,33 @@ fn legend(robot: &Robot) -> String {
          (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. \
          {cells}{turn}{locked}{coupled}."
     )
+}
+
+/// The meaning of the names of what is between the axes of joints.
+fn cells(robot: &Robot) -> String {
+    let before = if robot.is_serial() {
+        "frame i - 1"
+    } else {
+        "the frame of the joint that carries joint i"
+    };
+    let places = format!(
+        "xi, yi, zi are its origin in {before}, si_k, ci_k sine and cosine of the k-th angle between the two that is no \
+         quarter turn"
+    );
+    let of_table = "ai, di are cells of row i, sai, cai sine and cosine of its alpha";
+    let is_mounted = robot.rows.iter().any(|row| row.mount.is_some());
+    if is_mounted {
+        places
+    } else if robot.rows.iter().any(is_placed) {
+        format!("{of_table}; if row i says where it begins, {places}")
+    } else {
+        of_table.to_owned()
+    }
+}
+
+/// Whether more than the cells of a table is between the row's joint and the one that carries it.
+fn is_placed(row: &Row) -> bool {
+    row.mount.is_some() || !row.at.is_empty()
 }
 
 /// The formulas as text.
@@ -278,12 +300,12 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
     };
     let cells = geometry(&mut symbols, &arm);
     let links = cells.links.into_iter().enumerate().map(|(i, link)| {
-        // The row that has the a and the alpha between the axes of joints i and i + 1.
+        // The row that has the a and the alpha before the axis of joint i + 1.
         let row = match robot.convention {
-            Convention::Standard => i,
+            Convention::Standard => robot.parent(i).map_or(0, |parent| parent + 1),
             Convention::Modified => i + 1,
         };
-        let is_mounted = robot.rows[i].mount.is_some();
+        let is_mounted = is_placed(&robot.rows[i]);
         let name = |axis: &str| {
             if is_mounted {
                 format!("{axis}{}", i + 1)

@@ -4,8 +4,8 @@ use super::atom::Run;
 use crate::mechanism::{Law, Mechanism};
 use crate::robot::{Angle, JointType, Value};
 
-/// Revolute joints with parallel axes, group by group: joints that follow each other, with prismatic
-/// joints between them or none.
+/// Revolute joints with parallel axes, group by group: each carries the next one, with prismatic joints between them
+/// or none. Where joints on one link would go on with the same group, the first of them does.
 pub(super) struct Groups(Vec<Vec<Member>>);
 
 /// A joint of a group.
@@ -17,36 +17,46 @@ pub(super) struct Member {
     pub(super) is_reversed: bool,
 }
 
+/// A group, as a link knows it whose z axis is parallel to the axes of the group.
+#[derive(Clone, Copy)]
+struct Parallel {
+    group: usize,
+    /// How many joints of the group carry the link.
+    carriers: usize,
+    is_reversed: bool,
+}
+
 impl Groups {
     /// The groups of an arm.
     pub(super) fn new(arm: &Mechanism) -> Self {
         let mut groups: Vec<Vec<Member>> = Vec::new();
-        let mut is_parallel = false;
-        let mut is_reversed = false;
-        for joint in &arm.joints {
-            for placement in &joint.aligned.before {
-                let [roll, pitch, _] = &placement.rpy;
-                for angle in [roll, pitch] {
-                    follow(angle, &mut is_parallel, &mut is_reversed);
-                }
-            }
+        arm.tree.outward(None, |i, before: &Option<Parallel>| {
+            let joint = &arm.joints[i];
+            let turns = joint.aligned.before.iter();
+            let across = turns.flat_map(|placement| &placement.rpy[..2]);
+            let parallel = across.fold(*before, |parallel, angle| follow(angle, parallel?));
             match joint.law {
                 Law::Free { number } if joint.joint_type == JointType::Revolute => {
-                    if !is_parallel {
-                        groups.push(Vec::new());
-                        is_reversed = false;
-                    }
-                    is_parallel = true;
-                    let group = groups.last_mut().expect("one was begun");
-                    group.push(Member {
-                        joint: number,
-                        is_reversed,
+                    let is_last = |of: &Parallel| of.carriers == groups[of.group].len();
+                    let mut parallel = parallel.filter(is_last).unwrap_or(Parallel {
+                        group: groups.len(),
+                        carriers: 0,
+                        is_reversed: false,
                     });
+                    if parallel.group == groups.len() {
+                        groups.push(Vec::new());
+                    }
+                    parallel.carriers += 1;
+                    groups[parallel.group].push(Member {
+                        joint: number,
+                        is_reversed: parallel.is_reversed,
+                    });
+                    Some(parallel)
                 }
-                Law::Following { .. } => is_parallel = false,
-                Law::Free { .. } | Law::Standing { .. } => {}
+                Law::Following { .. } => None,
+                Law::Free { .. } | Law::Standing { .. } => parallel,
             }
-        }
+        });
         Groups(groups)
     }
 
@@ -77,11 +87,14 @@ impl Groups {
 }
 
 /// Passes over a turn across an axis: axes on both sides of it are parallel where it is 0 or half a turn.
-fn follow(alpha: &Value, is_parallel: &mut bool, is_reversed: &mut bool) {
+fn follow(alpha: &Value, parallel: Parallel) -> Option<Parallel> {
     let angle = Angle::new(alpha);
     match (angle.rest, angle.quarter_turns) {
-        (None, 0) => {}
-        (None, 2) => *is_reversed = !*is_reversed,
-        _ => *is_parallel = false,
+        (None, 0) => Some(parallel),
+        (None, 2) => Some(Parallel {
+            is_reversed: !parallel.is_reversed,
+            ..parallel
+        }),
+        _ => None,
     }
 }

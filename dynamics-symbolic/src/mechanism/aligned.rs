@@ -117,18 +117,17 @@ impl Path {
         path
     }
 
-    /// Q R(angle) about an axis is R(+-angle) Q about the one that Q turns it to.
+    /// Q R(angle) about an axis is R(+-angle) Q about the one that Q turns it to. An angle that is no whole number of
+    /// quarter turns stays whole, so that it is read as it was written.
     fn turn(&mut self, axis: usize, by: &Value) {
-        let Angle {
-            quarter_turns,
-            rest,
-        } = Angle::new(by);
-        if let Some(angle) = rest {
-            let (axis, angle) = signed(&self.quarters, axis, angle);
-            let xyz = core::mem::replace(&mut self.origin, [0; 3].map(Value::integer));
-            self.steps.push(Step { xyz, axis, angle });
+        let read = Angle::new(by);
+        if read.rest.is_none() {
+            self.quarters = product(&self.quarters, &about(axis, read.quarter_turns));
+            return;
         }
-        self.quarters = product(&self.quarters, &about(axis, quarter_turns));
+        let (axis, angle) = signed(&self.quarters, axis, by.clone());
+        let xyz = core::mem::replace(&mut self.origin, [0; 3].map(Value::integer));
+        self.steps.push(Step { xyz, axis, angle });
     }
 
     /// Slides the first frame along its axis and turns it about that, as far as the path gets shorter. Of two parallel

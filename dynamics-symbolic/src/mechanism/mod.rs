@@ -10,9 +10,9 @@ mod walk;
 pub(crate) use aligned::Aligned;
 pub(crate) use walk::Tree;
 
-use crate::robot::{Coupling, JointType, Neglected, Placement, Spring, Stribeck, Tool, Value};
+use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Spring, Stribeck, Value};
 
-/// An arm as the derivations know it. Joints and the links that they move are counted from the base outwards.
+/// A robot as the derivations know it. Joints and the links that they move are counted from the base outwards.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     /// How many symbolic parameters there are.
@@ -25,14 +25,27 @@ pub struct Mechanism {
     pub(crate) joints: Vec<Joint>,
     /// Which link carries which joint.
     pub(crate) tree: Tree,
-    /// The link that carries the tip; `None` for the base.
-    pub(crate) tip: Option<usize>,
-    /// The tip in the frame of that link, each placement in the one before it.
-    pub(crate) tip_frame: Vec<Placement>,
-    /// The body at the tip.
-    pub(crate) tool: Option<Tool>,
+    /// The tip. If there is none, nothing that concerns a tip is proven, whatever is derived.
+    pub(crate) tip: Option<Frame>,
+    /// What is fixed to links: the tool at the tip, and the bodies of frames.
+    pub(crate) fixed_bodies: Vec<FixedBody>,
     /// The base inertial parameters that are left out of the Lagrangian.
     pub(crate) neglected: Option<Neglected>,
+}
+
+/// A frame that is fixed to a link.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    pub(crate) link: usize,
+    /// In the frame of that link, each placement in the one before it.
+    pub(crate) places: Vec<Placement>,
+}
+
+/// A body that is fixed to a link.
+#[derive(Clone, Debug)]
+pub(crate) struct FixedBody {
+    pub(crate) frame: Frame,
+    pub(crate) body: Body,
 }
 
 /// A joint and the link that it moves.
@@ -105,6 +118,11 @@ pub(crate) struct Forces {
 }
 
 impl Mechanism {
+    /// The link that carries the tip, if there is one.
+    pub(crate) fn tip_link(&self) -> Option<usize> {
+        self.tip.as_ref().map(|tip| tip.link)
+    }
+
     /// The number of joints that move by themselves.
     pub(crate) fn dof(&self) -> usize {
         self.free().count()
@@ -114,6 +132,19 @@ impl Mechanism {
     pub(crate) fn free(&self) -> impl Iterator<Item = usize> {
         let is_free = |&i: &usize| matches!(self.joints[i].law, Law::Free { .. });
         (0..self.joints.len()).filter(is_free)
+    }
+
+    /// For every joint that moves by itself whether its row of M has no entry of a joint behind it: of a coupled
+    /// arm that is the last one's, else that of each joint which carries no other one that moves.
+    pub(crate) fn outermost(&self) -> Vec<bool> {
+        let free: Vec<_> = self.free().collect();
+        let is_coupled = self.is_coupled();
+        let is_carried = |k: usize, i: usize| self.tree.carriers(k).skip(1).any(|j| j == i);
+        let is_outermost = |(number, &i): (usize, &usize)| {
+            let mut behind = free[number + 1..].iter();
+            !behind.any(|&k| is_coupled || is_carried(k, i))
+        };
+        free.iter().enumerate().map(is_outermost).collect()
     }
 
     /// The joints that follow others.

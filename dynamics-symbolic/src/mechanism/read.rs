@@ -1,15 +1,14 @@
 //! From the rows of a table to a mechanism.
 
-use super::{Aligned, Forces, Joint, Law, Mechanism, Origin, Tree};
-use crate::robot::{Convention, JointType, Placement, Robot, Row, Value};
+use super::{Aligned, FixedBody, Forces, Frame, Joint, Law, Mechanism, Origin, Tree};
+use crate::robot::{Body, Convention, JointType, Placement, Robot, Row, Value};
 
 impl From<&Robot> for Mechanism {
-    /// A serial arm: each joint stands on the link of the row above.
     fn from(robot: &Robot) -> Self {
         let rows = 0..robot.rows.len();
-        let tree = Tree::new(rows.clone().map(|i| i.checked_sub(1)).collect());
+        let tree = Tree::new(rows.clone().map(|i| robot.parent(i)).collect());
         let (mut free, mut following) = (0.., robot.dof()..);
-        let joints = rows.clone().map(|i| {
+        let joints = rows.map(|i| {
             let numbers = if robot.rows[i].is_free() {
                 &mut free
             } else {
@@ -19,21 +18,52 @@ impl From<&Robot> for Mechanism {
         });
         let mut joints: Vec<_> = joints.collect();
         Aligned::align(&mut joints, &tree);
-        let tip = robot.rows.last().and_then(|row| row.mount.as_ref());
-        let tip = tip.map_or(Vec::new(), |mount| mount.tip.clone());
-        let tool = robot.tool.iter().map(|tool| tool.placement.clone());
+        let tip = tip(robot);
         Mechanism {
             fields: robot.fields.len(),
             gravity: robot.gravity.clone(),
             base: robot.base.clone(),
             joints,
             tree,
-            tip: rows.last(),
-            tip_frame: tip.into_iter().chain(tool).collect(),
-            tool: robot.tool.clone(),
+            fixed_bodies: fixed_bodies(robot, tip.as_ref()),
+            tip,
             neglected: robot.neglected.clone(),
         }
     }
+}
+
+/// The tool, or else the tip that a file says or the link frame.
+fn tip(robot: &Robot) -> Option<Frame> {
+    let link = robot.tip_row()?;
+    let mount = robot.rows[link].mount.iter();
+    let places = mount.flat_map(|mount| mount.tip.iter().cloned());
+    let tool = robot.tool.iter().map(|tool| tool.placement.clone());
+    let places = places.chain(tool).collect();
+    Some(Frame { link, places })
+}
+
+/// The tool, and the bodies of frames on links. A body on the base does not move.
+fn fixed_bodies(robot: &Robot, tip: Option<&Frame>) -> Vec<FixedBody> {
+    let tool = robot.tool.as_ref().filter(|tool| tool.has_body());
+    let tool = tool.zip(tip).map(|(tool, tip)| FixedBody {
+        frame: tip.clone(),
+        body: Body {
+            mass: tool.mass.clone(),
+            com: tool.com.clone(),
+            inertia: tool.inertia.clone(),
+        },
+    });
+    let of_frames = robot.frames.iter().filter_map(|frame| {
+        let places = frame.places.clone();
+        Some(FixedBody {
+            frame: Frame {
+                link: frame.on?,
+                places,
+            },
+            body: frame.body.clone()?,
+        })
+    });
+    tool.into_iter().chain(of_frames).collect()
 }
 
 /// The joint of row i, with the next of the numbers if it moves.
@@ -43,18 +73,19 @@ fn joint(
     numbers: &mut impl Iterator<Item = usize>,
 ) -> Joint {
     let row = &robot.rows[i];
-    let parent = parent.map(|parent| &robot.rows[parent]);
+    let [start, link_frame, _] = robot.mounted(i);
     let (before, link_frame, origin) = match (robot.convention, &row.mount) {
         // The a and the alpha of a row are behind its joint.
         (Convention::Standard, _) => {
-            let before = parent.map(screw).into_iter().collect();
+            let behind_carrier = parent.map(|parent| screw(&robot.rows[parent]));
+            let before = behind_carrier.into_iter().chain(start).collect();
             (before, vec![screw(row)], Origin::BeforeOffset)
         }
-        (Convention::Modified, None) => (vec![screw(row)], Vec::new(), Origin::AfterOffset),
-        (Convention::Modified, Some(_)) => {
-            let [before, link_frame, _] = robot.mounted(i);
-            (before, link_frame, Origin::AfterOffset)
+        (Convention::Modified, None) => {
+            let before = start.into_iter().chain([screw(row)]).collect();
+            (before, Vec::new(), Origin::AfterOffset)
         }
+        (Convention::Modified, Some(_)) => (start, link_frame, Origin::AfterOffset),
     };
     let law = law(row, numbers);
     Joint {

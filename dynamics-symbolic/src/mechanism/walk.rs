@@ -24,6 +24,12 @@ impl Tree {
         self.parents.len()
     }
 
+    /// How many links carry no other.
+    pub(crate) fn tips(&self) -> usize {
+        let is_tip = |&i: &usize| !self.parents.contains(&Some(i));
+        (0..self.len()).filter(is_tip).count()
+    }
+
     /// The link that carries joint i; `None` for the base.
     pub(crate) fn parent(&self, i: usize) -> Option<usize> {
         self.parents[i]
@@ -124,6 +130,7 @@ mod tests {
         assert_eq!(names, ["b0", "b01", "b02", "b023", "b4"]);
         let carriers: Vec<_> = branched().carriers(3).collect();
         assert_eq!(carriers, [3, 2, 0]);
+        assert_eq!(branched().tips(), 3);
     }
 
     #[test]

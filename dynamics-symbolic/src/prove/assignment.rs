@@ -3,7 +3,7 @@
 use crate::exact::{Rational, Residue, SplitMix64, circle_point};
 use crate::function::Argument;
 use crate::program::{Arithmetic, Instruction, Operand, Program};
-use crate::robot::{Interpretation, JointType, Robot, Symbol, Value};
+use crate::robot::{Angle, Interpretation, JointType, Robot, Symbol, Value};
 
 /// A number of the field in which programs are proven: 2^62 - 57 is prime.
 pub type Number = Residue<{ (1 << 62) - 57 }>;
@@ -259,12 +259,11 @@ impl Interpretation for Assignment {
     }
 
     fn circle(&mut self, angle: &Value) -> (Number, Number) {
-        let opposite = -angle.clone();
         for (known, (s, c)) in &self.angles {
             if known == angle {
                 return (*s, *c);
             }
-            if *known == opposite {
+            if Angle::are_opposite(known, angle) {
                 return (-*s, *c);
             }
         }

@@ -207,7 +207,9 @@ mod tests {
     use super::*;
     use crate::exact::Rational;
     use crate::program::{Constant, ConstantPool, Instruction, Operand, Output};
-    use crate::robot::{Convention, JointType, Row, Symbol, Value};
+    use crate::robot::{
+        Body, Carrier, Convention, Frame, JointType, Placement, Row, Symbol, Value,
+    };
 
     fn one_joint(mass: Value) -> Robot {
         let zero = Value::zero;
@@ -223,9 +225,30 @@ mod tests {
             convention: Convention::Standard,
             gravity: [(); 3].map(|()| zero()),
             rows: vec![row],
+            frames: Vec::new(),
             neglected: None,
             base: None,
             tool: None,
+        }
+    }
+
+    fn origin() -> Placement {
+        Placement {
+            xyz: [0; 3].map(Value::integer),
+            rpy: [0; 3].map(Value::integer),
+        }
+    }
+
+    fn loaded_frame() -> Frame {
+        Frame {
+            name: "hand".to_owned(),
+            on: Some(0),
+            places: vec![origin()],
+            body: Some(Body {
+                mass: Value::integer(1),
+                com: [0; 3].map(Value::integer),
+                inertia: [0; 6].map(Value::integer),
+            }),
         }
     }
 
@@ -312,7 +335,7 @@ mod tests {
         let [q, qd] = [0, 1].map(Operand::Input);
         let sound = program(vec![Instruction::Add(q, qd)], &[3], &[Operand::Result(0)]);
         let mut known = vec![seeds(&table, &functions, &sound)[0]];
-        assert_eq!(known, [1_863_105_351_347_628_974]);
+        assert_eq!(known, [12_860_224_314_083_942_366]);
         let renamed = Robot {
             name: "Rod".to_owned(),
             ..table.clone()
@@ -344,6 +367,15 @@ mod tests {
         of_table(|robot| robot.rows[0].theta = Value::integer(2));
         of_table(|robot| robot.rows[0].alpha = Value::Pi);
         of_table(|robot| robot.rows.push(Row::new("", JointType::Revolute)));
+        of_table(|robot| {
+            let on = Carrier::Base;
+            robot.rows.push(Row {
+                on,
+                ..Row::new("", JointType::Revolute)
+            });
+        });
+        of_table(|robot| robot.rows[0].at.push(origin()));
+        of_table(|robot| robot.frames.push(loaded_frame()));
         let count = known.len();
         known.sort_unstable();
         known.dedup();

@@ -42,12 +42,20 @@ impl Angle {
             };
         }
         let quarters = (&form.pi * Rational::from(2)).round();
-        let pi = form.pi - Rational::from(quarters.clone()) / Rational::from(2);
-        let constant = Value::Rational(form.number) + Value::Rational(pi) * Value::Pi;
         Angle {
             quarter_turns: modulo_4(&quarters),
-            rest: nonzero(constant + form.others),
+            rest: nonzero(form.rest(Rational::from(quarters) / Rational::from(2))),
         }
+    }
+
+    /// Whether two angles without whole quarter turns, as they are read, are opposite: -x is read as the number, the
+    /// multiple of pi and the rest of x, each times -1.
+    pub(crate) fn are_opposite(a: &Value, b: &Value) -> bool {
+        let is_of = |a: &Value, b: &Value| {
+            let form = LinearForm::read(a).scaled(&Rational::from(-1));
+            form.is_some_and(|form| form.rest(Rational::ZERO) == *b)
+        };
+        *a == -b.clone() || is_of(a, b) || is_of(b, a)
     }
 
     /// The quarter turns as -1, 0, 1 or 2.
@@ -73,6 +81,12 @@ fn modulo_4(quarters: &IBig) -> u8 {
 }
 
 impl LinearForm {
+    /// The angle less a multiple of pi.
+    fn rest(self, whole: Rational) -> Value {
+        let multiple_of_pi = Value::Rational(self.pi - whole) * Value::Pi;
+        Value::Rational(self.number) + multiple_of_pi + self.others
+    }
+
     /// The constant part as whole quarter turns modulo 4, where it is a multiple of one: exactly,
     /// or as decimals that are near enough. Near zero only a difference of decimals and pi is that.
     fn whole_quarter_turns(&self) -> Option<u8> {
@@ -231,6 +245,27 @@ mod tests {
         assert!((rest.to_f64(&[]) / angle.to_f64(&[]) - 1.0).abs() < 1e-12);
         let LinearForm { number, pi, .. } = LinearForm::read(&angle);
         assert!(bit_length(&number) + bit_length(&pi) <= MOST_BITS);
+    }
+
+    /// Whatever quarter turns are taken out of the two.
+    #[test]
+    fn an_angle_and_its_negative_are_opposite() {
+        let fraction = || Value::Pi * rational(1, 3) + rational(1, 10);
+        let angles = [
+            rational(3, 10),
+            Value::Pi * rational(1, 4),
+            fraction(),
+            Value::field(0) * rational(2, 7) + Value::Pi * rational(1, 2),
+            -(fraction() - Value::field(0)),
+        ];
+        let read = |angle: &Value| Angle::new(angle).rest.expect("no quarter turn");
+        for angle in &angles {
+            let (rest, of_negative) = (read(angle), read(&-angle.clone()));
+            assert!(Angle::are_opposite(&rest, &of_negative));
+            assert!(Angle::are_opposite(&of_negative, &rest));
+            assert!(!Angle::are_opposite(&rest, &rest));
+        }
+        assert!(!Angle::are_opposite(&read(&angles[0]), &read(&angles[1])));
     }
 
     #[test]

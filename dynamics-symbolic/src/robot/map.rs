@@ -1,6 +1,8 @@
 //! Tables with other cells: rounded, written as text, or only looked at.
 
-use super::{Coupling, JointType, Mount, Placement, Row, Spring, Stribeck, Tool, Value};
+use super::{
+    Body, Carrier, Coupling, Frame, JointType, Mount, Placement, Row, Spring, Stribeck, Tool, Value,
+};
 
 /// The kind of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +29,8 @@ macro_rules! cells {
                 Row {
                     name: name.into(),
                     joint_type,
+                    on: Carrier::Above,
+                    at: Vec::new(),
                     $($name: cells!(@zero $quantity),)*
                     stribeck: None,
                     spring: None,
@@ -50,6 +54,8 @@ macro_rules! cells {
                 Row {
                     name: self.name.clone(),
                     joint_type: self.joint_type,
+                    on: self.on,
+                    at: self.at.iter().map(|place| place.map(cell)).collect(),
                     $($name: cells!(@map cell, self.$name, $quantity),)*
                     stribeck: self.stribeck.as_ref().map(|of| Stribeck {
                         friction: cell(&of.friction, Number),
@@ -96,7 +102,6 @@ cells! {
 impl<C> Mount<C> {
     fn map<D>(&self, cell: &mut impl FnMut(&C, Quantity) -> D) -> Mount<D> {
         Mount {
-            places: self.places.iter().map(|place| place.map(cell)).collect(),
             axis: self.axis.each_ref().map(|angle| cell(angle, Angle)),
             tip: self.tip.iter().map(|place| place.map(cell)).collect(),
         }
@@ -121,6 +126,29 @@ impl<C> Tool<C> {
             mass: cell(&self.mass, Number),
             com: self.com.each_ref().map(|x| cell(x, Number)),
             inertia: self.inertia.each_ref().map(|x| cell(x, Number)),
+        }
+    }
+}
+
+impl<C> Body<C> {
+    /// The body with a cell of another kind for each of its own.
+    pub fn map<D>(&self, cell: &mut impl FnMut(&C, Quantity) -> D) -> Body<D> {
+        Body {
+            mass: cell(&self.mass, Number),
+            com: self.com.each_ref().map(|x| cell(x, Number)),
+            inertia: self.inertia.each_ref().map(|x| cell(x, Number)),
+        }
+    }
+}
+
+impl<C> Frame<C> {
+    /// The frame with a cell of another kind for each of its own.
+    pub fn map<D>(&self, cell: &mut impl FnMut(&C, Quantity) -> D) -> Frame<D> {
+        Frame {
+            name: self.name.clone(),
+            on: self.on,
+            places: self.places.iter().map(|place| place.map(cell)).collect(),
+            body: self.body.as_ref().map(|body| body.map(cell)),
         }
     }
 }

@@ -1,10 +1,12 @@
-//! The description of a robot arm: what a Denavit-Hartenberg table says, as data.
+//! The description of a robot: what a Denavit-Hartenberg table says, as data.
 //!
 //! No syntax in here: the macro's parser builds these types, and so can any
 //! other program.
 
 mod angle;
+mod carrier;
 mod coupling;
+mod frame;
 mod friction;
 mod grouping;
 mod interpretation;
@@ -17,7 +19,9 @@ mod symbol;
 mod value;
 
 pub use angle::Angle;
+pub use carrier::Carrier;
 pub use coupling::Coupling;
+pub use frame::{Body, Frame};
 pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::Interpretation;
@@ -55,6 +59,11 @@ pub struct Row<C = Value> {
     pub name: String,
     /// Revolute or prismatic.
     pub joint_type: JointType,
+    /// The link that carries the joint.
+    pub on: Carrier,
+    /// Where the row begins in the frame of that link, or in frame 0: each place in the one before it. The row's four
+    /// parameters count from there, in both conventions.
+    pub at: Vec<Placement<C>>,
     /// Link length, m.
     pub a: C,
     /// Link twist, rad.
@@ -92,7 +101,7 @@ pub struct Row<C = Value> {
     /// freedom of the arm, its link is a part of the link before it, and its motor, friction and spring do
     /// nothing.
     pub locked: Option<C>,
-    /// Where the joint is, if a file says so in place of the cells a, alpha, d and theta, which are then zero. Only rows
+    /// The joint's axis, if a file says it in place of the cells a, alpha, d and theta, which are then zero. Only rows
     /// of a modified table have it, all of them or none.
     pub mount: Option<Mount<C>>,
     /// The joint that this one follows, if it does. A follower is not a degree of freedom of the arm; its link,
@@ -120,7 +129,7 @@ impl Row {
     }
 }
 
-/// A serial arm on a fixed base.
+/// A robot on a fixed base: its rows are a tree, and a serial arm if each one stands on the link of the row above.
 #[derive(Clone, Debug)]
 pub struct Robot {
     /// Name of the arm.
@@ -135,9 +144,11 @@ pub struct Robot {
     /// Frame 0 in the world, where they are not the same: poses, Jacobians and the potential energy are
     /// those in the world.
     pub base: Option<Placement>,
-    /// The rows, from the base outwards.
+    /// The rows, from the base outwards: a row stands behind the one that carries it.
     pub rows: Vec<Row>,
-    /// The tool on the last link. The tip of the arm is its frame, or else the last link frame.
+    /// Named places, and the bodies that are fixed there.
+    pub frames: Vec<Frame>,
+    /// The tool on the link of the [tip](Robot::tip_row). The tip is the tool's frame, or else that link's frame.
     pub tool: Option<Tool>,
     /// The parameters that the functions leave out: see [`crate::neglect`].
     pub neglected: Option<Neglected>,
@@ -202,16 +213,6 @@ impl Robot {
             }
             _ => None,
         }
-    }
-
-    /// The placements of row i that its cells do not say, each placement in the one before it: of the joint's own frame
-    /// in that of the joint before, of the link frame in the joint's own, and of the tip in the last link frame.
-    pub fn mounted(&self, i: usize) -> [Vec<Placement>; 3] {
-        let Some(mount) = &self.rows[i].mount else {
-            return [(); 3].map(|()| Vec::new());
-        };
-        let before = self.rows[..i].last().and_then(|row| row.mount.as_ref());
-        [mount.step(before), mount.link_frame(), mount.tip.clone()]
     }
 
     /// The row behind the index of a [`Symbol`].

@@ -1,29 +1,25 @@
-//! Joints anywhere in space.
+//! Axes anywhere in space.
 
 use super::{Placement, Value};
 
-/// Where a joint is and about which axis it moves, in a file that says so in place of the cells a, alpha, d and theta.
+/// About which axis a joint moves, in a file that says so in place of the cells a, alpha, d and theta.
 ///
-/// With the link frame L' of the row before, or the base frame, the link frame is L' `places` S Rz(q) S^-1 (Tz(q) for a
-/// prismatic joint), S = Rz(azimuth) Ry(polar). Base parameters refer to the joint's own frame, which is S behind the
-/// link frame: it has the link frame's origin, and its z axis is that of the joint.
+/// If the row begins at L', the link frame is L' S Rz(q) S^-1 (Tz(q) for a prismatic joint), S = Rz(azimuth) Ry(polar).
+/// Base parameters refer to the joint's own frame, which is S behind the link frame: it has the link frame's origin,
+/// and its z axis is that of the joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mount<C = Value> {
-    /// The joint in the link frame before, each place in the one before it.
-    pub places: Vec<Placement<C>>,
-    /// Azimuth and polar angle of the joint's axis in the last of the places, rad.
+    /// Azimuth and polar angle of the joint's axis in the frame in which the row begins, rad.
     pub axis: [C; 2],
     /// In the last row, the tip in the link frame, each place in the one before it.
     pub tip: Vec<Placement<C>>,
 }
 
 impl Mount {
-    /// The joint's own frame in that of the joint `before`, or in the base frame.
-    pub(super) fn step(&self, before: Option<&Mount>) -> Vec<Placement> {
+    /// The joint's own frame in the frame in which the row begins.
+    pub(super) fn turned(&self) -> Vec<Placement> {
         let [azimuth, polar] = self.axis.clone();
-        let axis = turned([Value::zero(), polar, azimuth]);
-        let back = before.map_or(Vec::new(), Mount::link_frame);
-        [back, self.places.clone(), axis].concat()
+        turned([Value::zero(), polar, azimuth])
     }
 
     /// The link frame in the joint's own frame.

@@ -1,4 +1,4 @@
-//! Where the arm stands, and what is fixed to its end.
+//! Where the robot stands, and what is fixed to its tip.
 
 use super::Value;
 
@@ -11,10 +11,10 @@ pub struct Placement<C = Value> {
     pub rpy: [C; 3],
 }
 
-/// A frame and a body that are fixed to the last link.
+/// A frame and a body that are fixed to the link of the tip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tool<C = Value> {
-    /// The tool frame in the last link frame of the table.
+    /// The tool frame in that link's frame.
     pub placement: Placement<C>,
     /// Mass of the body, kg.
     pub mass: C,

@@ -150,6 +150,7 @@ fn arm(convention: Convention, gravity: [i64; 3], fields: usize, rows: Vec<Row>)
         convention,
         gravity: gravity.map(Value::integer),
         rows,
+        frames: Vec::new(),
         neglected: None,
         base: None,
         tool: None,

@@ -61,6 +61,7 @@ fn arm(rows: Vec<Row>) -> Robot {
         convention: Convention::Standard,
         gravity: [ratio(0, 1), ratio(0, 1), ratio(-981, 100)],
         rows,
+        frames: Vec::new(),
         neglected: None,
         base: None,
         tool: None,

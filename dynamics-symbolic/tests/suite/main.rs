@@ -25,6 +25,7 @@ mod residuals;
 mod rounding;
 mod second_set;
 mod textbook;
+mod trees;
 mod units;
 
 use std::collections::HashMap;

@@ -44,6 +44,12 @@ fn every_function_of_random_arms_with_followers_is_proven() {
     prove_drawn(11, 6, &[Tables::coupled_robot]);
 }
 
+/// Joints on links above them or on the base, anywhere; frames with bodies.
+#[test]
+fn every_function_of_random_trees_is_proven() {
+    prove_drawn(12, 12, &[Tables::tree]);
+}
+
 #[test]
 fn regressors_of_arms_whose_axes_meet_are_proven() {
     let functions = [Function::Regressor, Function::BaseParameters];
@@ -69,6 +75,7 @@ fn every_function_of_many_random_arms_of_each_kind_is_proven() {
         Tables::mounted_and_locked_robot,
         Tables::robot_with_joint_forces,
         Tables::coupled_robot,
+        Tables::tree,
     ];
     prove_drawn(100, 40, &kinds);
 }
@@ -94,7 +101,10 @@ fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Fun
 }
 
 fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
-    let exists = |f: &&Function| !(f.divides_by_mass() && is_massless(robot));
+    let has_tip = robot.tip_row().is_some();
+    let exists = |f: &&Function| {
+        (has_tip || !f.row().of_tip) && !(f.divides_by_mass() && is_massless(robot))
+    };
     let functions = functions.iter().filter(exists);
     let programs = functions.clone().map(|&f| (f, derive(robot, f)));
     // Articulated bodies are of joints that move by themselves.

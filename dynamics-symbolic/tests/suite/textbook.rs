@@ -37,7 +37,10 @@ fn recursions_equal_the_textbook_expression_by_expression() {
     let mounted = (0..12).map(|_| tables.mounted_robot());
     let mut tables = Tables::new(13, Bodies::Any);
     let coupled = (0..20).map(|_| without_springs(tables.coupled_robot()));
-    for robot in plain.into_iter().chain(mounted).chain(coupled) {
+    let mut tables = Tables::new(14, Bodies::Any);
+    let trees = (0..12).map(|_| without_springs(tables.tree()));
+    let arms = plain.into_iter().chain(mounted).chain(coupled);
+    for robot in arms.chain(trees) {
         let name = &robot.name;
         let graph = Graph::new();
         let arm = Mechanism::from(&robot);
@@ -162,6 +165,7 @@ fn planar_robot(
         convention,
         gravity,
         rows,
+        frames: Vec::new(),
         neglected: None,
         base: None,
         tool: None,

@@ -100,6 +100,7 @@ pub fn robot(name: &str) -> Robot {
         },
         gravity: cells(&json["gravity"]),
         rows: rows.collect(),
+        frames: Vec::new(),
         neglected: None,
         base: json.get("base").map(placement),
         tool: json.get("tool").map(|tool| Tool {

@@ -14,6 +14,7 @@ pub fn generic_chain(joints: usize) -> Robot {
         convention: Convention::Standard,
         gravity: [thousandths(0), thousandths(0), thousandths(-9_810)],
         rows: (1..=joints as i64).map(row).collect(),
+        frames: Vec::new(),
         neglected: None,
         base: None,
         tool: None,

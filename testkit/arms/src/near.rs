@@ -173,6 +173,7 @@ impl Arms {
                 convention,
                 gravity,
                 rows,
+                frames: Vec::new(),
                 neglected: None,
                 base: None,
                 tool: None,

@@ -2,7 +2,8 @@
 
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::robot::{
-    Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Body, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row, Spring, Stribeck,
+    Tool, Value,
 };
 
 /// What the links are.
@@ -324,6 +325,52 @@ impl Tables {
         robot
     }
 
+    /// A robot of any kind whose joints stand on links above them, or on the base, some of them at a place of their
+    /// own; with frames, some of which have bodies.
+    pub fn tree(&mut self) -> Robot {
+        let draw = match self.below(4) {
+            0 => Tables::mounted_robot,
+            1 => Tables::locked_robot,
+            2 => Tables::coupled_robot,
+            _ => Tables::robot,
+        };
+        let mut robot = draw(self);
+        self.fields = robot.fields.len();
+        let count = robot.rows.len();
+        for (i, row) in robot.rows.iter_mut().enumerate() {
+            row.on = match self.below(i as u64 + 2) as usize {
+                0 => Carrier::Base,
+                above if above <= i => Carrier::Row(above - 1),
+                _ => Carrier::Above,
+            };
+            row.at = (0..self.below(3)).map(|_| self.placement()).collect();
+        }
+        robot.frames = (0..self.below(3)).map(|_| self.frame(count)).collect();
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
+    }
+
+    fn frame(&mut self, rows: usize) -> Frame {
+        let body = match self.bodies {
+            Bodies::Any => Body {
+                mass: self.cell(),
+                com: [(); 3].map(|()| self.cell()),
+                inertia: [(); 6].map(|()| self.cell()),
+            },
+            Bodies::Physical => Body {
+                mass: self.positive(),
+                com: [(); 3].map(|()| self.cell()),
+                inertia: self.tensor(),
+            },
+        };
+        Frame {
+            name: "frame".to_owned(),
+            on: (self.below(rows as u64 + 1) as usize).checked_sub(1),
+            places: (0..1 + self.below(2)).map(|_| self.placement()).collect(),
+            body: (self.below(4) > 0).then_some(body),
+        }
+    }
+
     fn placement(&mut self) -> Placement {
         Placement {
             xyz: [(); 3].map(|()| self.cell()),
@@ -378,6 +425,7 @@ impl Tables {
             convention,
             gravity,
             rows,
+            frames: Vec::new(),
             neglected: None,
             base: None,
             tool: None,

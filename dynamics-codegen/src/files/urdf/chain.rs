@@ -423,8 +423,8 @@ fn row(joint: &Joint, places: Vec<Placement>) -> Row {
         limits_of_urdf: true,
         torque_limit: given(&joint.effort),
         velocity_limit: given(&joint.velocity),
+        places,
         mount: Some(Mount {
-            places,
             axis: joint.axis.clone(),
             tip: Vec::new(),
         }),

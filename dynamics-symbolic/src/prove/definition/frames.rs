@@ -1,9 +1,65 @@
 //! The frames of all links and of the tip, and the bodies in them.
 
+use super::super::assignment::{Assignment, Number};
 use super::Definition;
 use super::body::Body;
-use super::place::Frames;
+use super::place::{self, Frames};
 use super::pose::{Lift, Pose, Position};
+use crate::robot::{self, Robot};
+
+/// A frame that is fixed to the link of a row.
+pub(super) struct Frame {
+    row: usize,
+    /// In the link frame; `None` where it is that.
+    place: Option<Pose<Number>>,
+}
+
+/// A body that is fixed to a link.
+pub(super) struct FixedBody {
+    frame: Frame,
+    body: Body,
+}
+
+impl Frame {
+    /// The tip: the tool, or else the only row that carries no other. There is none where several carry no other.
+    pub(super) fn tip(point: &mut Assignment, robot: &Robot) -> Option<Frame> {
+        let rows = robot.rows.iter().enumerate();
+        let parents: Vec<_> = rows.map(|(i, row)| place::parent(row, i)).collect();
+        let mut leaves = (0..parents.len()).filter(|&i| !parents.contains(&Some(i)));
+        let (Some(row), None) = (leaves.next(), leaves.next()) else {
+            return None;
+        };
+        let mount = robot.rows[row].mount.as_ref();
+        let behind = mount.map(|mount| place::product(point, &mount.tip));
+        let tool = robot.tool.as_ref();
+        let tool = tool.map(|tool| place::placement(point, &tool.placement));
+        let place = behind.map_or(tool, |behind| Some(behind.then_fixed(&tool)));
+        Some(Frame { row, place })
+    }
+}
+
+impl FixedBody {
+    /// The tool at the tip and the bodies of frames. Bodies on the base do not move.
+    pub(super) fn all(point: &mut Assignment, robot: &Robot) -> Vec<FixedBody> {
+        let tool = robot.tool.as_ref().and_then(|tool| {
+            Some(FixedBody {
+                frame: Frame::tip(point, robot)?,
+                body: Body::new(point, &tool.mass, &tool.com, &tool.inertia),
+            })
+        });
+        let mut fixed_to_link = |frame: &robot::Frame| {
+            let (row, body) = (frame.on?, frame.body.as_ref()?);
+            point.note([row as u64]);
+            let place = Some(place::product(point, &frame.places));
+            Some(FixedBody {
+                frame: Frame { row, place },
+                body: Body::new(point, &body.mass, &body.com, &body.inertia),
+            })
+        };
+        let of_frames = robot.frames.iter().filter_map(&mut fixed_to_link);
+        tool.into_iter().chain(of_frames).collect()
+    }
+}
 
 impl Definition {
     /// The frames of all rows.
@@ -16,22 +72,35 @@ impl Definition {
         })
     }
 
-    /// The pose of the tip: the tool's, or else that of the last link.
-    pub(super) fn tip<R: Lift>(&self, q: &[Position<R>]) -> Pose<R> {
-        let frames = self.frames(q);
-        let last = frames.last().expect("a robot has links");
-        last.link.then_fixed(&self.tip)
+    /// The pose of a frame.
+    pub(super) fn pose<R: Lift>(&self, frame: &Frame, q: &[Position<R>]) -> Pose<R> {
+        self.frames(q)[frame.row].link.then_fixed(&frame.place)
     }
 
-    /// Every body, the row of its link, and the pose of its frame: the links, then the tool.
+    /// Every body, the row of its link, and the pose of its frame: the links, then what is fixed to them.
     pub(super) fn bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(usize, &Body, Pose<R>)> {
         let frames = self.frames(q);
         let links = self.rows.iter().zip(&frames).enumerate();
         let links = links.map(|(i, (row, frames))| (i, &row.body, frames.link));
-        let tool = self.tool.iter().zip(frames.last());
-        let last = self.rows.len() - 1;
-        let tool = tool.map(|(body, frames)| (last, body, frames.link.then_fixed(&self.tip)));
-        links.chain(tool).collect()
+        let fixed = self.fixed_bodies.iter().map(|FixedBody { frame, body }| {
+            let pose = frames[frame.row].link.then_fixed(&frame.place);
+            (frame.row, body, pose)
+        });
+        links.chain(fixed).collect()
+    }
+
+    /// The parameters of what is fixed to the link of a row, about the origin of the frame in which the link frame is
+    /// at `link`.
+    pub(super) fn parameters_fixed_to(
+        &self,
+        row: usize,
+        link: &Pose<Number>,
+    ) -> impl Iterator<Item = [Number; 11]> {
+        let here = self
+            .fixed_bodies
+            .iter()
+            .filter(move |fixed| fixed.frame.row == row);
+        here.map(|fixed| fixed.body.parameters(&link.then_fixed(&fixed.frame.place)))
     }
 
     /// The bodies that can move: a joint that carries them is not locked.

@@ -1,4 +1,4 @@
-//! Poses and motions of the tip, of the other links and of the centre of mass: derivatives of poses.
+//! Poses and motions of a frame, of the links and of the centre of mass: derivatives of poses.
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
@@ -6,13 +6,13 @@ use super::derivatives::transpose;
 use super::elimination::{solve, with_pivots};
 use super::equations::product;
 use super::pose::{Lift, Pose, Position};
-use super::{Definition, Matrix, Vector};
+use super::{Definition, Frame, Matrix, Vector};
 use crate::linear::Vector3;
 
 impl Definition {
-    /// The pose of the tip in the world.
-    pub(super) fn forward_kinematics(&self) -> Vector {
-        homogeneous(&self.tip(&self.q))
+    /// The pose of a frame in the world.
+    pub(super) fn forward_kinematics(&self, frame: &Frame) -> Vector {
+        homogeneous(&self.pose(frame, &self.q))
     }
 
     /// The poses in the world of the frames of all links whose joints move.
@@ -22,9 +22,9 @@ impl Definition {
         links.flat_map(|i| homogeneous(&frames[i].link)).collect()
     }
 
-    /// By rows: vx vy vz wx wy wz of the tip's origin for unit velocity of each joint.
-    pub(super) fn jacobian(&self) -> Matrix {
-        let column = |j: usize| velocity(&self.tip(&self.along(j))).to_vec();
+    /// By rows: vx vy vz wx wy wz of the frame's origin for unit velocity of each joint.
+    pub(super) fn jacobian(&self, frame: &Frame) -> Matrix {
+        let column = |j: usize| velocity(&self.pose(frame, &self.along(j))).to_vec();
         self.by_columns(column)
     }
 
@@ -38,26 +38,26 @@ impl Definition {
     }
 
     /// J' w
-    pub(super) fn wrench_torques(&self) -> Vector {
-        product(&transpose(&self.jacobian()), &self.wrench)
+    pub(super) fn wrench_torques(&self, frame: &Frame) -> Vector {
+        product(&transpose(&self.jacobian(frame)), &self.wrench)
     }
 
-    /// The rate of the tip's pose along the motion.
-    pub(super) fn tool_velocity(&self) -> Vector {
-        velocity(&self.tip(&self.moving(&self.q, &self.qd))).to_vec()
+    /// The rate of the frame's pose along the motion.
+    pub(super) fn tool_velocity(&self, frame: &Frame) -> Vector {
+        velocity(&self.pose(frame, &self.moving(&self.q, &self.qd))).to_vec()
     }
 
     /// The rate of that velocity, where the velocities of the joints change at the rate qdd.
-    pub(super) fn tool_acceleration(&self) -> Vector {
-        let velocity = velocity(&self.tip(&self.accelerating()));
+    pub(super) fn tool_acceleration(&self, frame: &Frame) -> Vector {
+        let velocity = velocity(&self.pose(frame, &self.accelerating()));
         velocity.map(|x| x.derivative).to_vec()
     }
 
     /// By rows: the rate of each column of the Jacobian along the motion.
-    pub(super) fn jacobian_rate(&self) -> Vector {
+    pub(super) fn jacobian_rate(&self, frame: &Frame) -> Vector {
         let column = |j: usize| -> Vector {
             let along_motion = self.moving(&self.q, &self.qd);
-            let velocity = velocity(&self.tip(&self.moving(&along_motion, &self.unit(j))));
+            let velocity = velocity(&self.pose(frame, &self.moving(&along_motion, &self.unit(j))));
             velocity.iter().map(|x| x.derivative).collect()
         };
         self.by_columns(column).concat()
@@ -65,9 +65,13 @@ impl Definition {
 
     /// J M^-1 J' by rows, the pivots, and the diagonal of M. Where M is identically singular there are
     /// no values.
-    pub(super) fn operational_inertia_inverse(&self, computed: &[Option<Number>]) -> Vector {
+    pub(super) fn operational_inertia_inverse(
+        &self,
+        frame: &Frame,
+        computed: &[Option<Number>],
+    ) -> Vector {
         let matrix = self.mass_matrix(&self.q);
-        let jacobian = self.jacobian();
+        let jacobian = self.jacobian(frame);
         let values = match solve(matrix.clone(), transpose(&jacobian)) {
             Some(x) => {
                 let columns = transpose(&x);

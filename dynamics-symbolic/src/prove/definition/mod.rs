@@ -1,7 +1,8 @@
 //! The textbook definition, evaluated in the prime field from the raw table.
 //!
 //!   A_i = Rz(theta) Tz(d) Tx(a) Rx(alpha)   or   Rx(alpha) Tx(a) Rz(theta) Tz(d)
-//!   base, tool: T(xyz) Rz(yaw) Ry(pitch) Rx(roll) before A_1 and behind A_n
+//!   link frame i = link frame of the row that carries it, or the base, `at` A_i
+//!   base, tool, at, frames: T(xyz) Rz(yaw) Ry(pitch) Rx(roll)
 //!   T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2
 //!   U = U_g + U_k,   U_g = -sum m g.c,   U_k = sum 1/2 stiffness (q - rest)^2
 //!   M_ij = d2T / dqd_i dqd_j
@@ -37,7 +38,7 @@ use super::assignment::{Assignment, JointPoint, Number, STATES};
 use crate::function::{Argument, Function};
 use crate::linear::{Matrix3, Vector3};
 use crate::robot::Robot;
-use body::Body;
+use frames::{FixedBody, Frame};
 use pose::{Pose, Position};
 use row::Row;
 
@@ -49,10 +50,9 @@ pub struct Definition {
     gravity: Vector3<Number>,
     base: Option<Pose<Number>>,
     rows: Vec<Row>,
-    /// The tip in the last link frame.
-    tip: Option<Pose<Number>>,
-    /// The tool's body in the frame of the tip.
-    tool: Option<Body>,
+    tip: Option<Frame>,
+    /// The tool and the bodies of frames.
+    fixed_bodies: Vec<FixedBody>,
     /// The positions of all joints.
     q: Vec<Position<Number>>,
     qd: Vector,
@@ -104,12 +104,8 @@ impl Definition {
         let gravity = Vector3([0, 1, 2].map(|k| point.cell(&robot.gravity[k])));
         let base = robot.base.as_ref();
         let base = base.map(|base| place::placement(point, base));
-        let mount = robot.rows.last().and_then(|row| row.mount.as_ref());
-        let behind = mount.map(|mount| place::product(point, &mount.tip));
-        let tool = robot.tool.as_ref();
-        let tool_frame = tool.map(|tool| place::placement(point, &tool.placement));
-        let tip = behind.map_or(tool_frame, |behind| Some(behind.then_fixed(&tool_frame)));
-        let tool = tool.map(|tool| Body::new(point, &tool.mass, &tool.com, &tool.inertia));
+        let tip = Frame::tip(point, robot);
+        let fixed_bodies = FixedBody::all(point, robot);
         let uncoupled = robot.is_coupled().then(|| {
             let complete = Robot {
                 neglected: None,
@@ -126,7 +122,7 @@ impl Definition {
             gravity,
             base,
             tip,
-            tool,
+            fixed_bodies,
             q: rows.iter().map(|row| row.joint.position).collect(),
             rows,
             qd: all(|joint| joint.qd),
@@ -147,7 +143,8 @@ impl Definition {
         definition
     }
 
-    /// The right outputs of a function, or `None` if the table defines none at this point. Results of solving
+    /// The right outputs of a function, or `None` if the table defines none at this point, as for functions of the tip
+    /// where there is none. Results of solving
     /// with M are judged: `computed` accelerations for which M qdd + V + G + K + F = tau holds are right.
     pub fn expected(&self, function: Function, computed: &[Option<Number>]) -> Option<Vector> {
         if self.unfaithful {
@@ -169,21 +166,23 @@ impl Definition {
             Function::CoriolisMatrix => self.coriolis_matrix().concat(),
             Function::CoriolisCoefficients => self.coriolis_coefficients(),
             Function::CentrifugalCoefficients => self.centrifugal_coefficients(),
-            Function::ForwardKinematics => self.forward_kinematics(),
+            Function::ForwardKinematics => self.forward_kinematics(self.tip.as_ref()?),
             Function::LinkPoses => self.link_poses(),
-            Function::Jacobian => self.jacobian().concat(),
+            Function::Jacobian => self.jacobian(self.tip.as_ref()?).concat(),
             Function::InverseDynamicsDerivatives => self.inverse_dynamics_derivatives(),
             Function::ForwardDynamicsDerivatives => self.forward_dynamics_derivatives(computed),
             Function::Regressor => self.regressor()?,
             Function::BaseParameters => self.base_parameters()?,
-            Function::WrenchTorques => self.wrench_torques(),
-            Function::ToolVelocity => self.tool_velocity(),
-            Function::ToolAcceleration => self.tool_acceleration(),
-            Function::JacobianRate => self.jacobian_rate(),
+            Function::WrenchTorques => self.wrench_torques(self.tip.as_ref()?),
+            Function::ToolVelocity => self.tool_velocity(self.tip.as_ref()?),
+            Function::ToolAcceleration => self.tool_acceleration(self.tip.as_ref()?),
+            Function::JacobianRate => self.jacobian_rate(self.tip.as_ref()?),
             Function::LinkJacobians => self.link_jacobians(),
             Function::CenterOfMass => self.center_of_mass()?,
             Function::CenterOfMassJacobian => self.center_of_mass_jacobian()?,
-            Function::OperationalInertiaInverse => self.operational_inertia_inverse(computed),
+            Function::OperationalInertiaInverse => {
+                self.operational_inertia_inverse(self.tip.as_ref()?, computed)
+            }
             Function::GeneralizedMomentum => self.generalized_momentum(),
             Function::MomentumBias => self.momentum_bias(),
             Function::PassivityTorque => self.passivity_torque(),

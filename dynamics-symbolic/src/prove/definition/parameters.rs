@@ -79,17 +79,16 @@ impl Definition {
         })
     }
 
-    /// Every link's parameters. The tool is a part of the last link.
+    /// Every link's parameters. The tool and the bodies of frames are parts of the links that carry them.
     pub(super) fn standard_parameters(&self) -> Vector {
         self.columns(|i| {
             let row = &self.rows[i];
             let link = row.place.link_in_parameters();
-            let mut parameters = row.body.parameters(&link);
-            let tool = self.tool.as_ref().filter(|_| i + 1 == self.rows.len());
-            if let Some(body) = tool {
-                let tool = body.parameters(&link.then_fixed(&self.tip));
-                parameters = core::array::from_fn(|k| parameters[k] + tool[k]);
-            }
+            let own = row.body.parameters(&link);
+            let fixed = self.parameters_fixed_to(i, &link);
+            let mut parameters = fixed.fold(own, |sum, fixed| {
+                core::array::from_fn(|k| sum[k] + fixed[k])
+            });
             parameters[10] = row.reflected;
             parameters
         })

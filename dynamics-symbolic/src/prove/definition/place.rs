@@ -1,8 +1,8 @@
-//! The transform of a row: both conventions, and a mount.
+//! The transform of a row: where it begins, both conventions, and a mount.
 
 use super::super::assignment::{Assignment, Number};
 use super::pose::{Lift, Pose, Position};
-use crate::robot::{self, Convention, JointType};
+use crate::robot::{self, Carrier, Convention, JointType};
 
 /// The link frame of a row in the frame of the row that carries it: a constant transform, the joint
 /// Rz(turn + q) Tz(d) or Rz(turn) Tz(d + q), and another constant transform. `None` is the identity.
@@ -21,6 +21,15 @@ pub(super) struct Frames<R> {
     pub(super) parameters: Pose<R>,
 }
 
+/// The row that carries the row of this index; `None` for the base.
+pub(super) fn parent(row: &robot::Row, index: usize) -> Option<usize> {
+    match row.on {
+        Carrier::Base => None,
+        Carrier::Above => index.checked_sub(1),
+        Carrier::Row(parent) => Some(parent),
+    }
+}
+
 /// T(xyz) Rz(yaw) Ry(pitch) Rx(roll)
 pub(super) fn placement(point: &mut Assignment, placement: &robot::Placement) -> Pose<Number> {
     let xyz = placement.xyz.each_ref().map(|x| point.cell(x));
@@ -34,19 +43,25 @@ pub(super) fn product(point: &mut Assignment, places: &[robot::Placement]) -> Po
     places.fold(Pose::identity(), |pose, place| pose.then(&place))
 }
 
+/// A frame that is placed in another one, if there is one.
+fn from(start: Option<Pose<Number>>, place: &Pose<Number>) -> Pose<Number> {
+    start.map_or(*place, |start| start.then(place))
+}
+
 impl Place {
     pub(super) fn new(point: &mut Assignment, convention: Convention, row: &robot::Row) -> Self {
         let is_turned = row.joint_type == JointType::Revolute;
         let follows = row.follows.as_ref().filter(|_| is_turned);
         let offset = follows.map_or(robot::Value::zero(), |coupling| coupling.offset.clone());
+        let start = (!row.at.is_empty()).then(|| product(point, &row.at));
         if let Some(mount) = &row.mount {
-            return Place::mounted(point, mount, &offset);
+            return Place::mounted(point, start, mount, &offset);
         }
         // Rx(alpha) Tx(a)
         let screw = Pose::screw_x(point.angle(&row.alpha), point.cell(&row.a));
         let (before, behind) = match convention {
-            Convention::Standard => (None, Some(screw)),
-            Convention::Modified => (Some(screw), None),
+            Convention::Standard => (start, Some(screw)),
+            Convention::Modified => (Some(from(start, &screw)), None),
         };
         Place {
             before,
@@ -56,14 +71,18 @@ impl Place {
         }
     }
 
-    /// With S = Rz(azimuth) Ry(polar): the places and S, the turn of the joint, and S^-1.
-    fn mounted(point: &mut Assignment, mount: &robot::Mount, offset: &robot::Value) -> Self {
-        let places = product(point, &mount.places);
+    /// With S = Rz(azimuth) Ry(polar): where the row begins and S, the turn of the joint, and S^-1.
+    fn mounted(
+        point: &mut Assignment,
+        start: Option<Pose<Number>>,
+        mount: &robot::Mount,
+        offset: &robot::Value,
+    ) -> Self {
         let [azimuth, polar] = mount.axis.each_ref().map(|angle| point.angle(angle));
         let none = (Number::ZERO, Number::ONE);
         let axis = Pose::placed([Number::ZERO; 3], [none, polar, azimuth]);
         Place {
-            before: Some(places.then(&axis)),
+            before: Some(from(start, &axis)),
             turn: point.angle(offset),
             d: Number::ZERO,
             behind: Some(axis.inverse()),

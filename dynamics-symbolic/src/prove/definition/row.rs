@@ -4,7 +4,7 @@ use super::super::assignment::{Assignment, Number};
 use super::body::Body;
 use super::friction::Friction;
 use super::joint::Joint;
-use super::place::Place;
+use super::place::{self, Place};
 use crate::robot::{self, JointType, Robot};
 
 // Each cell of a row is read here, in `place`, in `body` or in `friction`.
@@ -31,11 +31,13 @@ impl Row {
         let row = &robot.rows[index];
         let moves = row.locked.is_none();
         let is_revolute = row.joint_type == JointType::Revolute;
+        let parent = place::parent(row, index);
         point.note([moves, is_revolute, row.mount.is_some()].map(u64::from));
+        point.note([parent.map_or(0, |parent| 1 + parent as u64)]);
         let ratio = point.cell(&row.gear_ratio);
         let spring = row.spring.as_ref().filter(|_| moves);
         Row {
-            parent: index.checked_sub(1),
+            parent,
             joint: Joint::new(point, robot, index),
             place: Place::new(point, robot.convention, row),
             body: Body::new(point, &row.mass, &row.com, &row.inertia),

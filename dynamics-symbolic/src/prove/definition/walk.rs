@@ -1,4 +1,4 @@
-//! The walk over the rows of an arm. A row knows the one that carries it: in a serial arm that is the one before.
+//! The walk over the rows of a robot. A row knows the one that carries it: in a serial arm that is the one above.
 
 use super::Definition;
 

@@ -74,6 +74,7 @@ pub(crate) fn antiparallel() -> Robot {
                 ..Row::new("j3", Prismatic)
             },
         ],
+        frames: Vec::new(),
         neglected: None,
         base: None,
         tool: None,
@@ -172,6 +173,7 @@ impl Arms {
             },
             gravity: [0, 1, 2].map(Value::field),
             rows: (0..dof).map(|i| self.row(i)).collect(),
+            frames: Vec::new(),
             neglected: None,
             base: None,
             tool: None,

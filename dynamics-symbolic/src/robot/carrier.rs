@@ -1,0 +1,53 @@
+//! Which link carries a joint.
+
+use super::{Placement, Robot, Row};
+
+/// The link on which a joint stands.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Carrier {
+    /// That of the row above. The first row stands on the base.
+    #[default]
+    Above,
+    /// The base.
+    Base,
+    /// That of the row of this index, which stands above.
+    Row(usize),
+}
+
+impl Robot {
+    /// The row whose link carries the joint of row i; `None` for the base.
+    pub fn parent(&self, i: usize) -> Option<usize> {
+        match self.rows[i].on {
+            Carrier::Above => i.checked_sub(1),
+            Carrier::Base => None,
+            Carrier::Row(row) => Some(row),
+        }
+    }
+
+    /// Whether each row stands on the link of the row above, and the first one on the base.
+    pub fn is_serial(&self) -> bool {
+        (0..self.rows.len()).all(|i| self.parent(i) == i.checked_sub(1))
+    }
+
+    /// The row whose link carries the tip: the only one that carries no other, which is the last one of a serial arm.
+    /// `None` where several carry no other.
+    pub fn tip_row(&self) -> Option<usize> {
+        self.rows.len().checked_sub(1).filter(|_| self.is_serial())
+    }
+
+    /// The placements of row i that its cells do not say, each placement in the one before it: of the joint's own frame
+    /// in that of the joint that carries it, of the link frame in the joint's own, and of the tip in the link frame.
+    pub fn mounted(&self, i: usize) -> [Vec<Placement>; 3] {
+        let Row { at, mount, .. } = &self.rows[i];
+        let mount_of = |row: usize| self.rows[row].mount.as_ref();
+        let back = self.parent(i).and_then(mount_of);
+        let back = back.map_or(Vec::new(), |mount| mount.link_frame());
+        match mount {
+            None => [[back, at.clone()].concat(), Vec::new(), Vec::new()],
+            Some(mount) => {
+                let before = [back, at.clone(), mount.turned()];
+                [before.concat(), mount.link_frame(), mount.tip.clone()]
+            }
+        }
+    }
+}

@@ -1,0 +1,378 @@
+//! Robots with branches: values that others have printed, and what the proof refuses.
+
+use dynamics_symbolic::Function;
+use dynamics_symbolic::derive::derive_plain;
+use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::program::Arithmetic;
+use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove};
+use dynamics_symbolic::robot::{
+    Body, Carrier, Convention, Frame, Interpretation, JointType, Mount, Placement, Robot, Row,
+    Symbol, Value,
+};
+
+fn ratio(a: i64, b: u64) -> Value {
+    Value::Rational(Rational::from_parts_signed(a.into(), b.into()))
+}
+
+fn vector(halves: [i64; 3]) -> [Value; 3] {
+    halves.map(|x| ratio(x, 2))
+}
+
+fn at(xyz: [Value; 3]) -> Vec<Placement> {
+    let rpy = vector([0; 3]);
+    vec![Placement { xyz, rpy }]
+}
+
+/// The Y of three joints of KDL's `treeinvdyntest.cpp`, by its fields m, I, L and g: two links on the first one, at L and
+/// at 2 L along its x axis.
+fn y_tree(convention: Convention) -> Robot {
+    let [m, inertia, length, g] = [0, 1, 2, 3].map(Value::field);
+    let zero = Value::zero;
+    let along = |x: Value| [x, zero(), zero()];
+    let link = |com: Value| Row {
+        mass: m.clone(),
+        com: along(com),
+        inertia: [zero(), zero(), inertia.clone(), zero(), zero(), zero()],
+        ..Row::new("link", JointType::Revolute)
+    };
+    let half = length.clone() * ratio(1, 2);
+    let twice = length.clone() + length.clone();
+    let (first, on_first, places) = match convention {
+        Convention::Modified => (length.clone(), twice.clone(), at(vector([0; 3]))),
+        // The link frame is at the end of the link, where the second one begins.
+        Convention::Standard => (zero(), zero(), at(along(length.clone()))),
+    };
+    let mut rows = vec![link(first), link(half.clone()), link(half)];
+    match convention {
+        Convention::Modified => (rows[1].a, rows[2].a) = (length.clone(), on_first),
+        Convention::Standard => rows[0].a = length.clone(),
+    }
+    rows[2].on = Carrier::Row(0);
+    rows[2].at = places;
+    Robot {
+        name: "Y".to_owned(),
+        fields: ["m", "I", "L", "g"].map(str::to_owned).to_vec(),
+        convention,
+        gravity: [zero(), -g, zero()],
+        rows,
+        frames: Vec::new(),
+        neglected: None,
+        base: None,
+        tool: None,
+    }
+}
+
+/// tau as KDL's test has it, at a point of the field.
+fn torques_of_y(point: &mut Assignment) -> Vec<Number> {
+    let [m, inertia, length, g] = [0, 1, 2, 3].map(|field| point.field(field));
+    let mut number = |a: i64, b: u64| {
+        let x = Rational::from_parts_signed(a.into(), b.into());
+        Interpretation::rational(point, &x)
+    };
+    let [half, quarter, two] = [(1, 2), (1, 4), (2, 1)].map(|(a, b)| number(a, b));
+    let [three, four, long] = [(3, 1), (4, 1), (13, 2)].map(|(a, b)| number(a, b));
+    let [first, second, third] = [0, 1, 2].map(|i| point.joints()[i]);
+    let [(s1, c1), (s2, c2), (s3, c3)] = [first, second, third].map(|joint| joint.sin_cos);
+    let [v1, v2, v3] = [first, second, third].map(|joint| joint.qd);
+    let [a1, a2, a3] = [first, second, third].map(|joint| joint.qdd);
+    let (c12, c13) = (c1 * c2 - s1 * s2, c1 * c3 - s1 * s3);
+    let mll = m * length * length;
+    let end = inertia + quarter * mll;
+    let weight = m * g * length;
+    vec![
+        (three * inertia + long * mll + mll * c2 + two * mll * c3) * a1
+            + (end + half * mll * c2) * a2
+            + (end + mll * c3) * a3
+            - half * mll * s2 * v2 * v2
+            - mll * s3 * v3 * v3
+            - mll * s2 * v1 * v2
+            - two * mll * s3 * v1 * v3
+            + weight * (four * c1 + half * c12 + half * c13),
+        (end + half * mll * c2) * a1 + end * a2 + half * mll * s2 * v1 * v1 + half * weight * c12,
+        (end + mll * c3) * a1 + end * a3 + mll * s3 * v1 * v1 + half * weight * c13,
+    ]
+}
+
+#[test]
+fn the_definition_of_a_tree_is_kdls_formula() {
+    for convention in [Convention::Modified, Convention::Standard] {
+        let robot = y_tree(convention);
+        let point = &mut Assignment::new(&robot, 11);
+        let definition = Definition::new(point, &robot);
+        let expected = Some(torques_of_y(point));
+        let found = definition.expected(Function::InverseDynamics, &[]);
+        assert_eq!(found, expected, "{convention:?}");
+    }
+}
+
+/// The tree of five joints of RBDL's `CalcDynamicSimpleTree3D`: axes z, y, x, y, x, unit masses and tensors.
+fn tree_of_five() -> Robot {
+    let quarter = || Value::Pi * ratio(1, 2);
+    let (x, y, z) = (
+        [Value::zero(), quarter()],
+        [quarter(), quarter()],
+        [0, 0].map(Value::integer),
+    );
+    // Carrier, place on it and centre of mass in halves of a metre, axis.
+    let joints = [
+        (Carrier::Above, [0, 0, 0], [2, 0, 0], z),
+        (Carrier::Above, [2, 0, 0], [0, 2, 0], y.clone()),
+        (Carrier::Above, [0, 2, 0], [0, 0, 2], x.clone()),
+        (Carrier::Row(0), [-1, 0, 0], [0, 2, 0], y),
+        (Carrier::Above, [0, -1, 0], [0, 0, 2], x),
+    ];
+    let row = |(on, place, com, axis)| Row {
+        on,
+        at: at(vector(place)),
+        mass: Value::integer(1),
+        com: vector(com),
+        inertia: [1, 1, 1, 0, 0, 0].map(Value::integer),
+        mount: Some(Mount {
+            axis,
+            tip: Vec::new(),
+        }),
+        ..Row::new("joint", JointType::Revolute)
+    };
+    Robot {
+        name: "TreeOfFive".to_owned(),
+        fields: Vec::new(),
+        gravity: [Value::zero(), ratio(-981, 100), Value::zero()],
+        rows: joints.map(row).to_vec(),
+        ..y_tree(Convention::Modified)
+    }
+}
+
+/// All positions, velocities and forces zero.
+struct Rest;
+
+impl Arithmetic for Rest {
+    type Number = f64;
+
+    fn rational(&mut self, x: &Rational) -> f64 {
+        x.to_f64().value()
+    }
+
+    fn symbol(&mut self, symbol: &Symbol) -> f64 {
+        f64::from(matches!(symbol, Symbol::Cosine(_)))
+    }
+
+    fn neg(&mut self, a: f64) -> f64 {
+        -a
+    }
+
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+
+    fn mul(&mut self, a: f64, b: f64) -> f64 {
+        a * b
+    }
+
+    fn div(&mut self, a: f64, b: f64) -> f64 {
+        a / b
+    }
+}
+
+#[test]
+fn accelerations_of_a_tree_are_rbdls() {
+    let robot = tree_of_five();
+    let program = derive_plain(&robot, Function::ForwardDynamics);
+    let printed = [
+        -1.603_190_661_478_60,
+        -0.534_396_887_159_533,
+        4.103_404_669_260_70,
+        0.267_198_443_579_767,
+        5.305_797_665_369_65,
+    ];
+    let found = program.evaluate(&mut Rest);
+    for (found, printed) in found.iter().zip(printed) {
+        assert!((found - printed).abs() < 1e-13, "{found} {printed}");
+    }
+    assert_eq!(prove(&robot, Function::ForwardDynamics, &program), Ok(()));
+}
+
+/// Joints of which neither carries the other have no inertia in common, and do not accelerate each other.
+#[test]
+fn entries_between_branches_are_the_constant_zero() {
+    let mut robot = tree_of_five();
+    robot.rows[3].on = Carrier::Base;
+    let n = robot.rows.len();
+    for (function, matrices) in [
+        (Function::MassMatrix, 1),
+        (Function::InverseDynamicsDerivatives, 2),
+        (Function::ForwardDynamicsDerivatives, 3),
+    ] {
+        let program = derive_plain(&robot, function);
+        let point = &mut Assignment::new(&robot, 3);
+        let values = program.evaluate(point);
+        for matrix in values[..matrices * n * n].chunks(n * n) {
+            for (i, j) in (0..3).flat_map(|i| [(i, 3), (i, 4), (3, i), (4, i)]) {
+                assert_eq!(
+                    matrix[n * i + j],
+                    Some(Number::ZERO),
+                    "{function:?} {i} {j}"
+                );
+            }
+        }
+        arms::assert_zeros_are_constants(&robot, function, &program);
+        assert_eq!(prove(&robot, function, &program), Ok(()));
+    }
+}
+
+/// The programs of a tree are refused for every tree in which one row has another parent or place, and the other way
+/// round.
+#[test]
+fn a_program_of_another_tree_is_refused() {
+    let tree = tree_of_five();
+    let functions = [
+        Function::InverseDynamics,
+        Function::MassMatrix,
+        Function::LinkPoses,
+    ];
+    let programs = |robot: &Robot| functions.map(|function| derive_plain(robot, function));
+    let own = programs(&tree);
+    let mut others = Vec::new();
+    for i in 1..5 {
+        let mut moved = tree.clone();
+        moved.rows[i].at[0].xyz[0] = ratio(7, 5);
+        others.push(moved);
+        let carriers = (0..i).map(Carrier::Row).chain([Carrier::Base]);
+        for carrier in carriers {
+            let mut other = tree.clone();
+            other.rows[i].on = carrier;
+            if other.parent(i) != tree.parent(i) {
+                others.push(other);
+            }
+        }
+    }
+    assert_eq!(others.len(), 14);
+    for other in others {
+        let of_other = programs(&other);
+        for (k, function) in functions.into_iter().enumerate() {
+            assert_eq!(prove(&tree, function, &own[k]), Ok(()));
+            assert_eq!(prove(&other, function, &of_other[k]), Ok(()));
+            for (robot, program) in [(&tree, &of_other[k]), (&other, &own[k])] {
+                let refusal = prove(robot, function, program).map_err(|failure| failure.cause);
+                assert!(matches!(refusal, Err(Cause::Output(_))), "{refusal:?}");
+            }
+        }
+    }
+}
+
+fn loaded(on: Option<usize>, mass: i64) -> Frame {
+    Frame {
+        name: "hand".to_owned(),
+        on,
+        places: at(vector([1, 2, 3])),
+        body: Some(Body {
+            mass: Value::integer(mass),
+            com: vector([1, 0, 0]),
+            inertia: [3, 2, 2, 1, 0, 0].map(Value::integer),
+        }),
+    }
+}
+
+/// The body of a frame is a part of the link that carries it, and none of another link. On the base it counts nowhere.
+#[test]
+fn bodies_of_frames_are_parts_of_their_links() {
+    let of = |frames: Vec<Frame>| Robot {
+        frames,
+        ..tree_of_five()
+    };
+    let robot = of(vec![loaded(Some(4), 2)]);
+    let others = [
+        of(Vec::new()),
+        of(vec![loaded(Some(4), 3)]),
+        of(vec![loaded(Some(2), 2)]),
+        of(vec![loaded(None, 2)]),
+    ];
+    let functions = [
+        Function::InverseDynamics,
+        Function::KineticEnergy,
+        Function::BaseParameters,
+        Function::CenterOfMass,
+    ];
+    for function in functions {
+        let program = derive_plain(&robot, function);
+        assert_eq!(prove(&robot, function, &program), Ok(()));
+        for other in &others {
+            assert!(prove(other, function, &program).is_err(), "{function:?}");
+        }
+        let without = derive_plain(&others[0], function);
+        assert_eq!(prove(&others[3], function, &without), Ok(()));
+    }
+}
+
+/// Nothing is proven of a tip that is not there.
+#[test]
+fn a_tree_of_two_tips_has_no_tip() {
+    let tree = tree_of_five();
+    assert_eq!(tree.tip_row(), None);
+    let about_the_tip = Function::ALL.into_iter().filter(|f| f.row().of_tip);
+    let refused = about_the_tip.map(|function| {
+        let program = derive_plain(&tree, function);
+        prove(&tree, function, &program).map_err(|failure| failure.cause)
+    });
+    assert_eq!(refused.collect::<Vec<_>>(), [Err(Cause::Undefined); 7]);
+}
+
+/// A robot twice on one base, the second one moved along the base by `xyz`.
+fn twice(robot: &Robot, xyz: [Value; 3]) -> Robot {
+    let mut both = robot.clone();
+    let count = robot.rows.len();
+    for (i, row) in robot.rows.iter().enumerate() {
+        let mut row = row.clone();
+        row.on = robot
+            .parent(i)
+            .map_or(Carrier::Base, |parent| Carrier::Row(count + parent));
+        if robot.parent(i).is_none() {
+            row.at = [at(xyz.clone()), row.at].concat();
+        }
+        both.rows.push(row);
+    }
+    both
+}
+
+/// What no joint of one arm does to the other costs nothing. The forward dynamics of two Pandas takes two additions more.
+#[test]
+fn two_arms_on_one_base_are_twice_one_arm() {
+    let functions = [
+        Function::MassMatrix,
+        Function::CoriolisVector,
+        Function::GravityVector,
+        Function::InverseDynamics,
+        Function::ForwardDynamics,
+    ];
+    for (name, functions) in [("puma560", &functions[..]), ("panda", &functions[..4])] {
+        let one = crate::without_friction(name);
+        let two = twice(&one, vector([2, 0, 0]));
+        for &function in functions {
+            let count = |robot| {
+                let operations = crate::derive(robot, function).operations();
+                [
+                    operations.multiplications,
+                    operations.additions,
+                    operations.divisions,
+                ]
+            };
+            assert_eq!(count(&two), count(&one).map(|alone| 2 * alone), "{name}");
+        }
+    }
+}
+
+/// A chain that is cut into a tree has no longer equations of motion.
+#[test]
+fn a_tree_is_no_longer_than_the_chain_it_was_cut_from() {
+    let chain = arms::generic_chain(6);
+    let whole = crate::derive(&chain, Function::InverseDynamics).operations();
+    for (row, on) in [
+        (3, Carrier::Row(0)),
+        (4, Carrier::Row(1)),
+        (3, Carrier::Base),
+    ] {
+        let mut tree = chain.clone();
+        tree.rows[row].on = on;
+        let cut = crate::derive(&tree, Function::InverseDynamics).operations();
+        assert!(cut.total() <= whole.total());
+    }
+}
