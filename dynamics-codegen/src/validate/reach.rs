@@ -58,8 +58,8 @@ fn length(row: &Row) -> Option<f64> {
         (JointType::Prismatic, Some(limits)) => limits,
         (JointType::Revolute, _) => &[],
     };
-    let mount = row.mount.iter();
-    let steps = mount.flat_map(|mount| mount.places.iter().chain(&mount.tip));
+    let tip = row.mount.iter().flat_map(|mount| &mount.tip);
+    let steps = row.at.iter().chain(tip);
     [&row.a, &row.d]
         .into_iter()
         .chain(limits)

@@ -148,9 +148,8 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         }
         // Steps of a URDF file have no places of their own. The first ones are those of a base.
         let joint = written.name.as_ref().map(Place::from);
-        let places = row.mount.iter().flat_map(|mount| &mount.places);
         let tip = row.mount.iter().flat_map(|mount| &mount.tip);
-        let steps = places.filter(|_| index > 0).chain(tip);
+        let steps = row.at.iter().filter(|_| index > 0).chain(tip);
         cells.extend(steps.flat_map(|step| &step.xyz).map(|x| (x, joint)));
     }
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
