@@ -199,13 +199,10 @@ impl<R: Ring> Arm<R> {
                 power = power.plus(turn);
             }
         }
-        match n < 0 {
-            true => Turn {
-                s: -power.s,
-                ..power
-            },
-            false => power,
+        if n < 0 {
+            power.s = -power.s;
         }
+        power
     }
 }
 
