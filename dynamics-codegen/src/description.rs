@@ -119,6 +119,8 @@ pub enum Entry {
     Beside(Place, Option<Vec<Row>>),
     /// `tool: { xyz: [0, 0, 0.1], mass: 2 }`
     Tool(Option<Box<Tool>>),
+    /// `frames: { left_hand: { on: left_elbow, xyz: [0.3, 0, 0] } }`
+    Frames(Place, Option<Vec<Frame>>),
     /// `functions: [...]`
     Functions(Option<Vec<Asked>>),
     /// `lock: [elbow = 0.3]`
@@ -224,7 +226,24 @@ pub struct Tool {
     pub body: Body,
 }
 
-/// The body of a link or of the tool.
+/// `left_hand: { on: left_elbow, xyz, rpy, mass, com, inertia }`
+#[derive(Debug, Default)]
+pub struct Frame {
+    /// The frame's name.
+    pub name: Option<Name>,
+    /// The row whose link carries it, or `base`; in a URDF file a link.
+    pub on: Given<Name>,
+    /// The frame in that link frame.
+    pub placement: Placement,
+    /// Where a file has the frame in that link frame, before `placement`: each place in the one before it.
+    pub places: Vec<robot::Placement>,
+    /// The body that is fixed to it.
+    pub body: Body,
+    /// Whether it is a link of a file, which no function has to ask for.
+    pub is_link: bool,
+}
+
+/// The body of a link, of the tool or of a frame.
 #[derive(Debug, Default)]
 pub struct Body {
     /// Its mass, kg.
@@ -298,6 +317,14 @@ pub struct Row {
     pub name: Option<Name>,
     /// Revolute or prismatic.
     pub joint_type: Option<JointType>,
+    /// The row whose link carries the joint, or `base`; left out, the row above.
+    pub on: Given<Name>,
+    /// Where the row begins on that link, `at: { xyz, rpy }`.
+    pub at: Given<Placement>,
+    /// Rotation about the z axis of the link that carries the joint, before the row of a modified table, rad.
+    pub gamma: Given<Expr>,
+    /// Displacement along that axis, m.
+    pub b: Given<Expr>,
     /// Length of the common normal, m.
     pub a: Given<Expr>,
     /// Twist, rad.

@@ -179,7 +179,11 @@ impl Parts {
                 }
                 // A file that could be read has given way to its entries.
                 Entry::File(_) => parts.has_unread_file = true,
-                Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) | Entry::Allow(_) => {}
+                Entry::Frames(..)
+                | Entry::Chain(_)
+                | Entry::Ignore(_)
+                | Entry::RoundAngles(_)
+                | Entry::Allow(_) => {}
             }
         }
         if let Some(functions) = &parts.functions {
