@@ -188,6 +188,7 @@ fn programs_are_those_of_a_table_where_axes_allow_it() {
             alpha: cells.alpha,
             d: cells.d,
             theta: cells.theta,
+            at: Vec::new(),
             mount: None,
             ..of_file.clone()
         };
