@@ -91,6 +91,15 @@ impl Table {
         })
     }
 
+    /// The frames of all entries, as far as they could be read.
+    pub(crate) fn frames(&self) -> impl Iterator<Item = &Frame> {
+        let frames = self.entries.iter().filter_map(|entry| match entry {
+            Entry::Frames(_, frames) => frames.as_ref(),
+            _ => None,
+        });
+        frames.flatten()
+    }
+
     /// The allowances of the whole table.
     pub(crate) fn allow(&self) -> Allow {
         let allowed = self.entries.iter().filter_map(|entry| match entry {
@@ -226,13 +235,22 @@ pub struct Tool {
     pub body: Body,
 }
 
+/// The link that carries a joint or a frame.
+#[derive(Clone, Debug)]
+pub enum Link {
+    /// As it is written: the row of that joint, or `base`.
+    Named(Name),
+    /// That of the row of this index, or the base: a file knows which.
+    Row(Option<usize>),
+}
+
 /// `left_hand: { on: left_elbow, xyz, rpy, mass, com, inertia }`
 #[derive(Debug, Default)]
 pub struct Frame {
-    /// The frame's name.
+    /// The frame's name; none if it could not be read.
     pub name: Option<Name>,
-    /// The row whose link carries it, or `base`; in a URDF file a link.
-    pub on: Given<Name>,
+    /// The link that carries it.
+    pub on: Given<Link>,
     /// The frame in that link frame.
     pub placement: Placement,
     /// Where a file has the frame in that link frame, before `placement`: each place in the one before it.
@@ -256,6 +274,20 @@ pub struct Body {
     pub inertia_at_origin: Given<Tensor>,
     /// Odd values that are accepted, there and in the rest of the row.
     pub allow: Given<Allow>,
+}
+
+impl Body {
+    /// Whether a mass or a tensor is written.
+    pub(crate) fn is_written(&self) -> bool {
+        let has_tensor = !self.inertia.is_absent() || !self.inertia_at_origin.is_absent();
+        has_tensor || !self.mass.is_absent()
+    }
+
+    /// Makes a mass and a centre of mass that were left out unreadable.
+    pub(crate) fn doubt(&mut self) {
+        self.mass.doubt();
+        self.com.doubt();
+    }
 }
 
 /// A thing that may be left out.
@@ -317,8 +349,8 @@ pub struct Row {
     pub name: Option<Name>,
     /// Revolute or prismatic.
     pub joint_type: Option<JointType>,
-    /// The row whose link carries the joint, or `base`; left out, the row above.
-    pub on: Given<Name>,
+    /// The link that carries the joint; left out, that of the row above.
+    pub on: Given<Link>,
     /// Where the row begins on that link, `at: { xyz, rpy }`.
     pub at: Given<Placement>,
     /// Rotation about the z axis of the link that carries the joint, before the row of a modified table, rad.

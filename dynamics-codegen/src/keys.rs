@@ -21,13 +21,13 @@ pub(crate) struct Part {
 
 /// The keys of a call.
 pub(crate) const KEYS: &[&str] = word_list![
-    file chain ignore round_angles convention gravity base joints couple tool functions lock neglect tests
+    file chain ignore round_angles convention gravity base joints couple tool frames functions lock neglect tests
     allow
 ];
 
 /// The keys of entries in TOML beside a file.
 const KEYS_BESIDE_A_FILE: &[&str] = word_list![
-    convention gravity base joint couple tool functions lock neglect tests allow let joints
+    convention gravity base joint couple tool frame functions lock neglect tests allow let joints
 ];
 
 /// The keys of a file.
@@ -79,13 +79,16 @@ parts! {
     BESIDE_A_FILE: "a joint of the file", "cell", [motor friction spring limits torque_limit velocity_limit allow],
         "`{ friction: { ... }, motor: { ... } }`";
     BASE: "`base`", "base entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
+    AT: "`at`", "placement entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
+    FRAME: "a frame", "frame entry", [on xyz rpy mass com inertia inertia_at_origin allow],
+        "`{ on: joint, xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
     TOOL: "`tool`", "tool entry", [xyz rpy mass com inertia inertia_at_origin allow],
         "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw], mass: ..., com: ..., inertia: ... }`";
 }
 
 /// The words of a row that only the file of a joint has.
 pub(crate) const OF_A_FILE: &[&str] =
-    word_list![name type a alpha d theta mass com inertia inertia_at_origin];
+    word_list![name type a alpha d theta on at gamma b mass com inertia inertia_at_origin];
 
 pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 

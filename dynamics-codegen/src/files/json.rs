@@ -1,8 +1,8 @@
 //! JSON, as a tree with the words of TOML.
 //!
 //! The shape is that of published tables: `joints` with the cells `a`, `alpha`, `d`, `theta`, `mass`, `com`,
-//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, and `tool`, whose
-//! `inertia` is such a list too, beside notes such as `source`. The words of the macro are read as well.
+//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, and `tool` and
+//! `frames`, whose `inertia` is such a list too, beside notes such as `source`. The words of the macro are read as well.
 
 use jsonc_parser::ast::{ObjectProp, Value};
 use jsonc_parser::common::Ranged;
@@ -89,6 +89,15 @@ fn with_words_of_toml(root: &mut Node) {
                     }
                 }
             }
+            "frame" | "frames" => {
+                key.word = "frame".to_owned();
+                for (_, frame) in value.items_mut().into_iter().flatten() {
+                    let place = frame.place;
+                    if let Some(cells) = frame.items_mut() {
+                        body(cells, place, is_published);
+                    }
+                }
+            }
             "tool" => {
                 let place = value.place;
                 if let Some(cells) = value.items_mut() {
@@ -102,7 +111,9 @@ fn with_words_of_toml(root: &mut Node) {
 
 /// Whether the key is a remark, which says nothing about the robot: it is not a known key, nor similar to one.
 fn is_note(word: &str) -> bool {
-    word != "joints" && !KEYS.contains(&word) && words::nearest(word, KEYS).is_none()
+    !["joints", "frames"].contains(&word)
+        && !KEYS.contains(&word)
+        && words::nearest(word, KEYS).is_none()
 }
 
 fn joint(row: &mut Node, index: usize, is_published: bool) {

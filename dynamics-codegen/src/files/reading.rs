@@ -121,8 +121,8 @@ fn put_name(name: &str, table: &mut Table) {
     table.has_all_fields = true;
 }
 
-/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled and
-/// what is allowed add to the file's, and cells of `joints` replace those of its rows. Every other entry replaces the file's (a `let` replaces that of the same name);
+/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled,
+/// frames and what is allowed add to the file's, and cells of `joints` replace those of its rows. Every other entry replaces the file's (a `let` replaces that of the same name);
 /// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
 /// passed over for a table. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
 pub fn table_beside(
@@ -157,7 +157,10 @@ pub(super) const ADDING: [&str; 3] = ["lock", "couple", "allow"];
 
 /// Whether an entry has one of these keys.
 fn adds(entry: &Entry) -> bool {
-    matches!(entry, Entry::Lock(_) | Entry::Couple(_) | Entry::Allow(_))
+    matches!(
+        entry,
+        Entry::Lock(_) | Entry::Couple(_) | Entry::Frames(..) | Entry::Allow(_)
+    )
 }
 
 /// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of

@@ -58,6 +58,9 @@ expectations! {
     named_joint(are_followers: bool)
         "the name of a joint: `follower = factor * leader + offset`" if are_followers
         else "the name of a joint: `joint = position`";
+    frames() "`{{ name: {{ on: joint, xyz: [x, y, z] }}, ... }}`";
+    frame() "the name of a frame: `name: {{ on: joint, ... }}`";
+    link() "the name of a joint, or `base`";
     joint_of_file() "the name of a joint: `joint: {{ ... }}`";
     value_after(name: &Name, are_followers: bool)
         "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`" if are_followers

@@ -36,6 +36,7 @@ pub(crate) mod expected;
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) mod file;
 pub(crate) mod joint;
+pub(crate) mod link;
 pub(crate) mod number;
 pub(crate) mod size;
 pub(crate) mod structure;

@@ -84,15 +84,16 @@ pub(super) fn at_cells(cursor: &Cursor) -> bool {
     !(has_name && is_typed)
 }
 
-/// Reads `{ joint: { friction: { ... } }, "joint 2": { motor: { ... } } }`.
-pub(super) fn cells_beside(cursor: &mut Cursor) -> Node {
+/// Reads `{ joint: { friction: { ... } }, "joint 2": { motor: { ... } } }`, or another table of tables with names, of
+/// which `item` is one.
+pub(super) fn named_tables(cursor: &mut Cursor, item: fn() -> Expected) -> Node {
     let start = absent(cursor);
     let Some(group) = cursor.take_group(Delimiter::Brace) else {
-        return start;
+        return value(cursor);
     };
-    let items = comma_separated(cursor.inside(&group), at_joint, |cursor| {
+    let items = comma_separated(cursor.inside(&group), at_table, |cursor| {
         let Some(name) = take_name(cursor) else {
-            let faults = vec![(cursor.here(), no_name(cursor, expected::joint_of_file()))];
+            let faults = vec![(cursor.here(), no_name(cursor, item()))];
             return (stray(cursor, faults), String::new());
         };
         let node = match colon(cursor, name.plain()) {
@@ -100,7 +101,7 @@ pub(super) fn cells_beside(cursor: &mut Cursor) -> Node {
             Err(_) => absent(cursor),
         };
         let key = Key::new(name.to_string(), (&name).into());
-        ((key, node), format!("joint `{name}`"))
+        ((key, node), format!("`{name}`"))
     });
     Node {
         kind: Kind::Table(items),
@@ -109,7 +110,7 @@ pub(super) fn cells_beside(cursor: &mut Cursor) -> Node {
 }
 
 /// Whether `name:` comes next, the name perhaps in quotes.
-fn at_joint(cursor: &Cursor) -> bool {
+fn at_table(cursor: &Cursor) -> bool {
     let mut ahead = cursor.clone();
     take_name(&mut ahead).is_some() && ahead.at(':')
 }

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident};
 
-use super::assigned::{functions, joints};
+use super::assigned::{functions, joints, named_tables};
 use super::cursor::Cursor;
 use super::list::one;
 use super::row::rows;
@@ -53,6 +53,7 @@ fn entry(cursor: &mut Cursor) -> ((Key, Node), char, String) {
 fn value_of(cursor: &mut Cursor, key: &str) -> Node {
     match words::meant(key, KEYS).unwrap_or(key) {
         "joints" => rows(cursor),
+        "frames" => named_tables(cursor, expected::frame),
         "functions" => functions(cursor),
         "lock" => joints(cursor, false),
         "couple" => joints(cursor, true),

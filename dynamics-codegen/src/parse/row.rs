@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use proc_macro2::{Delimiter, Ident};
 
-use super::assigned::{at_cells, cells_beside};
+use super::assigned::{at_cells, named_tables};
 use super::cursor::Cursor;
 use super::list::{colon, comma_separated};
 use super::value::{absent, table};
@@ -20,7 +20,7 @@ use crate::tree::{Kind, Node};
 pub(super) fn rows(cursor: &mut Cursor) -> Node {
     let start = absent(cursor);
     if at_cells(cursor) {
-        return cells_beside(cursor);
+        return named_tables(cursor, expected::joint_of_file);
     }
     let errors = cursor.errors();
     let Ok(group) = cursor.take_list(Delimiter::Bracket, expected::rows()) else {

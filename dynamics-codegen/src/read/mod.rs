@@ -11,10 +11,11 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Convention;
 
 use crate::description::{
-    Allow, Asked, Entry, FileName, Name, Placement, Positioned, Share, Table, Tool, Vector,
+    Allow, Asked, Entry, FileName, Frame, Link, Name, Placement, Positioned, Share, Table, Tool,
+    Vector,
 };
 use crate::diagnose::Diagnostics;
-use crate::keys::{BASE, CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, TOOL};
+use crate::keys::{BASE, CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
@@ -80,13 +81,18 @@ impl Reader<'_> {
         match item.name {
             "convention" => add(to, Entry::Convention, self.convention(node)),
             "gravity" => add(to, Entry::Gravity, self.gravity(node)),
-            "base" => add(to, Entry::Base, self.base(node).map(Box::new)),
+            "base" => add(
+                to,
+                Entry::Base,
+                self.placement_by(node, &BASE).map(Box::new),
+            ),
             "joints" if matches!(node.kind, Kind::Table(_)) => {
                 let rows = self.joints_beside(node);
                 add(to, |rows| Entry::Beside(place, rows), rows)
             }
             "joint" | "joints" => add(to, |rows| Entry::Joints(place, rows), self.joints(node)),
             "tool" => add(to, Entry::Tool, self.tool(node).map(Box::new)),
+            "frame" | "frames" => add(to, |frames| Entry::Frames(place, frames), self.frames(node)),
             "functions" => add(to, Entry::Functions, self.functions(node)),
             "lock" => add(to, Entry::Lock, self.lock(node)),
             "couple" => add(to, Entry::Couple, self.couple(node)),
@@ -188,6 +194,9 @@ impl Reader<'_> {
             Kind::Text(text) => self.name(text, node.place),
             Kind::Value(_) if found.starts_with(|c: char| c.is_ascii_digit()) => {
                 Err(self.error(node.place, mistake::file::number_as_name(found)))
+            }
+            Kind::Number(number) => {
+                Err(self.error(node.place, mistake::file::number_as_name(number)))
             }
             _ => Err(self.instead_of(what, node)),
         }
@@ -298,12 +307,13 @@ impl Reader<'_> {
         Ok(Asked::Fused(name, parts?))
     }
 
-    fn base(&mut self, node: &Node) -> Read<Placement> {
-        let mut base = Placement::default();
-        self.table(node, &BASE, |reader, item| {
-            reader.placement(item, &mut base)
+    /// A placement with the words of that part.
+    fn placement_by(&mut self, node: &Node, part: &Part) -> Read<Placement> {
+        let mut placement = Placement::default();
+        self.table(node, part, |reader, item| {
+            reader.placement(item, &mut placement)
         })?;
-        Ok(base)
+        Ok(placement)
     }
 
     fn placement(&mut self, item: &Item, placement: &mut Placement) -> Read<()> {
@@ -328,10 +338,54 @@ impl Reader<'_> {
             _ => reader.cell_of_body(item, &mut tool.body),
         })?;
         if incomplete {
-            tool.body.mass.doubt();
-            tool.body.com.doubt();
+            tool.body.doubt();
         }
         Ok(tool)
+    }
+
+    /// `{ left_hand: { on: left_elbow, xyz: [0.3, 0, 0] } }`. A frame that cannot be read leaves its name, if it has one.
+    fn frames(&mut self, node: &Node) -> Read<Vec<Frame>> {
+        let what = self.either(expected::frames(), "a table for each frame, `[frame.NAME]`");
+        let Kind::Table(items) = &node.kind else {
+            return Err(self.instead_of(&what, node));
+        };
+        let items = self.until_full(items);
+        let read = |(key, node): &(Key, Node)| {
+            let name = if key.kind == KeyKind::Stray {
+                Err(self.instead_of(&expected::frame(), node))
+            } else {
+                self.name(&key.word, key.place)
+            };
+            match name {
+                Ok(name) => self.frame(name, node),
+                Err(_) => Frame::default(),
+            }
+        };
+        Ok(items.map(read).collect())
+    }
+
+    fn frame(&mut self, name: Name, node: &Node) -> Frame {
+        let mut frame = Frame {
+            name: Some(name),
+            ..Frame::default()
+        };
+        let incomplete = self.visit(node, |reader, node| {
+            reader.table(node, &FRAME, |reader, item| match item.name {
+                "on" => put(&mut frame.on, reader.link(item.node)),
+                "xyz" | "rpy" => reader.placement(item, &mut frame.placement),
+                _ => reader.cell_of_body(item, &mut frame.body),
+            })
+        });
+        if incomplete.unwrap_or(true) {
+            frame.on.doubt();
+            frame.body.doubt();
+        }
+        frame
+    }
+
+    /// The link that carries a joint or a frame, by the joint's name.
+    fn link(&mut self, node: &Node) -> Read<Link> {
+        self.name_of(node, &expected::link()).map(Link::Named)
     }
 }
 

@@ -8,8 +8,8 @@ use crate::description::{
     Axis, Body, Coulomb, Friction, Given, Inertia, Joints, Limits, Name, Row, Solid, Tensor,
 };
 use crate::keys::{
-    ALLOWANCES_OF_BODY, BESIDE_A_FILE, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, OF_A_FILE, Part,
-    SPRING, STRIBECK, TENSOR, word_list,
+    ALLOWANCES_OF_BODY, AT, BESIDE_A_FILE, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, OF_A_FILE,
+    Part, SPRING, STRIBECK, TENSOR, word_list,
 };
 use crate::mistake::{self, expected, file as wrong};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
@@ -34,7 +34,7 @@ macro_rules! cells {
         impl Reader<'_> {
             fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
                 let Row {
-                    name: _, joint_type: _, on: _, at: _, gamma: _, b: _, places: _, mount: _, limits_of_urdf: _, body, $($($cell),*),*
+                    name: _, joint_type: _, places: _, mount: _, limits_of_urdf: _, body, $($($cell),*),*
                 } = row;
                 match item.name {
                     $($(stringify!($cell) => put($cell, self.$read(item.node, $($with),*)),)*)*
@@ -55,7 +55,7 @@ macro_rules! cells {
 }
 
 cells! {
-    {a: value(), alpha: value(), d: value(), theta: value()}
+    {a: value(), alpha: value(), d: value(), theta: value(), on: link(), at: placement_by(&AT), gamma: value(), b: value()}
     {mass: value(), com: xyz(), inertia: inertia(), inertia_at_origin: tensor()}
     {motor: values(&MOTOR), friction: friction(), spring: values(&SPRING), limits: range(), torque_limit: value(),
      velocity_limit: value()}
@@ -146,8 +146,7 @@ impl Reader<'_> {
             self.error(node.place, wrong::typeless_joint(self.is_json()));
         }
         if incomplete {
-            row.body.mass.doubt();
-            row.body.com.doubt();
+            row.body.doubt();
         }
         Ok(row)
     }

@@ -13,6 +13,8 @@ mod limits;
 mod messages;
 mod names;
 mod table;
+#[cfg(feature = "files")]
+mod trees;
 mod units;
 
 use proc_macro2::TokenStream;

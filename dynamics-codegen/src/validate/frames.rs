@@ -1,11 +1,14 @@
-//! Gravity, where the base and the tool are, and the tool's body.
+//! Gravity, where the base, the tool and the frames are, and the bodies there.
 
-use dynamics_symbolic::robot::{Placement, Tool, Value};
+use std::collections::BTreeSet;
+
+use dynamics_symbolic::robot::{Body, Frame, Placement, Tool, Value};
 
 use super::body::body;
+use super::link;
 use super::scope::{Scope, norm};
-use crate::description::{self, Vector};
-use crate::mistake::entry as mistake;
+use crate::description::{self, Table, Vector};
+use crate::mistake::{entry as mistake, link as wrong};
 
 /// Magnitudes of gravity, m/s^2: the Moon has 1.6, Jupiter 24.8.
 const USUAL: core::ops::RangeInclusive<f64> = 1.0..=30.0;
@@ -61,6 +64,44 @@ pub(super) fn tool(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> 
             mass,
             com,
             inertia,
+        })
+    })
+}
+
+/// Reports names that several frames have, or a frame and a joint. A file may name its links like its joints.
+pub(super) fn report_names(table: &Table, scope: &Scope) {
+    let mut seen = BTreeSet::new();
+    for frame in table.frames() {
+        let Some(name) = &frame.name else {
+            continue;
+        };
+        let word = name.plain();
+        let is_joint = |row: &description::Row| row.word() == word;
+        if !seen.insert(word) {
+            scope.error(name, wrong::frame_twice(word));
+        } else if !frame.is_link && word == link::BASE {
+            scope.error(name, wrong::frame_named_base());
+        } else if !frame.is_link && table.rows().iter().any(is_joint) {
+            scope.error(name, wrong::frame_named_as_joint(word));
+        }
+    }
+}
+
+/// A frame; `None` where it is in error.
+pub(super) fn frame(frame: &description::Frame, table: &Table, scope: &mut Scope) -> Option<Frame> {
+    let name = frame.name.as_ref()?;
+    scope.within(&frame.body.allow, "frame", |scope| {
+        let on = link::of_frame(name, &frame.on, table, scope);
+        let placement = placement(&frame.placement, scope);
+        let (mass, com, inertia) = body(&frame.body, scope)?;
+        Some(Frame {
+            name: name.plain().to_owned(),
+            on: on?,
+            places: [frame.places.clone(), vec![placement?]].concat(),
+            body: frame
+                .body
+                .is_written()
+                .then_some(Body { mass, com, inertia }),
         })
     })
 }

@@ -11,6 +11,7 @@ mod elementary;
 mod frames;
 pub(crate) mod functions;
 mod limits;
+mod link;
 mod lock;
 mod measured;
 mod neglect;
@@ -21,7 +22,7 @@ mod solid;
 mod units;
 
 use dynamics_symbolic::Request;
-use dynamics_symbolic::robot::{Convention, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Convention, Frame, Placement, Robot, Row, Tool, Value};
 
 #[cfg(feature = "files")]
 use crate::description::{Allow, Expr};
@@ -115,6 +116,7 @@ struct Parts {
     base: Option<Option<Placement>>,
     rows: Option<Vec<Option<Row>>>,
     tool: Option<Option<Tool>>,
+    frames: Vec<Option<Frame>>,
     functions: Option<Vec<Asked>>,
     lock: Vec<Lock>,
     couple: Vec<Couple>,
@@ -148,7 +150,7 @@ impl Parts {
                 Entry::Joints(place, joints) => {
                     parts.rows = Some(match joints {
                         Some(joints) if number_is_good(joints, *place, scope) => {
-                            row::rows(&joints.rows, scope)
+                            row::rows(table, scope)
                         }
                         _ => Vec::new(),
                     });
@@ -179,13 +181,16 @@ impl Parts {
                 }
                 // A file that could be read has given way to its entries.
                 Entry::File(_) => parts.has_unread_file = true,
-                Entry::Frames(..)
-                | Entry::Chain(_)
-                | Entry::Ignore(_)
-                | Entry::RoundAngles(_)
-                | Entry::Allow(_) => {}
+                Entry::Frames(_, frames) => {
+                    let frames = frames.iter().flatten();
+                    parts
+                        .frames
+                        .extend(frames.map(|frame| frames::frame(frame, table, scope)));
+                }
+                Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) | Entry::Allow(_) => {}
             }
         }
+        frames::report_names(table, scope);
         if let Some(functions) = &parts.functions {
             if let Some(rows) = &parts.rows {
                 functions::report_long(functions, rows.len(), scope);
@@ -250,7 +255,7 @@ impl Parts {
             convention: self.convention??,
             gravity: self.gravity??,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
-            frames: Vec::new(),
+            frames: self.frames.into_iter().collect::<Option<_>>()?,
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,

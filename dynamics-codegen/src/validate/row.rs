@@ -2,19 +2,23 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Carrier, JointType, Row, Spring, Stribeck, Value};
+use dynamics_symbolic::robot::{JointType, Row, Spring, Stribeck, Value};
 
 use super::body::body;
-use super::limits;
 use super::scope::{Scope, all, number};
-use crate::description::{self, Coulomb, Given, Part};
+use super::{limits, link};
+use crate::description::{self, Coulomb, Given, Part, Table};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
 
 /// The meaning of each row; `None` where it is in error.
-pub(super) fn rows(rows: &[description::Row], scope: &mut Scope) -> Vec<Option<Row>> {
-    report_duplicates(rows, scope);
-    rows.iter().map(|row| self::row(row, scope)).collect()
+pub(super) fn rows(table: &Table, scope: &mut Scope) -> Vec<Option<Row>> {
+    report_duplicates(table.rows(), scope);
+    let row = |index: usize| {
+        let allow = &table.rows()[index].body.allow;
+        scope.within(allow, "row", |scope| cells(index, table, scope))
+    };
+    (0..table.rows().len()).map(row).collect()
 }
 
 fn report_duplicates(rows: &[description::Row], scope: &Scope) {
@@ -27,11 +31,10 @@ fn report_duplicates(rows: &[description::Row], scope: &Scope) {
     }
 }
 
-fn row(row: &description::Row, scope: &mut Scope) -> Option<Row> {
-    scope.within(&row.body.allow, "row", |scope| cells(row, scope))
-}
-
-fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
+fn cells(index: usize, table: &Table, scope: &mut Scope) -> Option<Row> {
+    let row = &table.rows()[index];
+    let on = link::of_row(index, table, scope);
+    let at = link::beginning(row, table, scope);
     let (d, theta) = offsets(row, scope);
     let a = scope.given(&row.a);
     let alpha = scope.angle(&row.alpha);
@@ -54,8 +57,8 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     Some(Row {
         name: row.name.as_ref()?.plain().to_owned(),
         joint_type: row.joint_type?,
-        on: Carrier::Above,
-        at: row.places.clone(),
+        on: on?,
+        at: at?,
         a: a?,
         alpha: alpha?,
         d: d?,

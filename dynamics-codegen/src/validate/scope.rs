@@ -90,7 +90,7 @@ impl<'d> Scope<'d> {
         self.diagnostics.error(at, mistake);
     }
 
-    /// Reads a row or the tool, which `place` says, with what is allowed there.
+    /// Reads a row, the tool or a frame, which `place` says, with what is allowed there.
     pub(super) fn within<T>(
         &mut self,
         allow: &Given<Allow>,
@@ -117,7 +117,7 @@ impl<'d> Scope<'d> {
         self.body.map_or(self.everywhere, |(allow, _)| allow)
     }
 
-    /// The row or the tool that is read, as messages call it.
+    /// The row, the tool or the frame that is read, as messages call it.
     pub(super) fn place(&self) -> &'static str {
         self.body.map_or("row", |(_, place)| place)
     }
@@ -126,6 +126,7 @@ impl<'d> Scope<'d> {
     pub(super) fn place_of_allow(&self) -> &'static str {
         match self.body {
             Some((_, "tool")) => "on the tool",
+            Some((_, "frame")) => "on the frame",
             Some(_) => "on the row",
             None => AT_THE_END,
         }
