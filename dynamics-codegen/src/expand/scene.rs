@@ -1,8 +1,8 @@
-//! The lines of the struct's documentation about the base, the tool, joints that are locked or follow others, and terms
-//! that are neglected.
+//! The lines of the struct's documentation about the base, the tree of its joints, the tool, frames, joints that are locked
+//! or follow others, and terms that are neglected.
 
 use dynamics_symbolic::robot::{
-    Coupling, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
+    Coupling, Frame, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
 };
 
 use crate::validate::Model;
@@ -13,6 +13,8 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     let base = robot.base.as_ref().map(|base| self::base(robot, base));
     let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
     let mut lines: Vec<String> = base.into_iter().chain(tool).flat_map(paragraph).collect();
+    lines.extend(carried(robot));
+    lines.extend(frames(model));
     lines.extend(locked(robot));
     lines.extend(model.notes.iter().cloned().flat_map(paragraph));
     lines.extend(coupled(robot));
@@ -33,6 +35,56 @@ fn base(robot: &Robot, base: &Placement) -> String {
          those in the world.",
         placed(robot, base)
     )
+}
+
+/// The joints that stand elsewhere than at the end of the link of the row above.
+fn carried(robot: &Robot) -> Vec<String> {
+    let rows = robot.rows.iter().enumerate();
+    let elsewhere = rows.filter(|(i, row)| {
+        let is_placed = !row.at.is_empty() && row.mount.is_none();
+        robot.parent(*i) != i.checked_sub(1) || is_placed
+    });
+    let line = |(i, row): (usize, &Row)| {
+        let place = match &row.at[..] {
+            [place] if row.mount.is_none() => format!(" at {}", placed(robot, place)),
+            _ => String::new(),
+        };
+        format!(
+            " - `{}` on {}{place}",
+            row.name,
+            link(robot, robot.parent(i))
+        )
+    };
+    list(
+        " Joints that do not stand at the end of the link of the row above:",
+        elsewhere.map(line).collect(),
+    )
+}
+
+/// The frames that a function is about, or that have a body.
+fn frames(model: &Model) -> Vec<String> {
+    let robot = &model.robot;
+    let line = |frame: &Frame| {
+        let body = frame.body.as_ref()?;
+        let place = match &frame.places[..] {
+            [place] => format!(" at {}", placed(robot, place)),
+            _ => String::new(),
+        };
+        let body = format!(", with a body of {} kg", shown(robot, &body.mass));
+        Some(format!(
+            " - `{}` on {}{place}{body}",
+            frame.name,
+            link(robot, frame.on)
+        ))
+    };
+    list(" Frames:", robot.frames.iter().filter_map(line).collect())
+}
+
+/// The link of a row, or the base.
+fn link(robot: &Robot, row: Option<usize>) -> String {
+    row.map_or("the base".to_owned(), |row| {
+        format!("the link of `{}`", robot.rows[row].name)
+    })
 }
 
 fn tool(robot: &Robot, tool: &Tool) -> String {

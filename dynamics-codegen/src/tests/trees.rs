@@ -143,3 +143,119 @@ fn a_tree_says_the_same_in_all_languages() {
         assert_eq!(other.robot.frames, robot.frames);
     }
 }
+
+/// A call with those rows, of which the first is 0.5 m long, and those entries.
+fn arm(rows: &str, entries: &str) -> String {
+    format!(
+        "struct Arm {{ x: f64 }} convention: modified, gravity: [0, 0, -9.81], joints: [
+            first: revolute {{ spring: {{ stiffness: x }} }}, second: revolute {{ a: 0.5, mass: 2, com: [0.2, 0, 0] }},
+            {rows}
+        ], {entries}"
+    )
+}
+
+/// Numbers that are hardly ever meant are told in the new cells as in those of a serial arm.
+#[test]
+fn numbers_hardly_ever_meant_are_told_on_trees() {
+    for (rows, frames, told) in [
+        (
+            "third: revolute { on: first, b: 300 }",
+            "",
+            "a length of 300 m",
+        ),
+        (
+            "third: revolute { on: first, at: { xyz: [0, -400, 0] } }",
+            "",
+            "a length of -400 m",
+        ),
+        (
+            "",
+            "hand: { on: second, xyz: [0, 0, 120], mass: 1 }",
+            "a length of 120 m",
+        ),
+        (
+            "",
+            "hand: { on: second, mass: 700 }",
+            "a mass of 700 kg in an arm whose longest part is 0.5 m",
+        ),
+        (
+            "",
+            "hand: { on: second, mass: 1, com: [0, 0, 20] }",
+            "a centre of mass 20 m from its frame",
+        ),
+        (
+            "third: revolute { on: first, gamma: 90 }",
+            "",
+            "angles are in radians: write `deg(90)`",
+        ),
+        (
+            "third: revolute { at: { rpy: [0, 1.57, 0] } }",
+            "",
+            "nearly a right angle: write `PI/2`",
+        ),
+    ] {
+        let message = message(&arm(rows, &format!("frames: {{ {frames} }}")));
+        assert!(message.starts_with(told), "{message}");
+    }
+    // Things on the base may be anywhere.
+    model(&arm(
+        "third: revolute { on: base, at: { xyz: [0, 50, 0] }, mass: 1 }",
+        "frames: { corner: { on: base, xyz: [60, 0, 0], mass: 1 } }",
+    ));
+    model(&arm(
+        "third: revolute { on: first, b: 300 }",
+        "allow: [odd_length]",
+    ));
+}
+
+/// A leader may stand below its follower and on another branch; a joint that follows a locked one is locked.
+#[test]
+fn joints_are_locked_and_coupled_across_branches() {
+    let rows = "third: revolute { on: first, a: 0.2, mass: 1 }, fourth: revolute { on: second, a: 0.1, mass: 1 },";
+    let robot = model(&arm(rows, "couple: [second = 2 * third + 0.1]")).robot;
+    let follower = robot.rows[1].follows.as_ref().expect("a follower");
+    assert_eq!((follower.leader, &follower.factor), (2, &Value::integer(2)));
+    let robot = model(&arm(
+        rows,
+        "couple: [second = 2 * third], lock: [third = 0.25]",
+    ))
+    .robot;
+    assert_eq!(
+        robot.rows[1].locked.as_ref().map(|at| at.to_f64(&[])),
+        Some(0.5)
+    );
+    assert_eq!(robot.dof(), 2);
+}
+
+/// A joint moves no mass if nothing does that it carries: the row behind it may stand elsewhere.
+#[test]
+fn joints_that_move_no_mass_are_noted_on_trees() {
+    let notes = |frame: &str| {
+        let call = arm(
+            "third: revolute { on: first }, fourth: revolute { on: second, mass: 1 },",
+            &format!("frames: {{ {frame} }}, allow: [no_inertia]"),
+        );
+        model(&call).notes
+    };
+    let bare = notes("");
+    assert!(
+        bare.len() == 1 && bare[0].starts_with(" No mass moves with `third`: M"),
+        "{bare:?}"
+    );
+    assert_eq!(notes("hand: { on: third, mass: 1 }"), [""; 0]);
+    assert_eq!(notes("corner: { on: base, mass: 1 }").len(), 1);
+}
+
+#[test]
+fn the_documentation_says_where_joints_and_frames_stand() {
+    let call = TORSO.replace("gravity:", "functions: [potential_energy], gravity:");
+    let items = crate::generate(call.parse().expect("tokens")).to_string();
+    for line in [
+        "`left_shoulder` on the link of `waist` at xyz (0, 0, `width`) m and rpy (0, 0, 1.5707963267948966) rad",
+        "`lift` on the base at xyz (`width`, 0, 0) m and rpy (0, 0, 1.5707963267948966) rad",
+        "`left_hand` on the link of `left_elbow` at xyz (0.3, 0, 0) m and rpy (0, 0, 0) rad, with a body of `load` kg",
+    ] {
+        assert!(items.contains(line), "{line}");
+    }
+    assert!(!items.contains("`left_elbow` on"));
+}

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::function::{Fused, Growth, Request, Set};
-use dynamics_symbolic::robot::{Robot, Row, Tool};
+use dynamics_symbolic::robot::{Robot, Row, Value};
 
 use super::scope::Scope;
 use crate::description::{Asked, Entry, Name, Table};
@@ -124,15 +124,34 @@ pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnosti
 /// Whether a mass, a tensor or a motor's inertia is something else than the number zero.
 fn has_inertia(robot: &Robot) -> bool {
     let has_motor = |row: &Row| !row.motor_inertia.is_zero();
-    has_body(&robot.rows, robot) || robot.rows.iter().any(has_motor)
+    carry_bodies(robot).contains(&true) || robot.rows.iter().any(has_motor)
 }
 
-/// Whether one of those rows or the tool has a mass or a tensor.
-fn has_body(rows: &[Row], robot: &Robot) -> bool {
-    let mut cells = rows
+/// For each row whether its link, or one that it carries, has a mass or a tensor, by itself or by the tool or a frame.
+fn carry_bodies(robot: &Robot) -> Vec<bool> {
+    let has_any = |mass: &Value, inertia: &[Value; 6]| {
+        !mass.is_zero() || inertia.iter().any(|entry| !entry.is_zero())
+    };
+    let mut carry: Vec<bool> = robot
+        .rows
         .iter()
-        .flat_map(|row| row.inertia.iter().chain([&row.mass]));
-    robot.tool.as_ref().is_some_and(Tool::has_body) || cells.any(|value| !value.is_zero())
+        .map(|row| has_any(&row.mass, &row.inertia))
+        .collect();
+    if let Some(row) = robot.tip_row() {
+        let tool = robot.tool.as_ref();
+        carry[row] |= tool.is_some_and(|tool| has_any(&tool.mass, &tool.inertia));
+    }
+    for frame in &robot.frames {
+        if let (Some(row), Some(body)) = (frame.on, &frame.body) {
+            carry[row] |= has_any(&body.mass, &body.inertia);
+        }
+    }
+    for row in (0..carry.len()).rev() {
+        if let Some(carrier) = robot.parent(row) {
+            carry[carrier] |= carry[row];
+        }
+    }
+    carry
 }
 
 /// A note for the documentation on joints that move no mass, where a function solves with M. Joints that others follow
@@ -144,16 +163,17 @@ pub(super) fn note_on_massless(
     let mut parts = requests.iter().flat_map(|(request, _)| request.parts());
     let solving = parts.find(|function| function.row().refuses)?;
     let rows = robot.rows.iter().enumerate();
+    let carry = carry_bodies(robot);
     let massless = rows.filter(|(index, row)| {
-        let is_bare = !has_body(&robot.rows[*index..], robot) && row.motor_inertia.is_zero();
+        let is_bare = !carry[*index] && row.motor_inertia.is_zero();
         is_bare && row.locked.is_none()
     });
     let names: Vec<&str> = massless.map(|(_, row)| row.name.as_str()).collect();
     let is_certain = !names.is_empty() && robot.followers().next().is_none();
     is_certain.then(|| {
         format!(
-            " No mass moves with {}: M is singular at every position, and `{}` returns an error, until the last link or the \
-             `tool` has a mass, or the joint a motor.",
+            " No mass moves with {}: M is singular at every position, and `{}` returns an error, until a link or a frame \
+             behind the joint, or the `tool`, has a mass, or the joint a motor.",
             words::all(&names),
             solving.name()
         )

@@ -64,7 +64,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         }
         parts.lock_and_couple(table, &scope);
         if !reach::report(&parts, table, &scope) {
-            units::report(&parts, reach::longest(&parts), table, &scope);
+            units::report(&parts, reach::longest(&parts, table), table, &scope);
         }
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);

@@ -4,6 +4,7 @@ use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
+use super::units::frames;
 use crate::description::{Body, Table};
 use crate::mistake::joint as mistake;
 
@@ -13,7 +14,7 @@ const FARTHEST: f64 = 10.0;
 /// Reports them, where all lengths are known; whether there is one. An arm without any length is not judged: a pendulum
 /// has none but that of its centre of mass.
 pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) -> bool {
-    let Some(longest) = longest(parts).filter(|longest| *longest > 0.0) else {
+    let Some(longest) = longest(parts, table).filter(|longest| *longest > 0.0) else {
         return false;
     };
     let mut is_far = false;
@@ -35,21 +36,31 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) -> bool {
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
         far(&tool.com, &written.body, "tool");
     }
+    for (frame, written) in frames(parts, table) {
+        if let Some(body) = frame.and_then(|frame| frame.body.as_ref()) {
+            far(&body.com, &written.body, "frame");
+        }
+    }
     is_far
 }
 
-/// The longest of `a`, `d`, the steps from joint to joint in a URDF file, the range of joints that slide, and the way to
-/// the tool. None where one of them is not known: a joint that slides without limits may slide as far as its links are
+/// The longest of `a`, `d`, the places of rows on the links that carry them, the range of joints that slide, and the
+/// ways to the tool and to frames. None where one of them is not known: a joint that slides without limits may slide as far as its links are
 /// long.
-pub(super) fn longest(parts: &Parts) -> Option<f64> {
+pub(super) fn longest(parts: &Parts, table: &Table) -> Option<f64> {
     let mut longest = 0.0_f64;
     for row in parts.rows.iter().flatten() {
         longest = longest.max(length(row.as_ref()?)?);
     }
-    match &parts.tool {
-        None => Some(longest),
-        Some(tool) => Some(longest.max(norm(&tool.as_ref()?.placement.xyz)?)),
+    if let Some(tool) = &parts.tool {
+        longest = longest.max(norm(&tool.as_ref()?.placement.xyz)?);
     }
+    for (frame, _) in frames(parts, table) {
+        for place in &frame?.places {
+            longest = longest.max(norm(&place.xyz)?);
+        }
+    }
+    Some(longest)
 }
 
 fn length(row: &Row) -> Option<f64> {

@@ -1,12 +1,12 @@
 //! Lengths in mm and masses in g: mistakes of the whole table, each reported once, at the largest of the numbers. A
 //! table in which a field matters to the judgement is not judged.
 
-use dynamics_symbolic::robot::Value;
+use dynamics_symbolic::robot::{Body as RigidBody, Frame, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
 use crate::audience::AT_THE_END;
-use crate::description::{Body, Expr, Given, Row, Table, Vector};
+use crate::description::{self, Body, Expr, Given, Row, Table, Vector};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
 
@@ -31,7 +31,7 @@ const DENSEST: f64 = 1500.0;
 /// Lighter bodies are not judged, kg: a camera on a small head, or a palm with short fingers, may be dense.
 const HEAVY: f64 = 20.0;
 
-/// The body of a row or of the tool.
+/// The body of a row, of the tool or of a frame.
 struct Judged {
     mass: f64,
     /// The way to its centre of mass, or its own length, m: that of the slender rod with the greatest of its moments.
@@ -93,7 +93,7 @@ fn allowed_at(row: &Row, place: &'static str) -> &'static str {
     row.mount.as_ref().map_or(place, |_| "in the call")
 }
 
-/// The bodies of the rows and of the tool; none where one of them is not known.
+/// The bodies of the rows, of the tool and of frames; none where one of them is not known.
 fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
     let rows = parts.rows.iter().flatten().zip(table.rows());
     let of_rows = rows.map(|(row, written)| {
@@ -107,7 +107,18 @@ fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
         let numbers = (&tool.mass, &tool.com, &tool.inertia);
         judged(numbers, &written.body, "on the tool", scope)
     });
-    of_rows.chain(of_tool).collect()
+    let of_frames = frames(parts, table).filter_map(|(frame, written)| {
+        let body = frame.map(|frame| frame.body.as_ref());
+        let judged = |body: &RigidBody| {
+            let numbers = (&body.mass, &body.com, &body.inertia);
+            judged(numbers, &written.body, "on the frame", scope)
+        };
+        match body {
+            Some(body) => body.map(judged),
+            None => Some(None),
+        }
+    });
+    of_rows.chain(of_tool).chain(of_frames).collect()
 }
 
 fn judged(
@@ -130,8 +141,8 @@ fn judged(
     })
 }
 
-/// The lengths that are known, m, and where they stand: those of the rows and of the tool. How far the base is away, and
-/// how far joints slide, says nothing about the size of an arm.
+/// The lengths that are known, m, and where they stand: those of the rows, of the tool and of frames. How far things on
+/// the base are away, and how far joints slide, says nothing about the size of an arm.
 fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
     // A centre of mass that may be far away is not judged here either.
     let is_near = |body: &Body| !scope.with(&body.allow).odd_com;
@@ -146,11 +157,31 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         if is_near(&written.body) {
             cells.extend(vector(&row.com, &written.body.com));
         }
-        // Steps of a URDF file have no places of their own. The first ones are those of a base.
+        // Steps of a URDF file have no places of their own.
         let joint = written.name.as_ref().map(Place::from);
         let tip = row.mount.iter().flat_map(|mount| &mount.tip);
-        let steps = row.at.iter().filter(|_| index > 0).chain(tip);
+        let of_file = row.at.iter().take(written.places.len());
+        let is_on_base = row.on.parent(index).is_none();
+        let steps = of_file.filter(|_| !is_on_base).chain(tip);
         cells.extend(steps.flat_map(|step| &step.xyz).map(|x| (x, joint)));
+        if let Some(at) = row.at.get(written.places.len()).filter(|_| !is_on_base) {
+            match &written.at {
+                Given::As(place) => cells.extend(vector(&at.xyz, &place.xyz)),
+                _ => cells.push((&at.xyz[2], place_of(written.b.value()))),
+            }
+        }
+    }
+    for (frame, written) in frames(parts, table) {
+        let Some((frame, place)) = frame.and_then(|frame| Some((frame, frame.places.last()?)))
+        else {
+            continue;
+        };
+        if frame.on.is_some() {
+            cells.extend(vector(&place.xyz, &written.placement.xyz));
+        }
+        if let Some(body) = frame.body.as_ref().filter(|_| is_near(&written.body)) {
+            cells.extend(vector(&body.com, &written.body.com));
+        }
     }
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
         cells.extend(vector(&tool.placement.xyz, &written.placement.xyz));
@@ -160,6 +191,15 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
     }
     let known = |(value, place): (&Value, Option<Place>)| number(value).zip(place);
     cells.into_iter().filter_map(known).collect()
+}
+
+/// The frames that a table has, and those that a file has beside its links. One is `None` where it is in error.
+pub(super) fn frames<'p>(
+    parts: &'p Parts,
+    table: &'p Table,
+) -> impl Iterator<Item = (Option<&'p Frame>, &'p description::Frame)> {
+    let frames = parts.frames.iter().map(Option::as_ref).zip(table.frames());
+    frames.filter(|(_, written)| !written.is_link)
 }
 
 fn vector<'v>(values: &'v [Value; 3], written: &Given<Vector>) -> Vec<(&'v Value, Option<Place>)> {

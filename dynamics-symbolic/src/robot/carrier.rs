@@ -14,14 +14,21 @@ pub enum Carrier {
     Row(usize),
 }
 
-impl Robot {
+impl Carrier {
     /// The row whose link carries the joint of row i; `None` for the base.
-    pub fn parent(&self, i: usize) -> Option<usize> {
-        match self.rows[i].on {
+    pub fn parent(self, i: usize) -> Option<usize> {
+        match self {
             Carrier::Above => i.checked_sub(1),
             Carrier::Base => None,
             Carrier::Row(row) => Some(row),
         }
+    }
+}
+
+impl Robot {
+    /// The row whose link carries the joint of row i; `None` for the base.
+    pub fn parent(&self, i: usize) -> Option<usize> {
+        self.rows[i].on.parent(i)
     }
 
     /// Whether each row stands on the link of the row above, and the first one on the base.
