@@ -76,6 +76,29 @@ impl Audience {
         }
     }
 
+    /// A frame on the link of a joint.
+    pub(crate) fn frame(self, name: &str, joint: &str) -> String {
+        let (name, joint) = (quoted(name), shortened(joint));
+        match self {
+            Audience::Call => format!("`frames: {{ {name}: {{ on: {} }} }}`", quoted(&joint)),
+            Audience::File | Audience::Command => {
+                format!("`[frame.{name}]` with `on = \"{joint}\"`")
+            }
+        }
+    }
+
+    /// A function of a frame.
+    pub(crate) fn function_of(self, function: &str, frame: &str) -> String {
+        match self {
+            Audience::Call => format!("`{function}({})`", quoted(frame)),
+            Audience::File => format!("`\"{function}({})\"`", shortened(frame)),
+            Audience::Command => format!(
+                "`--functions {}`",
+                argument(&format!("{function}({frame})"))
+            ),
+        }
+    }
+
     /// Two functions that are asked for.
     pub(crate) fn functions(self, one: &str, other: &str) -> String {
         match self {

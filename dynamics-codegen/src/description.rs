@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::audience::Audience;
+use crate::words::shortened;
 
 pub use crate::place::Place;
 
@@ -86,7 +87,7 @@ impl Table {
     /// The tool, where one is written that could be read.
     pub(crate) fn tool(&self) -> Option<&Tool> {
         self.entries.iter().find_map(|entry| match entry {
-            Entry::Tool(tool) => tool.as_deref(),
+            Entry::Tool(_, tool) => tool.as_deref(),
             _ => None,
         })
     }
@@ -98,6 +99,11 @@ impl Table {
             _ => None,
         });
         frames.flatten()
+    }
+
+    /// Their names, as far as they could be read.
+    pub(crate) fn frame_names(&self) -> impl Iterator<Item = &Name> {
+        self.frames().filter_map(|frame| frame.name.as_ref())
     }
 
     /// The allowances of the whole table.
@@ -127,7 +133,7 @@ pub enum Entry {
     /// `joints: { elbow: { friction: { viscous: 0.1 } } }`, cells of the joints of a file.
     Beside(Place, Option<Vec<Row>>),
     /// `tool: { xyz: [0, 0, 0.1], mass: 2 }`
-    Tool(Option<Box<Tool>>),
+    Tool(Place, Option<Box<Tool>>),
     /// `frames: { left_hand: { on: left_elbow, xyz: [0.3, 0, 0] } }`
     Frames(Place, Option<Vec<Frame>>),
     /// `functions: [...]`
@@ -166,12 +172,33 @@ pub struct FileName {
 pub enum Asked {
     /// `default`: the default set.
     Default(Place),
-    /// `jacobian`
-    One(Function, Place),
+    /// `jacobian`, or `jacobian(left_hand)`
+    One(Wanted),
     /// `control_terms = (mass_matrix, gravity_vector)`
-    Fused(Name, Vec<(Function, Place)>),
+    Fused(Name, Vec<Wanted>),
     /// An entry that could not be read: the error has been reported.
     Unreadable,
+}
+
+/// A function that is asked for by its name.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// The function.
+    pub function: Function,
+    /// The frame that it is about; none for the tip, and for a function that is about no frame.
+    pub frame: Option<Name>,
+    /// Where it is written.
+    pub place: Place,
+}
+
+impl fmt::Display for Wanted {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let name = self.function.name();
+        match &self.frame {
+            None => f.write_str(name),
+            Some(frame) => write!(f, "{name}({})", shortened(frame.plain())),
+        }
+    }
 }
 
 /// `elbow = 0.3`, or `finger_2 = -finger_1 + 0.02` of a joint that follows another one.
@@ -277,10 +304,10 @@ pub struct Body {
 }
 
 impl Body {
-    /// Whether a mass or a tensor is written.
+    /// Whether anything of it is written.
     pub(crate) fn is_written(&self) -> bool {
         let has_tensor = !self.inertia.is_absent() || !self.inertia_at_origin.is_absent();
-        has_tensor || !self.mass.is_absent()
+        has_tensor || !self.mass.is_absent() || !self.com.is_absent()
     }
 
     /// Makes a mass and a centre of mass that were left out unreadable.

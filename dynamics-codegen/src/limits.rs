@@ -63,6 +63,10 @@ pub(crate) const MOST_LONG_FUNCTIONS: usize = 2 * MOST_JOINTS_OF_LONG_FUNCTIONS.
 /// Four of 64 joints, 36 of seven.
 pub(crate) const MOST_PARTS: usize = 256;
 
+/// Functions of frames in one call, times the number of joints: 64 of 64 joints. One that solves with M grows with the
+/// square of that number, and counts as so many: one of 64 joints takes seconds and 130 MB, four of 30 are allowed.
+pub(crate) const MOST_OF_FRAMES: usize = 4096;
+
 /// Names that a message lists.
 pub(crate) const MOST_LISTED: usize = 20;
 

@@ -76,7 +76,7 @@ pub(crate) enum Kind {
     /// `1%`
     Share(Share),
     /// `name(arguments)` where the name is that of no function of numbers, and the mistakes of it as a value.
-    Solid(Name, Box<Node>, Vec<Fault>),
+    Applied(Name, Box<Node>, Vec<Fault>),
     /// `name = value` in a list.
     Pair(Key, Box<Node>),
     /// The rows of a call, and whether all of them could be recognised.
@@ -187,7 +187,7 @@ impl Node {
                 share.place = place;
                 share.number.put(place);
             }
-            Kind::Solid(name, sizes, faults) => {
+            Kind::Applied(name, sizes, faults) => {
                 *name = Name::new(name.to_string(), place);
                 sizes.put(place);
                 faults.iter_mut().for_each(|(at, _)| *at = place);

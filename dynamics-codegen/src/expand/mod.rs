@@ -157,7 +157,7 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
         Some(Some(asked)) => {
             let requests = asked.iter().map(|asked| match asked {
                 Asked::Default(_) => default_set().collect(),
-                Asked::One(function, _) => vec![Request::One(*function)],
+                Asked::One(wanted) => vec![Request::One(wanted.function)],
                 Asked::Fused(name, parts) => vec![fused(name, parts)],
                 // It may be any of them.
                 Asked::Unreadable => Function::ALL.map(Request::One).to_vec(),

@@ -14,7 +14,7 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
     let mut lines: Vec<String> = base.into_iter().chain(tool).flat_map(paragraph).collect();
     lines.extend(carried(robot));
-    lines.extend(frames(model));
+    lines.extend(frames(robot));
     lines.extend(locked(robot));
     lines.extend(model.notes.iter().cloned().flat_map(paragraph));
     lines.extend(coupled(robot));
@@ -37,54 +37,41 @@ fn base(robot: &Robot, base: &Placement) -> String {
     )
 }
 
-/// The joints that stand elsewhere than at the end of the link of the row above.
+/// The joints that do not stand at the end of the link of the row above. A file places all of them.
 fn carried(robot: &Robot) -> Vec<String> {
-    let rows = robot.rows.iter().enumerate();
-    let elsewhere = rows.filter(|(i, row)| {
-        let is_placed = !row.at.is_empty() && row.mount.is_none();
-        robot.parent(*i) != i.checked_sub(1) || is_placed
-    });
     let line = |(i, row): (usize, &Row)| {
-        let place = match &row.at[..] {
-            [place] if row.mount.is_none() => format!(" at {}", placed(robot, place)),
-            _ => String::new(),
-        };
-        format!(
-            " - `{}` on {}{place}",
-            row.name,
-            link(robot, robot.parent(i))
-        )
+        let on = robot.parent(i);
+        let at: &[Placement] = if row.mount.is_some() { &[] } else { &row.at };
+        let is_elsewhere = on != i.checked_sub(1) || !at.is_empty();
+        is_elsewhere.then(|| format!(" - `{}` {}", row.name, stands(robot, on, at)))
     };
-    list(
-        " Joints that do not stand at the end of the link of the row above:",
-        elsewhere.map(line).collect(),
-    )
+    let rows = robot.rows.iter().enumerate();
+    let text = " Joints that do not stand at the end of the link of the row above:";
+    list(text, rows.filter_map(line).collect())
 }
 
-/// The frames that a function is about, or that have a body.
-fn frames(model: &Model) -> Vec<String> {
-    let robot = &model.robot;
+/// The frames that have a body.
+fn frames(robot: &Robot) -> Vec<String> {
     let line = |frame: &Frame| {
         let body = frame.body.as_ref()?;
-        let place = match &frame.places[..] {
-            [place] => format!(" at {}", placed(robot, place)),
-            _ => String::new(),
-        };
-        let body = format!(", with a body of {} kg", shown(robot, &body.mass));
+        let place = stands(robot, frame.on, &frame.places);
+        let mass = shown(robot, &body.mass);
         Some(format!(
-            " - `{}` on {}{place}{body}",
-            frame.name,
-            link(robot, frame.on)
+            " - `{}` {place}, with a body of {mass} kg",
+            frame.name
         ))
     };
     list(" Frames:", robot.frames.iter().filter_map(line).collect())
 }
 
-/// The link of a row, or the base.
-fn link(robot: &Robot, row: Option<usize>) -> String {
-    row.map_or("the base".to_owned(), |row| {
-        format!("the link of `{}`", robot.rows[row].name)
-    })
+/// The link that carries a thing, and where on it this stands, if that is one placement.
+fn stands(robot: &Robot, on: Option<usize>, places: &[Placement]) -> String {
+    let link = on.map(|row| format!("the link of `{}`", robot.rows[row].name));
+    let link = link.unwrap_or("the base".to_owned());
+    match places {
+        [place] => format!("on {link} at {}", placed(robot, place)),
+        _ => format!("on {link}"),
+    }
 }
 
 fn tool(robot: &Robot, tool: &Tool) -> String {

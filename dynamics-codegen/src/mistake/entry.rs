@@ -23,7 +23,7 @@ mistakes! {
     tuple_without_name(shown: &str) "functions that are computed together have a name: write `name = {shown}`";
     /// `name: (a, b)`
     tuple_by_colon(name: &impl Display) "functions are put together by `=`: write `{name} = (...)`";
-    default_in_tuple() "`default` stands for several functions: a tuple names each of its own";
+    default_for_one() "`default` stands for several functions: name each of them";
     tuple_named_as_function(name: &str) "`{name}` is the name of a function: a tuple has another one";
     /// `name = ()`
     no_parts(name: &impl Display)

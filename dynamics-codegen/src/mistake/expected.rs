@@ -60,6 +60,8 @@ expectations! {
         else "the name of a joint: `joint = position`";
     frames() "`{{ name: {{ on: joint, xyz: [x, y, z] }}, ... }}`";
     frame() "the name of a frame: `name: {{ on: joint, ... }}`";
+    frame_of_function()
+        "the name of a frame, in quotes if it is no word: `jacobian(left_hand)`, `jacobian(\"left-hand\")`";
     link() "the name of a joint, or `base`";
     joint_of_file() "the name of a joint: `joint: {{ ... }}`";
     value_after(name: &Name, are_followers: bool)

@@ -26,6 +26,10 @@ mistakes! {
     digits_in_all() "the exact fractions of this table have more than 50,000 digits in all: write decimal numbers";
     name(name: &str) {start: shortened(name), letters: name.chars().count()}
         "a name has at most {MOST_LETTERS} letters: `{start}` has {letters}";
+    /// A function of a frame besides others.
+    of_frames(name: &str, joints: usize)
+        "`{name}` besides the other functions of frames would be too long for one call with {joints} joints: ask for it in a \
+         call of its own, for a second struct with this table";
     /// Tuples of functions with too many functions in all.
     parts(joints: usize) {most: MOST_PARTS / joints.max(1)}
         "the tuples of one call have at most {most} functions in all with {joints} joints";

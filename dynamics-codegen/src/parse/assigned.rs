@@ -134,7 +134,10 @@ pub(super) fn functions(cursor: &mut Cursor) -> Node {
             return fused(cursor);
         }
         let node = value(cursor);
-        let what = format!("`{}`", node.word().unwrap_or_default());
+        let what = match &node.kind {
+            Kind::Applied(name, ..) => format!("`{name}(...)`"),
+            _ => format!("`{}`", node.word().unwrap_or_default()),
+        };
         (node, what)
     });
     Node {

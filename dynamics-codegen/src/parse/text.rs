@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(node.place.position(), (2, 3));
         let faults = match node.kind {
             Kind::Value(_) | Kind::Word(_) => node.behind,
-            Kind::Unreadable(faults) | Kind::Solid(_, _, faults) => faults,
+            Kind::Unreadable(faults) | Kind::Applied(_, _, faults) => faults,
             Kind::Table(_) | Kind::List(_) => vec![(at, mistake::no_value(text))],
             kind => panic!("{kind:?}"),
         };

@@ -36,7 +36,7 @@ fn kind(cursor: &mut Cursor) -> Kind {
             let _ = expression(&mut cursor.clone());
             let faults = cursor.take_errors(errors);
             *cursor = behind;
-            return Kind::Solid(Name::from(&word), Box::new(arguments), faults);
+            return Kind::Applied(Name::from(&word), Box::new(arguments), faults);
         }
         if ends_word(&behind) {
             *cursor = behind;
@@ -97,6 +97,7 @@ pub(super) fn list(cursor: Cursor) -> Vec<Node> {
         let what = match &node.kind {
             Kind::Word(name) => format!("`{name}`"),
             Kind::Text(text) => format!("`{text}`"),
+            Kind::Applied(name, ..) => format!("`{name}(...)`"),
             _ => "this value".to_owned(),
         };
         (node, what)

@@ -12,7 +12,7 @@ use dynamics_symbolic::robot::Convention;
 
 use crate::description::{
     Allow, Asked, Entry, FileName, Frame, Link, Name, Placement, Positioned, Share, Table, Tool,
-    Vector,
+    Vector, Wanted,
 };
 use crate::diagnose::Diagnostics;
 use crate::keys::{BASE, CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
@@ -91,7 +91,10 @@ impl Reader<'_> {
                 add(to, |rows| Entry::Beside(place, rows), rows)
             }
             "joint" | "joints" => add(to, |rows| Entry::Joints(place, rows), self.joints(node)),
-            "tool" => add(to, Entry::Tool, self.tool(node).map(Box::new)),
+            "tool" => {
+                let tool = self.tool(node).map(Box::new);
+                add(to, |tool| Entry::Tool(place, tool), tool)
+            }
             "frame" | "frames" => add(to, |frames| Entry::Frames(place, frames), self.frames(node)),
             "functions" => add(to, Entry::Functions, self.functions(node)),
             "lock" => add(to, Entry::Lock, self.lock(node)),
@@ -274,19 +277,53 @@ impl Reader<'_> {
 
     /// A function, or the default set.
     fn function(&self, node: &Node) -> Read<Asked> {
-        let known: Vec<_> = core::iter::once(DEFAULT).chain(function_names()).collect();
-        let word = self.word(node, &expected::function())?;
-        if word == DEFAULT {
+        if node.word() == Some(DEFAULT) {
             return Ok(Asked::Default(node.place));
         }
-        let function = self.function_of_name(word, node, &known)?;
-        Ok(Asked::One(function, node.place))
+        let known: Vec<_> = core::iter::once(DEFAULT).chain(function_names()).collect();
+        self.wanted(node, &known).map(Asked::One)
+    }
+
+    /// `jacobian`, or `jacobian(left_hand)`; in a file as a string.
+    fn wanted(&self, node: &Node, known: &[&'static str]) -> Read<Wanted> {
+        let mut place = node.place;
+        let frame = |what| self.instead_of(&expected::frame_of_function(), what);
+        let (word, frame) = match &node.kind {
+            Kind::Applied(function, arguments, _) => {
+                place = place.to(arguments.place);
+                let names: &[Node] = match &arguments.kind {
+                    Kind::List(names) => names,
+                    _ => &[],
+                };
+                let of = match names {
+                    [name] => self.name_of(name, &expected::frame_of_function()),
+                    [_, other, ..] => Err(frame(other)),
+                    [] => Err(frame(arguments)),
+                };
+                (function.plain(), Some(of))
+            }
+            Kind::Text(text) if !self.is_call() => match applied(text) {
+                Some((function, "")) => (function, Some(Err(frame(node)))),
+                Some((function, of)) => (function, Some(self.name(of, node.place))),
+                None => (text.as_str(), None),
+            },
+            _ => (self.word(node, &expected::function())?, None),
+        };
+        Ok(Wanted {
+            function: self.function_of_name(word, node, known)?,
+            frame: frame.transpose()?,
+            place,
+        })
     }
 
     fn function_of_name(&self, word: &str, node: &Node, known: &[&'static str]) -> Read<Function> {
         Function::from_name(word).ok_or_else(|| {
-            let unknown = unknown("function", word, known);
-            self.error(node.place, unknown.mistake)
+            let mistake = if word == DEFAULT {
+                mistake::entry::default_for_one()
+            } else {
+                unknown("function", word, known).mistake
+            };
+            self.error(node.place, mistake)
         })
     }
 
@@ -296,13 +333,7 @@ impl Reader<'_> {
         let what = self.either(expected::parts_of(&name), "an array of names of functions");
         let known: Vec<_> = function_names().collect();
         let parts = self.visit(parts, |reader, parts| {
-            reader.list(parts, &what, |reader, node| {
-                let word = reader.word(node, &expected::function())?;
-                if word == DEFAULT {
-                    return Err(reader.error(node.place, mistake::entry::default_in_tuple()));
-                }
-                Ok((reader.function_of_name(word, node, &known)?, node.place))
-            })
+            reader.list(parts, &what, |reader, node| reader.wanted(node, &known))
         });
         Ok(Asked::Fused(name, parts?))
     }
@@ -345,7 +376,10 @@ impl Reader<'_> {
 
     /// `{ left_hand: { on: left_elbow, xyz: [0.3, 0, 0] } }`. A frame that cannot be read leaves its name, if it has one.
     fn frames(&mut self, node: &Node) -> Read<Vec<Frame>> {
-        let what = self.either(expected::frames(), "a table for each frame, `[frame.NAME]`");
+        let what = self.either(
+            expected::frames(),
+            "a table with a table for each frame, by its name",
+        );
         let Kind::Table(items) = &node.kind else {
             return Err(self.instead_of(&what, node));
         };
@@ -353,6 +387,8 @@ impl Reader<'_> {
         let read = |(key, node): &(Key, Node)| {
             let name = if key.kind == KeyKind::Stray {
                 Err(self.instead_of(&expected::frame(), node))
+            } else if key.word.trim().is_empty() || key.word == "_" {
+                Err(self.error(key.place, mistake::link::nameless_frame()))
             } else {
                 self.name(&key.word, key.place)
             };
@@ -387,6 +423,16 @@ impl Reader<'_> {
     fn link(&mut self, node: &Node) -> Read<Link> {
         self.name_of(node, &expected::link()).map(Link::Named)
     }
+}
+
+/// The function and the frame in `jacobian(left_hand)`, where the frame may stand in quotes.
+fn applied(text: &str) -> Option<(&str, &str)> {
+    let (function, frame) = text.trim().strip_suffix(')')?.split_once('(')?;
+    let frame = frame.trim();
+    let unquoted = ['"', '\'']
+        .iter()
+        .find_map(|&quote| frame.strip_prefix(quote)?.strip_suffix(quote));
+    Some((function.trim(), unquoted.unwrap_or(frame)))
 }
 
 /// The names of all functions.

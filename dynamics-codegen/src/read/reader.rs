@@ -235,7 +235,7 @@ impl<'d> Reader<'d> {
                 let mistake = mistake::value::foreign("`%`");
                 Err(self.error(share.place.end(), mistake))
             }
-            Kind::Unreadable(faults) | Kind::Solid(_, _, faults) => {
+            Kind::Unreadable(faults) | Kind::Applied(_, _, faults) => {
                 let reported = self.report(faults);
                 Err(reported.unwrap_or_else(|| self.instead_of(&expected::value(), node)))
             }

@@ -226,7 +226,7 @@ impl Reader<'_> {
     fn inertia(&mut self, node: &Node) -> Read<Inertia> {
         self.read_text(node, |reader, node| match &node.kind {
             Kind::Table(_) => reader.tensor(node).map(Inertia::Tensor),
-            Kind::Solid(name, arguments, _) => reader.solid(node, name.plain(), arguments),
+            Kind::Applied(name, arguments, _) => reader.solid(node, name.plain(), arguments),
             Kind::List(entries) if reader.is_json() => {
                 let shown = "[xx, yy, zz, xy, yz, xz]";
                 let mistake = mistake::value::other_count(shown, entries.len());

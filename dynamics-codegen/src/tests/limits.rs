@@ -193,6 +193,40 @@ fn as_many_parts_of_tuples_as_are_allowed() {
     }
 }
 
+/// A function that solves with M at so many frames.
+fn with_functions_of_frames(count: usize) -> String {
+    let frames: Vec<String> = (0..count)
+        .map(|i| format!("f{i}: {{ on: joint63 }}"))
+        .collect();
+    let asked: Vec<String> = (0..count)
+        .map(|i| format!("operational_inertia_inverse(f{i})"))
+        .collect();
+    let (frames, asked) = (frames.join(", "), asked.join(", "));
+    let cells = "a: 0.1, alpha: 0.5, d: 0.2, mass: 1, com: [0.1, 0.2, 0.3]";
+    format!(
+        "{} frames: {{ {frames} }}, functions: [{asked}]",
+        with_rows(&rows(MOST_JOINTS, cells))
+    )
+}
+
+#[test]
+fn too_many_functions_of_frames() {
+    assert_eq!(
+        refusal(&with_functions_of_frames(2)),
+        [
+            "`operational_inertia_inverse(f1)` besides the other functions of frames would be too long for one call with 64 \
+          joints: ask for it in a call of its own, for a second struct with this table"
+        ]
+    );
+}
+
+#[test]
+#[ignore = "takes seconds: .ci/run runs it"]
+fn the_longest_function_of_a_frame() {
+    let (items, _) = expansion(&with_functions_of_frames(1), IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
+}
+
 #[test]
 fn tokens_without_end() {
     let message = format!("more than {MOST_TOKENS} words, numbers and signs in one call");

@@ -3,7 +3,8 @@
 use dynamics_symbolic::robot::{Carrier, Placement, Value};
 
 use super::*;
-use crate::files::{Format, Request, table};
+use crate::description::{Name, Place};
+use crate::files::{Format, Request, model_beside, table};
 
 /// The torso of a call, in which every new cell holds a field or a `let`.
 const TORSO: &str = "
@@ -90,14 +91,19 @@ const TORSO_IN_JSON: &str = r#"{
   { "name": "lift", "type": "prismatic", "on": "base", "at": { "xyz": ["width", 0, 0], "rpy": [0, 0, "PI/2"] }, "mass": 3 }
 ]}"#;
 
-/// The model of a file with the fields of the torso.
+/// The fields of the torso.
+fn fields() -> Vec<Name> {
+    let place = Place::File { line: 1, column: 1 };
+    ["load", "width"]
+        .map(|field| Name::new(field, place))
+        .to_vec()
+}
+
+/// The model of a file with these fields.
 fn model_of_file(text: &str, format: Format) -> Model {
     let mut table = table("Torso", text, format, &Request::default())
         .unwrap_or_else(|errors| panic!("{errors:#?}"));
-    let place = crate::description::Place::File { line: 1, column: 1 };
-    table.fields = ["load", "width"]
-        .map(|field| crate::description::Name::new(field, place))
-        .to_vec();
+    table.fields = fields();
     crate::check(&table).unwrap_or_else(|errors| panic!("{errors:#?}"))
 }
 
@@ -258,4 +264,32 @@ fn the_documentation_says_where_joints_and_frames_stand() {
         assert!(items.contains(line), "{line}");
     }
     assert!(!items.contains("`left_elbow` on"));
+}
+
+/// A function of a frame is asked for by the frame's name, with or without quotes, and stands in tuples, too.
+#[test]
+fn functions_of_frames_are_read_in_all_languages() {
+    let asked = "functions: [jacobian(left_hand), jacobian(\"the camera\"), grasp = (mass_matrix, forward_kinematics(left_hand))],";
+    let expected = "`jacobian(left_hand)`: functions of frames are not generated yet";
+    assert_eq!(
+        message(&TORSO.replace("gravity:", &format!("{asked} gravity:"))),
+        expected
+    );
+}
+
+/// Frames beside a file add to its own, and functions beside it may be about either.
+#[test]
+fn frames_beside_a_file_add_to_its_own() {
+    let request = Request::default();
+    let beside = "[frame.tail]\non = \"lift\"";
+    let mut beside = table("beside", beside, Format::Toml, &request).expect("entries");
+    beside.fields = fields();
+    let model = model_beside("Torso", TORSO_IN_TOML, Format::Toml, beside).expect("a robot");
+    let frames: Vec<_> = model
+        .robot
+        .frames
+        .iter()
+        .map(|frame| (frame.name.as_str(), frame.on))
+        .collect();
+    assert_eq!(frames[2..], [("corner", None), ("tail", Some(4))]);
 }

@@ -71,7 +71,9 @@ pub(super) fn tool(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> 
 /// Reports names that several frames have, or a frame and a joint. A file may name its links like its joints.
 pub(super) fn report_names(table: &Table, scope: &Scope) {
     let mut seen = BTreeSet::new();
-    for frame in table.frames() {
+    let links = table.frames().filter(|frame| frame.is_link);
+    let others = table.frames().filter(|frame| !frame.is_link);
+    for frame in links.chain(others) {
         let Some(name) = &frame.name else {
             continue;
         };
@@ -93,15 +95,13 @@ pub(super) fn frame(frame: &description::Frame, table: &Table, scope: &mut Scope
     scope.within(&frame.body.allow, "frame", |scope| {
         let on = link::of_frame(name, &frame.on, table, scope);
         let placement = placement(&frame.placement, scope);
+        let has_body = frame.body.is_written();
         let (mass, com, inertia) = body(&frame.body, scope)?;
         Some(Frame {
             name: name.plain().to_owned(),
             on: on?,
-            places: [frame.places.clone(), vec![placement?]].concat(),
-            body: frame
-                .body
-                .is_written()
-                .then_some(Body { mass, com, inertia }),
+            places: placement.map(|place| [frame.places.clone(), vec![place]].concat())?,
+            body: has_body.then_some(Body { mass, com, inertia }),
         })
     })
 }

@@ -1,20 +1,21 @@
 //! The functions that are asked for: each once, and each method with a name of its own.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::function::{Fused, Growth, Request, Set};
-use dynamics_symbolic::robot::{Robot, Row, Value};
+use dynamics_symbolic::robot::{Robot, Row};
 
 use super::scope::Scope;
-use crate::description::{Asked, Entry, Name, Table};
+use crate::description::{Asked, Entry, Name, Table, Wanted};
 use crate::diagnose::Diagnostics;
 use crate::keys::word_list;
 use crate::limits::{
-    MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS, MOST_PARTS,
+    MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS,
+    MOST_OF_FRAMES, MOST_PARTS,
 };
-use crate::mistake::{entry as mistake, size, value};
+use crate::mistake::{entry as mistake, link, size, value};
 use crate::place::Place;
 use crate::words;
 
@@ -25,11 +26,11 @@ pub(crate) const RESERVED: &[&str] = word_list![
 ];
 
 /// Every function that is named, parts of tuples too.
-pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = (Function, Place)> + Clone {
+pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = &Wanted> + Clone {
     asked.iter().flat_map(|asked| match asked {
-        Asked::Default(_) | Asked::Unreadable => Vec::new(),
-        Asked::One(function, place) => vec![(*function, *place)],
-        Asked::Fused(_, parts) => parts.clone(),
+        Asked::Default(_) | Asked::Unreadable => &[],
+        Asked::One(wanted) => core::slice::from_ref(wanted),
+        Asked::Fused(_, parts) => &parts[..],
     })
 }
 
@@ -48,14 +49,16 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
     for asked in asked {
         match asked {
             Asked::Default(_) => requests.extend(default_set.clone()),
-            Asked::One(function, place) => {
-                let request = (Request::One(*function), Some(*place));
+            Asked::One(wanted) => {
+                let request = (Request::One(wanted.function), Some(wanted.place));
                 // Friction is in the set where there is some; who asks for it need not know.
                 if !(has_default && is_default(&request)) {
                     requests.push(request);
                 }
             }
-            Asked::Fused(name, parts) => requests.push((fused(name, parts), Some(name.into()))),
+            Asked::Fused(name, parts) => {
+                requests.push((fused(name, parts), Some(name.into())));
+            }
             Asked::Unreadable => {}
         }
     }
@@ -69,11 +72,30 @@ fn has_friction(robot: &Robot) -> bool {
 }
 
 /// The method of that name with those parts.
-pub(crate) fn fused(name: &Name, parts: &[(Function, Place)]) -> Request {
+pub(crate) fn fused(name: &Name, parts: &[Wanted]) -> Request {
     Request::Fused(Fused {
         name: name.to_string(),
-        parts: parts.iter().map(|(function, _)| *function).collect(),
+        parts: parts.iter().map(|wanted| wanted.function).collect(),
     })
+}
+
+/// The name of the method of one function: of a frame in lower case, with `_` for every character but a-z and 0-9.
+fn method_name(wanted: &Wanted) -> String {
+    let letter = |letter: char| match letter.to_ascii_lowercase() {
+        letter @ ('a'..='z' | '0'..='9') => letter,
+        _ => '_',
+    };
+    let name = wanted.function.name().to_owned();
+    let frame = wanted.frame.as_ref();
+    let frame = frame.map(|frame| frame.plain().chars().map(letter).collect::<String>());
+    frame.map_or(name.clone(), |frame| format!("{name}_{frame}"))
+}
+
+/// Reports a function of a frame, which is not generated.
+pub(super) fn report_of_frames(asked: &[Asked], scope: &Scope) {
+    if let Some(wanted) = named(asked).find(|wanted| wanted.frame.is_some()) {
+        scope.error(wanted.place, link::not_generated(wanted));
+    }
 }
 
 /// Whether the arm has a mass, where a function divides by it; all of these are asked for by name.
@@ -105,7 +127,7 @@ pub(crate) fn read_masses(table: &Table) -> bool {
     });
     let is_default = |asked: &Asked| matches!(asked, Asked::Default(_));
     let has_default = asked.is_none_or(|asked| asked.iter().any(is_default));
-    let named = named(asked.unwrap_or_default()).map(|(function, _)| function);
+    let named = named(asked.unwrap_or_default()).map(|wanted| wanted.function);
     let mut functions = named.chain(table.needed.iter().copied());
     has_default || functions.any(Function::reads_masses)
 }
@@ -129,26 +151,25 @@ fn has_inertia(robot: &Robot) -> bool {
 
 /// For each row whether its link, or one that it carries, has a mass or a tensor, by itself or by the tool or a frame.
 fn carry_bodies(robot: &Robot) -> Vec<bool> {
-    let has_any = |mass: &Value, inertia: &[Value; 6]| {
-        !mass.is_zero() || inertia.iter().any(|entry| !entry.is_zero())
-    };
-    let mut carry: Vec<bool> = robot
-        .rows
+    let rows = robot.rows.iter().enumerate();
+    let of_rows = rows.map(|(i, row)| (Some(i), &row.mass, &row.inertia));
+    let tool = robot.tool.iter();
+    let of_tool = tool.map(|tool| (robot.tip_row(), &tool.mass, &tool.inertia));
+    let frames = robot
+        .frames
         .iter()
-        .map(|row| has_any(&row.mass, &row.inertia))
-        .collect();
-    if let Some(row) = robot.tip_row() {
-        let tool = robot.tool.as_ref();
-        carry[row] |= tool.is_some_and(|tool| has_any(&tool.mass, &tool.inertia));
-    }
-    for frame in &robot.frames {
-        if let (Some(row), Some(body)) = (frame.on, &frame.body) {
-            carry[row] |= has_any(&body.mass, &body.inertia);
-        }
-    }
-    for row in (0..carry.len()).rev() {
-        if let Some(carrier) = robot.parent(row) {
-            carry[carrier] |= carry[row];
+        .flat_map(|frame| Some(frame.on).zip(frame.body.as_ref()));
+    let of_frames = frames.map(|(on, body)| (on, &body.mass, &body.inertia));
+    let mut carry = vec![false; robot.rows.len()];
+    for (on, mass, inertia) in of_rows.chain(of_tool).chain(of_frames) {
+        let has_body = [mass]
+            .into_iter()
+            .chain(inertia)
+            .any(|value| !value.is_zero());
+        let mut link = on.filter(|_| has_body);
+        while let Some(row) = link {
+            carry[row] = true;
+            link = robot.parent(row);
         }
     }
     carry
@@ -182,29 +203,47 @@ pub(super) fn note_on_massless(
 
 /// Reports what is asked for twice, names that mean something else, and tuples that are none.
 pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
-    let mut seen = BTreeSet::new();
+    let mut seen = BTreeMap::new();
     let has_default = asked.iter().any(|asked| matches!(asked, Asked::Default(_)));
     for asked in asked {
-        let (word, place) = match asked {
-            Asked::Default(place) => ("default".to_owned(), *place),
-            Asked::One(function, place) => (function.name().to_owned(), *place),
-            Asked::Fused(name, _) => (name.plain().to_owned(), name.into()),
+        let (method, shown, place) = match asked {
+            Asked::Default(place) => ("default".to_owned(), "default".to_owned(), *place),
+            Asked::One(wanted) => (method_name(wanted), wanted.to_string(), wanted.place),
+            Asked::Fused(name, _) => (
+                name.plain().to_owned(),
+                name.plain().to_owned(),
+                name.into(),
+            ),
             Asked::Unreadable => continue,
         };
-        if !seen.insert(word.clone()) {
-            scope.error(place, mistake::function_twice(&word));
-        }
+        let other = seen.insert(method.clone(), shown.clone());
         match asked {
-            Asked::One(function, _) if has_default && function.row().set == Set::Default => {
-                scope.error(place, mistake::in_default_set(&word));
+            Asked::One(wanted) if wanted.frame.is_some() && other.as_ref() != Some(&shown) => {
+                let other = other.map(|other| format!("`{other}` too"));
+                if let Some(other) = other.or_else(|| meaning(&method)) {
+                    scope.error(place, link::method_taken(wanted, &method, &other));
+                }
             }
-            Asked::Fused(name, parts) => {
-                report_name(name, table, scope);
-                report_parts(name, parts, scope);
+            _ if other.is_some() => scope.error(place, mistake::function_twice(&shown)),
+            Asked::One(wanted) if has_default && wanted.function.row().set == Set::Default => {
+                scope.error(place, mistake::in_default_set(&shown));
             }
-            Asked::Default(_) | Asked::One(..) | Asked::Unreadable => {}
+            _ => {}
+        }
+        if let Asked::Fused(name, parts) = asked {
+            report_name(name, table, scope);
+            report_parts(name, parts, scope);
         }
     }
+}
+
+/// The meaning of a method's name that no function of a frame may have.
+fn meaning(method: &str) -> Option<String> {
+    let function = method.strip_suffix("_batch").unwrap_or(method);
+    Function::from_name(function).map(|_| match method == function {
+        true => "a function of its own".to_owned(),
+        false => format!("`{function}` of many states"),
+    })
 }
 
 fn report_name(name: &Name, table: &Table, scope: &Scope) {
@@ -218,18 +257,20 @@ fn report_name(name: &Name, table: &Table, scope: &Scope) {
     }
 }
 
-fn report_parts(name: &Name, parts: &[(Function, Place)], scope: &Scope) {
+fn report_parts(name: &Name, parts: &[Wanted], scope: &Scope) {
     match parts {
         [] => scope.error(name, mistake::no_parts(name)),
-        [(function, place)] => scope.error(*place, mistake::one_part(name, function.name())),
+        [wanted] => scope.error(wanted.place, mistake::one_part(name, &wanted.to_string())),
         _ => {}
     }
-    for (number, (function, place)) in parts.iter().enumerate() {
-        if parts[..number].iter().any(|(other, _)| other == function) {
-            scope.error(*place, mistake::part_twice(name, function.name()));
+    for (number, wanted) in parts.iter().enumerate() {
+        let mut before = parts[..number].iter();
+        let shown = wanted.to_string();
+        if before.any(|other| other.to_string() == shown) {
+            scope.error(wanted.place, mistake::part_twice(name, &shown));
         }
-        if !function.can_be_fused() {
-            scope.error(*place, mistake::never_a_part(function.name()));
+        if !wanted.function.can_be_fused() {
+            scope.error(wanted.place, mistake::never_a_part(&shown));
         }
     }
 }
@@ -238,6 +279,7 @@ fn report_parts(name: &Name, parts: &[(Function, Place)], scope: &Scope) {
 /// them together.
 pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
     report_long_functions(asked, joints, scope);
+    report_many_of_frames(asked, joints, scope);
     let tuples = asked.iter().filter_map(|asked| match asked {
         Asked::Fused(name, parts) => Some((name, parts.len())),
         Asked::Default(_) | Asked::One(..) | Asked::Unreadable => None,
@@ -252,6 +294,18 @@ pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
     }
 }
 
+fn report_many_of_frames(asked: &[Asked], joints: usize, scope: &Scope) {
+    let mut weight = 0;
+    for wanted in named(asked).filter(|wanted| wanted.frame.is_some()) {
+        let solves = wanted.function.row().refuses;
+        weight += if solves { joints.pow(2) } else { joints };
+        if weight > MOST_OF_FRAMES {
+            scope.error(wanted.place, size::of_frames(&wanted.to_string(), joints));
+            return;
+        }
+    }
+}
+
 fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
     let most_joints = |function: Function| match function.row().growth {
         Growth::Moderate => None,
@@ -259,23 +313,29 @@ fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
         Growth::Cubic => Some(MOST_JOINTS_OF_CUBIC_FUNCTIONS),
     };
     let mut are_short = true;
-    for (function, place) in named(asked) {
-        if let Some(most) = most_joints(function).filter(|most| joints > *most) {
-            scope.error(place, size::long_function(function.name(), most));
+    for Wanted {
+        function, place, ..
+    } in named(asked)
+    {
+        if let Some(most) = most_joints(*function).filter(|most| joints > *most) {
+            scope.error(*place, size::long_function(function.name(), most));
             are_short = false;
         }
     }
     if !are_short {
         return;
     }
-    let long = named(asked).filter(|(function, _)| most_joints(*function).is_some());
+    let long = named(asked).filter(|wanted| most_joints(wanted.function).is_some());
     let most = MOST_LONG_FUNCTIONS / joints.pow(3).max(1);
-    if let Some((function, place)) = long.clone().nth(most) {
+    if let Some(Wanted {
+        function, place, ..
+    }) = long.clone().nth(most)
+    {
         let names: Vec<&str> = long
-            .map(|(function, _)| function.name())
+            .map(|wanted| wanted.function.name())
             .take(most)
             .collect();
         let mistake = size::long_functions(function.name(), &names, joints);
-        scope.error(place, mistake);
+        scope.error(*place, mistake);
     }
 }

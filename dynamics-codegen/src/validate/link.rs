@@ -19,17 +19,13 @@ pub(super) fn of_row(index: usize, table: &Table, scope: &Scope) -> Option<Carri
             Link::Row(row) => return Some(row.map_or(Carrier::Base, Carrier::Row)),
             Link::Named(name) => name,
         };
-        match named(name, &rows[..index], table, scope)? {
-            None => Some(Carrier::Base),
-            Some(row) if row < index => Some(Carrier::Row(row)),
-            Some(row) if row == index => {
-                scope.refused(name.into(), mistake::on_itself(name.plain()))
-            }
-            Some(_) => {
-                let mistake = mistake::on_a_row_below(name.plain(), rows[index].word());
-                scope.refused(name.into(), mistake)
-            }
-        }
+        let mistake = match named(name, index, table, scope)? {
+            None => return Some(Carrier::Base),
+            Some(row) if row < index => return Some(Carrier::Row(row)),
+            Some(row) if row == index => mistake::on_itself(name.plain()),
+            Some(_) => mistake::on_a_row_below(name.plain(), rows[index].word()),
+        };
+        scope.refused(name.into(), mistake)
     })
 }
 
@@ -44,80 +40,63 @@ pub(super) fn of_frame(
         Given::Absent => scope.refused(frame.into(), mistake::without_link(frame.plain())),
         Given::Unreadable => None,
         Given::As(Link::Row(row)) => Some(*row),
-        Given::As(Link::Named(name)) => named(name, table.rows(), table, scope),
+        Given::As(Link::Named(name)) => named(name, table.rows().len(), table, scope),
     }
 }
 
 /// The row of that name; `None` inside for the base. Outer `None`: there is none, which is reported with the names of
-/// the rows that may be meant.
-fn named(name: &Name, possible: &[Row], table: &Table, scope: &Scope) -> Option<Option<usize>> {
-    let word = name.plain();
-    let row = table.rows().iter().position(|row| row.word() == word);
-    if word == BASE {
-        return match row {
-            Some(_) => scope.refused(name.into(), mistake::joint_named_base()),
-            None => Some(None),
-        };
-    }
-    if row.is_some() {
-        return Some(row);
-    }
-    let is_frame = |other: &Name| other.plain() == word;
-    if table
-        .frames()
-        .filter_map(|frame| frame.name.as_ref())
-        .any(is_frame)
-    {
-        return scope.refused(name.into(), mistake::on_a_frame(word));
-    }
+/// the first rows, so many as are possible.
+fn named(name: &Name, possible: usize, table: &Table, scope: &Scope) -> Option<Option<usize>> {
+    let (word, rows) = (name.plain(), table.rows());
+    let row = rows.iter().position(|row| row.word() == word);
     // A row that could not be read may have the name.
     let is_complete = table.joints().is_some_and(|joints| joints.complete);
-    if is_complete && table.rows().iter().all(|row| row.name.is_some()) {
-        let known = |rows: &[Row]| -> Vec<String> {
-            let names = rows.iter().map(|row| row.word().to_owned());
-            names.chain([BASE.to_owned()]).collect()
-        };
-        let (all, possible) = (known(table.rows()), known(possible));
-        let [all, possible] =
-            [&all, &possible].map(|names| names.iter().map(String::as_str).collect::<Vec<_>>());
-        let meant = words::nearest(word, &all);
-        scope.error(name, unknown("joint", word, meant, &possible));
-    }
-    None
+    let is_complete = is_complete && rows.iter().all(|row| row.name.is_some());
+    let mistake = match row {
+        Some(_) if word == BASE => mistake::joint_named_base(),
+        Some(row) => return Some(Some(row)),
+        None if word == BASE => return Some(None),
+        None if table.frame_names().any(|frame| frame.plain() == word) => mistake::on_a_frame(word),
+        None if is_complete => {
+            let all: Vec<&str> = rows.iter().map(Row::word).chain([BASE]).collect();
+            let possible = [&all[..possible], &[BASE]].concat();
+            unknown("joint", word, words::nearest(word, &all), &possible)
+        }
+        None => return None,
+    };
+    scope.refused(name.into(), mistake)
 }
 
 /// Where a row begins on the link that carries it, each place in the one before it. `gamma` and `b` are
 /// Rz(gamma) Tz(b) (Khalil and Kleinfinger 1986).
 pub(super) fn beginning(row: &Row, table: &Table, scope: &mut Scope) -> Option<Vec<Placement>> {
-    let mut places = row.places.clone();
     let at = row.at.read(None, |at| placement(at, scope).map(Some));
-    let gamma = scope.angle(&row.gamma);
-    let b = scope.given(&row.b);
-    let of_khalil = [("gamma", &row.gamma), ("b", &row.b)];
-    let mut written = of_khalil
+    let (gamma, b) = (scope.angle(&row.gamma), scope.given(&row.b));
+    let is_standard =
+        |entry: &Entry| matches!(entry, Entry::Convention(Some(Convention::Standard)));
+    let written = [("gamma", &row.gamma), ("b", &row.b)];
+    let first = written
         .iter()
-        .filter_map(|(word, cell)| Some((word, cell.value()?)));
-    if let Some((word, cell)) = written.next() {
+        .find_map(|(word, cell)| Some((word, cell.value()?.place)));
+    if let Some((word, place)) = first {
         if !row.at.is_absent() {
-            return scope.refused(cell.place, mistake::two_places(word));
+            return scope.refused(place, mistake::two_places(word));
         }
-        if is_standard(table) {
-            return scope.refused(cell.place, mistake::of_modified_tables(word));
+        if table.entries.iter().any(is_standard) {
+            return scope.refused(place, mistake::of_modified_tables(word));
         }
     }
-    places.extend(at?);
-    let (gamma, b) = (gamma?, b?);
-    if of_khalil.iter().any(|(_, cell)| !cell.is_absent()) {
-        let zero = Value::zero;
-        places.push(Placement {
-            xyz: [zero(), zero(), b],
-            rpy: [zero(), zero(), gamma],
-        });
-    }
-    Some(places)
-}
-
-fn is_standard(table: &Table) -> bool {
-    let mut entries = table.entries.iter();
-    entries.any(|entry| matches!(entry, Entry::Convention(Some(Convention::Standard))))
+    let (gamma, b, zero) = (gamma?, b?, Value::zero);
+    let of_khalil = first.map(|_| Placement {
+        xyz: [zero(), zero(), b],
+        rpy: [zero(), zero(), gamma],
+    });
+    Some(
+        row.places
+            .iter()
+            .cloned()
+            .chain(at?)
+            .chain(of_khalil)
+            .collect(),
+    )
 }

@@ -5,6 +5,7 @@
 //! that nothing is said about it twice.
 
 mod angle;
+mod asked;
 mod body;
 mod couple;
 mod elementary;
@@ -66,11 +67,15 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         if !reach::report(&parts, table, &scope) {
             units::report(&parts, reach::longest(&parts, table), table, &scope);
         }
+        asked::report(&parts, table, &scope);
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
         if parts.have_values() {
             report_unused(table, &scope);
         }
+    }
+    if let (true, Some(asked)) = (diagnostics.is_empty(), &parts.functions) {
+        functions::report_of_frames(asked, &scope);
     }
     if !diagnostics.is_empty() {
         return None;
@@ -143,7 +148,7 @@ impl Parts {
                     let base = base.as_ref();
                     parts.base = Some(base.and_then(|base| frames::placement(base, scope)));
                 }
-                Entry::Tool(tool) => {
+                Entry::Tool(_, tool) => {
                     let tool = tool.as_ref();
                     parts.tool = Some(tool.and_then(|tool| frames::tool(tool, scope)));
                 }
@@ -219,11 +224,10 @@ impl Parts {
 
     /// A test that would compare nothing: a product is compared, and takes both factors.
     fn report_incomparable(&self, diagnostics: &Diagnostics) {
-        if let (Some(tests), Some([Asked::One(function, _)])) =
-            (self.tests, self.functions.as_deref())
-            && let Some(other) = function.row().compared_with
+        if let (Some(tests), Some([Asked::One(wanted)])) = (self.tests, self.functions.as_deref())
+            && let Some(other) = wanted.function.row().compared_with
         {
-            let mistake = entry::tests_of_one_factor(function.name(), other.name());
+            let mistake = entry::tests_of_one_factor(wanted.function.name(), other.name());
             diagnostics.error(tests, mistake);
         }
     }

@@ -39,10 +39,10 @@ pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
     if let Some(tests) = &parts.tests {
         diagnostics.error(*tests, mistake::neglect_and_tests());
     }
-    for (function, place) in functions::named(parts.functions.as_deref().unwrap_or_default()) {
-        if function.is_about_base_parameters() {
-            let mistake = mistake::neglect_and_identification(function.name());
-            diagnostics.error(place, mistake);
+    for wanted in functions::named(parts.functions.as_deref().unwrap_or_default()) {
+        if wanted.function.is_about_base_parameters() {
+            let mistake = mistake::neglect_and_identification(wanted.function.name());
+            diagnostics.error(wanted.place, mistake);
         }
     }
     if let Some(name) = table.fields.first() {

@@ -1,7 +1,7 @@
 //! Lengths in mm and masses in g: mistakes of the whole table, each reported once, at the largest of the numbers. A
 //! table in which a field matters to the judgement is not judged.
 
-use dynamics_symbolic::robot::{Body as RigidBody, Frame, Value};
+use dynamics_symbolic::robot::{Frame, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
@@ -108,15 +108,12 @@ fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
         judged(numbers, &written.body, "on the tool", scope)
     });
     let of_frames = frames(parts, table).filter_map(|(frame, written)| {
-        let body = frame.map(|frame| frame.body.as_ref());
-        let judged = |body: &RigidBody| {
-            let numbers = (&body.mass, &body.com, &body.inertia);
-            judged(numbers, &written.body, "on the frame", scope)
+        let Some(frame) = frame else {
+            return Some(None);
         };
-        match body {
-            Some(body) => body.map(judged),
-            None => Some(None),
-        }
+        let body = frame.body.as_ref()?;
+        let numbers = (&body.mass, &body.com, &body.inertia);
+        Some(judged(numbers, &written.body, "on the frame", scope))
     });
     of_rows.chain(of_tool).chain(of_frames).collect()
 }
@@ -160,23 +157,21 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         // Steps of a URDF file have no places of their own.
         let joint = written.name.as_ref().map(Place::from);
         let tip = row.mount.iter().flat_map(|mount| &mount.tip);
-        let of_file = row.at.iter().take(written.places.len());
         let is_on_base = row.on.parent(index).is_none();
-        let steps = of_file.filter(|_| !is_on_base).chain(tip);
+        let (of_file, at) = row.at.split_at(written.places.len());
+        let steps = of_file.iter().filter(|_| !is_on_base).chain(tip);
         cells.extend(steps.flat_map(|step| &step.xyz).map(|x| (x, joint)));
-        if let Some(at) = row.at.get(written.places.len()).filter(|_| !is_on_base) {
-            match &written.at {
-                Given::As(place) => cells.extend(vector(&at.xyz, &place.xyz)),
-                _ => cells.push((&at.xyz[2], place_of(written.b.value()))),
-            }
+        for place in at.iter().filter(|_| !is_on_base) {
+            cells.push((&place.xyz[2], place_of(written.b.value())));
+            let at = written.at.value().map(|at| vector(&place.xyz, &at.xyz));
+            cells.extend(at.into_iter().flatten());
         }
     }
     for (frame, written) in frames(parts, table) {
-        let Some((frame, place)) = frame.and_then(|frame| Some((frame, frame.places.last()?)))
-        else {
+        let Some(frame) = frame else {
             continue;
         };
-        if frame.on.is_some() {
+        for place in frame.places.iter().filter(|_| frame.on.is_some()) {
             cells.extend(vector(&place.xyz, &written.placement.xyz));
         }
         if let Some(body) = frame.body.as_ref().filter(|_| is_near(&written.body)) {

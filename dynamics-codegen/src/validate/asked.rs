@@ -1,0 +1,113 @@
+//! The frames that functions are about, and the tip where they name none.
+
+use std::collections::BTreeSet;
+
+use super::Parts;
+use super::functions::named;
+use super::scope::Scope;
+use crate::description::{Asked, Entry, Name, Place, Row, Table};
+use crate::limits::MOST_LISTED;
+use crate::mistake::{link as mistake, unknown};
+use crate::words;
+
+/// Reports functions of frames that are not there, functions of a tip and a tool where there is none, and frames that
+/// nothing needs.
+pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
+    let asked = parts.functions.as_deref().unwrap_or_default();
+    report_without_tip(asked, parts, table, scope);
+    // A frame that could not be read may be the one that is asked for, and a slip may mean one that seems to be idle.
+    let is_unread =
+        |entry: &Entry| matches!(entry, Entry::Frames(_, None) | Entry::Functions(None));
+    let is_unreadable = |asked: &Asked| matches!(asked, Asked::Unreadable);
+    let is_unknown = parts.has_unread_file
+        || table.entries.iter().any(is_unread)
+        || table.frames().any(|frame| frame.name.is_none());
+    let are_known = report_frames(asked, is_unknown, table, scope);
+    if are_known && !is_unknown && !asked.iter().any(is_unreadable) {
+        report_idle(asked, table, scope);
+    }
+}
+
+/// Reports functions that are about no frame, and frames that a table does not have, unless some could not be read.
+/// Returns whether it has all of them.
+fn report_frames(asked: &[Asked], is_unknown: bool, table: &Table, scope: &Scope) -> bool {
+    let names: Vec<&str> = table.frame_names().map(Name::plain).collect();
+    let known: BTreeSet<&str> = names.iter().copied().collect();
+    let mut are_known = true;
+    for wanted in named(asked) {
+        let (Some(frame), function) = (&wanted.frame, wanted.function) else {
+            continue;
+        };
+        let word = frame.plain();
+        if !function.row().of_tip {
+            scope.error(wanted.place, mistake::without_frame(function.name()));
+        } else if !known.contains(word) && !is_unknown {
+            are_known = false;
+            let listed = &names[..names.len().min(MOST_LISTED)];
+            let mistake = match listed {
+                _ if table.rows().iter().any(|row| row.word() == word) => {
+                    mistake::frame_of_joint(function.name(), word)
+                }
+                [] => mistake::no_frames(word),
+                _ => unknown("frame", word, words::nearest(word, &names), listed),
+            };
+            scope.error(frame, mistake);
+        }
+    }
+    are_known
+}
+
+/// Reports functions of the tip, and a tool, on a tree in which several rows carry no other.
+fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scope) {
+    let Some(tips) = tips(parts, table).filter(|tips| tips.len() > 1) else {
+        return;
+    };
+    for entry in &table.entries {
+        if let Entry::Tool(place, _) = entry {
+            scope.error(*place, mistake::tool_without_tip(&tips));
+        }
+    }
+    let frames: Vec<&str> = table.frame_names().map(Name::plain).collect();
+    let asked = named(asked).filter(|wanted| wanted.frame.is_none());
+    let asked = asked.map(|wanted| (wanted.function, wanted.place));
+    let needed = table.name.iter().zip(&table.needed);
+    let needed = needed.map(|(name, function)| (*function, Place::from(name)));
+    for (function, place) in asked.chain(needed) {
+        if function.row().of_tip {
+            let name = function.name();
+            scope.error(
+                place,
+                if frames.is_empty() {
+                    mistake::no_tip(name, &tips)
+                } else {
+                    mistake::no_tip_but_frames(name, &tips, &frames)
+                },
+            );
+        }
+    }
+}
+
+/// The names of the rows that carry no other; `None` if a row is in error.
+fn tips<'t>(parts: &Parts, table: &'t Table) -> Option<Vec<&'t str>> {
+    let rows = parts.rows.as_ref()?.iter().enumerate();
+    let carriers = rows.map(|(i, row)| Some(row.as_ref()?.on.parent(i)));
+    let carriers: Vec<Option<usize>> = carriers.collect::<Option<_>>()?;
+    let rows = table.rows().iter().enumerate();
+    let tips = rows.filter(|(row, _)| !carriers.contains(&Some(*row)));
+    Some(tips.map(|(_, row)| Row::word(row)).collect())
+}
+
+/// Reports frames of a call that have no body and that no function is about. Those of a file are for all who read it.
+fn report_idle(asked: &[Asked], table: &Table, scope: &Scope) {
+    let frames = named(asked).filter_map(|wanted| wanted.frame.as_ref());
+    let of_functions: BTreeSet<&str> = frames.map(Name::plain).collect();
+    let without_body = table
+        .frames()
+        .filter(|frame| !frame.is_link && !frame.body.is_written());
+    for name in without_body.filter_map(|frame| frame.name.as_ref()) {
+        let is_of_call = matches!(Place::from(name), Place::Tokens { .. });
+        if is_of_call && !of_functions.contains(name.plain()) {
+            scope.error(name, mistake::idle_frame(name.plain()));
+        }
+    }
+}
