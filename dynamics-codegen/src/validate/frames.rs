@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Body, Frame, Placement, Tool, Value};
+use dynamics_symbolic::robot::{Body, Frame, Tool, Value};
 
 use super::body::body;
-use super::link;
+use super::link::{self, placement};
 use super::scope::{Scope, norm};
 use crate::description::{self, Table, Vector};
 use crate::mistake::{entry as mistake, link as wrong};
@@ -39,19 +39,6 @@ pub(super) fn gravity(vector: &Vector, scope: &mut Scope) -> Option<[Value; 3]> 
 fn is_same_along_all([x, y, z]: &[Value; 3]) -> bool {
     let is_same = |other: &Value| other == x || *other == -x.clone();
     is_same(y) && is_same(z)
-}
-
-/// The place of a frame; `None` where it is in error.
-pub(super) fn placement(
-    placement: &description::Placement,
-    scope: &mut Scope,
-) -> Option<Placement> {
-    let xyz = scope.given_vector(&placement.xyz);
-    let rpy = scope.angles(&placement.rpy);
-    Some(Placement {
-        xyz: xyz?,
-        rpy: rpy?,
-    })
 }
 
 /// The tool; `None` where it is in error.

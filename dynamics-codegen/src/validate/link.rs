@@ -2,9 +2,8 @@
 
 use dynamics_symbolic::robot::{Carrier, Convention, Placement, Value};
 
-use super::frames::placement;
 use super::scope::Scope;
-use crate::description::{Entry, Given, Link, Name, Row, Table};
+use crate::description::{self, Entry, Given, Link, Name, Row, Table};
 use crate::mistake::{link as mistake, unknown};
 use crate::words;
 
@@ -65,6 +64,19 @@ fn named(name: &Name, possible: usize, table: &Table, scope: &Scope) -> Option<O
         None => return None,
     };
     scope.refused(name.into(), mistake)
+}
+
+/// The place of a frame; `None` where it is in error.
+pub(super) fn placement(
+    placement: &description::Placement,
+    scope: &mut Scope,
+) -> Option<Placement> {
+    let xyz = scope.given_vector(&placement.xyz);
+    let rpy = scope.angles(&placement.rpy);
+    Some(Placement {
+        xyz: xyz?,
+        rpy: rpy?,
+    })
 }
 
 /// Where a row begins on the link that carries it, each place in the one before it. `gamma` and `b` are

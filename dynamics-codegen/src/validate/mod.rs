@@ -25,9 +25,9 @@ mod units;
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::{Convention, Frame, Placement, Robot, Row, Tool, Value};
 
+use crate::description::{self, Asked, Entry, Joints, Name, Table};
 #[cfg(feature = "files")]
 use crate::description::{Allow, Expr};
-use crate::description::{Asked, Entry, Joints, Name, Table};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
 use crate::mistake::{Mistake, entry, file, joint, size, structure};
@@ -146,7 +146,7 @@ impl Parts {
                 }
                 Entry::Base(base) => {
                     let base = base.as_ref();
-                    parts.base = Some(base.and_then(|base| frames::placement(base, scope)));
+                    parts.base = Some(base.and_then(|base| link::placement(base, scope)));
                 }
                 Entry::Tool(_, tool) => {
                     let tool = tool.as_ref();
@@ -203,6 +203,15 @@ impl Parts {
             functions::report(functions, table, scope);
         }
         parts
+    }
+
+    /// The frames that a table has, and those that a file has beside its links. One is `None` where it is in error.
+    fn frames<'p>(
+        &'p self,
+        table: &'p Table,
+    ) -> impl Iterator<Item = (Option<&'p Frame>, &'p description::Frame)> {
+        let frames = self.frames.iter().map(Option::as_ref).zip(table.frames());
+        frames.filter(|(_, written)| !written.is_link)
     }
 
     /// Whether both entries that use fields are there.

@@ -4,7 +4,6 @@ use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
-use super::units::frames;
 use crate::description::{Body, Table};
 use crate::mistake::joint as mistake;
 
@@ -36,7 +35,7 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) -> bool {
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
         far(&tool.com, &written.body, "tool");
     }
-    for (frame, written) in frames(parts, table) {
+    for (frame, written) in parts.frames(table) {
         if let Some(body) = frame.and_then(|frame| frame.body.as_ref()) {
             far(&body.com, &written.body, "frame");
         }
@@ -55,7 +54,7 @@ pub(super) fn longest(parts: &Parts, table: &Table) -> Option<f64> {
     if let Some(tool) = &parts.tool {
         longest = longest.max(norm(&tool.as_ref()?.placement.xyz)?);
     }
-    for (frame, _) in frames(parts, table) {
+    for (frame, _) in parts.frames(table) {
         for place in &frame?.places {
             longest = longest.max(norm(&place.xyz)?);
         }

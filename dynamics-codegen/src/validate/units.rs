@@ -1,12 +1,12 @@
 //! Lengths in mm and masses in g: mistakes of the whole table, each reported once, at the largest of the numbers. A
 //! table in which a field matters to the judgement is not judged.
 
-use dynamics_symbolic::robot::{Frame, Value};
+use dynamics_symbolic::robot::Value;
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
 use crate::audience::AT_THE_END;
-use crate::description::{self, Body, Expr, Given, Row, Table, Vector};
+use crate::description::{Body, Expr, Given, Row, Table, Vector};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
 
@@ -107,7 +107,7 @@ fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
         let numbers = (&tool.mass, &tool.com, &tool.inertia);
         judged(numbers, &written.body, "on the tool", scope)
     });
-    let of_frames = frames(parts, table).filter_map(|(frame, written)| {
+    let of_frames = parts.frames(table).filter_map(|(frame, written)| {
         let Some(frame) = frame else {
             return Some(None);
         };
@@ -167,7 +167,7 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
             cells.extend(at.into_iter().flatten());
         }
     }
-    for (frame, written) in frames(parts, table) {
+    for (frame, written) in parts.frames(table) {
         let Some(frame) = frame else {
             continue;
         };
@@ -186,15 +186,6 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
     }
     let known = |(value, place): (&Value, Option<Place>)| number(value).zip(place);
     cells.into_iter().filter_map(known).collect()
-}
-
-/// The frames that a table has, and those that a file has beside its links. One is `None` where it is in error.
-pub(super) fn frames<'p>(
-    parts: &'p Parts,
-    table: &'p Table,
-) -> impl Iterator<Item = (Option<&'p Frame>, &'p description::Frame)> {
-    let frames = parts.frames.iter().map(Option::as_ref).zip(table.frames());
-    frames.filter(|(_, written)| !written.is_link)
 }
 
 fn vector<'v>(values: &'v [Value; 3], written: &Given<Vector>) -> Vec<(&'v Value, Option<Place>)> {
