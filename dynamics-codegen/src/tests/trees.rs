@@ -293,3 +293,21 @@ fn frames_beside_a_file_add_to_its_own() {
         .collect();
     assert_eq!(frames[2..], [("corner", None), ("tail", Some(4))]);
 }
+
+/// What is neglected is found on trees as on arms.
+#[test]
+fn terms_are_neglected_on_trees() {
+    let call = arm(
+        "third: revolute { on: first, a: 0.2, mass: 1, com: [0.1, 0, 0] }, fourth: revolute { on: second, a: 0.1, mass: 0.001, com: [0.01, 0, 0], motor: { inertia: 1e-4, gear_ratio: 100 } }",
+        "neglect: 1%, functions: [mass_matrix, inverse_dynamics]",
+    );
+    let call = call
+        .replace("{ x: f64 }", ";")
+        .replace("spring: { stiffness: x }", "mass: 1");
+    let items = crate::generate(call.parse().expect("tokens")).to_string();
+    assert!(!items.contains("compile_error"), "{items}");
+    assert!(
+        items.contains("are neglected, and all functions are derived from what is left"),
+        "{items}"
+    );
+}
