@@ -9,7 +9,7 @@ use dynamics_runtime::NewtonEuler;
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_symbolic::robot::{Convention, Robot};
 
-use super::calls::{data, errors, file, folder, output};
+use super::calls::{PENDULUM, data, errors, file, folder, output};
 
 /// An arm in a URDF file of `tests/data/urdf`.
 struct Arm {
@@ -693,4 +693,21 @@ fn axes_with_noise_have_a_table_without_it() {
         written.contains("alpha = \"PI/2\"") && !written.contains("fixed_1"),
         "{written}"
     );
+}
+
+/// Rows of a serial arm cannot say a tree, another beginning of a row or the body of a frame.
+#[test]
+fn trees_are_not_converted() {
+    let arm = format!("{PENDULUM}[[joint]]\nname = \"hand\"\ntype = \"revolute\"\nmass = 1\n");
+    let frame = |body: &str| format!("[frame.tip]\non = \"knee\"\n{body}");
+    output(&["convert", &file("plain.toml", arm.clone() + &frame(""))]);
+    for cells in [
+        "on = \"pivot\"\n",
+        "at = { xyz = [0, 0, 1] }\n",
+        "b = 0.1\n",
+        &frame("mass = 1"),
+    ] {
+        let message = errors(&["convert", &file("tree.toml", arm.clone() + cells)], 1);
+        assert!(message.contains("expected a serial arm"), "{message}");
+    }
 }
