@@ -47,7 +47,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let compared = if given.contains_id("functions") {
         requests(&model)?
     } else {
-        COMPARED.map(Request::One).to_vec()
+        COMPARED.map(Request::from).to_vec()
     };
     let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
     if dof != dof_of_other {

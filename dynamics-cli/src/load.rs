@@ -102,7 +102,7 @@ fn read_with(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result
 pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
     const LEFT_OUT: &str =
         "`taylor_series` is left out: `generate --lang rust` and the macro write it";
-    let series = Request::One(Function::TaylorSeries);
+    let series = Request::from(Function::TaylorSeries);
     let requests = model.requests.iter().map(|(request, _)| request);
     let others: Vec<_> = requests
         .filter(|request| **request != series)
@@ -358,6 +358,6 @@ pub(crate) fn arm_with(
 ) -> Result<RuntimeRobot, Failure> {
     let path = file_of(given);
     let needed: Vec<_> = functions.into_iter().collect();
-    let requests: Vec<_> = needed.iter().copied().map(Request::One).collect();
+    let requests: Vec<_> = needed.iter().copied().map(Request::from).collect();
     arm(path, &read_for(path, given, needed)?.robot, &requests)
 }

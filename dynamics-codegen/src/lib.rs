@@ -44,9 +44,10 @@ pub use validate::Model;
 pub use words::visible;
 
 use diagnose::Diagnostics;
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::robot::Robot;
-use dynamics_symbolic::{Function, Method, expand_with};
+use dynamics_symbolic::{Method, expand_with};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 use tree::Language;
@@ -67,7 +68,7 @@ pub fn outline(call: TokenStream) -> TokenStream {
 }
 
 /// Finds the program of a function, or the one of several.
-type Derivation = dyn Fn(&Robot, &[Function]) -> Program;
+type Derivation = dyn Fn(&Robot, &[Part]) -> Program;
 
 /// [`generate`] with an engine of one's own, which a test damages.
 fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {

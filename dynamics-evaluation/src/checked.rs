@@ -6,8 +6,8 @@ use dynamics_runtime::{
     check::{Checked, Evaluation},
     table::RuntimeTable,
 };
+use dynamics_symbolic::Function;
 use dynamics_symbolic::function::Argument;
-use dynamics_symbolic::{Function, Request};
 
 use crate::RuntimeRobot;
 
@@ -40,15 +40,13 @@ impl Checked for RuntimeRobot {
         found: &mut dyn FnMut(&str, Evaluation),
     ) {
         let argument = arguments(state, tau);
-        for function in self.functions() {
-            let Request::Fused(fused) = &function.request else {
-                continue;
-            };
+        let tuples = self.functions().iter();
+        for function in tuples.filter(|function| function.request.is_tuple()) {
             let mut values = self
                 .values(function, &function.shared, &argument, &|x| x)
                 .map(Vec::into_iter);
             let mut evaluation = Evaluation::default();
-            for &part in &fused.parts {
+            for part in function.request.functions() {
                 let entries = part.shape().entries(function.layout.sizes);
                 match &mut values {
                     Ok(values) => {
@@ -82,7 +80,7 @@ impl RuntimeRobot {
         let mut evaluation = Evaluation::default();
         for function in self.functions() {
             // A Taylor series is no program over numbers.
-            if let Request::One(one) = function.request
+            if let Some(one) = function.request.function()
                 && one != Function::TaylorSeries
             {
                 let shared = function.tape.shared(self.fields(), &T::from_f64);

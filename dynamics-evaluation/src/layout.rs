@@ -43,12 +43,12 @@ impl Layout {
         let sizes = sizes_of(request.parts(), joints, outputs);
         let spans = spans(request.parts(), joints, outputs);
         let (mut places, mut values, mut tests) = (Vec::new(), Vec::new(), Vec::new());
-        for (part, span) in request.parts().iter().zip(spans) {
+        for (function, span) in request.functions().zip(spans) {
             let start = places.len();
-            by_columns(part.shape(), sizes, &mut places);
+            by_columns(function.shape(), sizes, &mut places);
             let places = places[start..].iter();
             values.extend((span.start..).zip(places.copied()));
-            if part.has_pivots() {
+            if function.has_pivots() {
                 let pivots = span.end - 2 * joints;
                 tests.extend((0..joints).rev().map(|joint| Test {
                     joint,

@@ -8,7 +8,7 @@ use dynamics_runtime::{
     simulation::{EquationsOfMotion, Responses, SizedModel},
     table::RuntimeTable,
 };
-use dynamics_symbolic::{Function, Request};
+use dynamics_symbolic::Function;
 
 use crate::compiled::Compiled;
 use crate::{EvaluationError, RuntimeRobot};
@@ -59,7 +59,7 @@ impl RuntimeRobot {
         let compiled = |function: &Function| {
             let mut known = self.functions().iter();
             known
-                .find(|known| known.request == Request::One(*function))
+                .find(|known| known.request.function() == Some(*function))
                 .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
         };
         Ok(RuntimeDynamics {

@@ -1,8 +1,8 @@
 //! Values of functions whose arrangement is known at run time.
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector};
+use dynamics_symbolic::Request;
 use dynamics_symbolic::function::{Shape, Sizes};
-use dynamics_symbolic::{Function, Request};
 
 /// The value of a function, in the arrangement that generated code returns it in.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,11 +21,12 @@ impl Value {
     /// The value of a request among its entries, in the order of its shape, matrices by columns.
     pub(crate) fn new(request: &Request, sizes: Sizes, entries: &[f64]) -> Self {
         let mut entries = entries.iter().copied();
-        let mut value = |part: &Function| read(part.shape(), sizes, &mut entries);
-        match request {
-            Request::One(function) => value(function),
-            Request::Fused(fused) => Value::Tuple(fused.parts.iter().map(value).collect()),
+        let functions = request.functions();
+        let mut values = functions.map(|function| read(function.shape(), sizes, &mut entries));
+        if request.is_tuple() {
+            return Value::Tuple(values.collect());
         }
+        values.next().expect("a request has a part")
     }
 }
 

@@ -63,7 +63,7 @@ pub struct Batch {
 impl Batch {
     /// Of the runtime's own methods.
     fn of_table(function: Function, receiver: Receiver) -> Batch {
-        let request = Request::One(function);
+        let request = Request::from(function);
         let settings = settings(function.arguments());
         let name = format_ident!("{function:?}");
         let value = if settings.is_empty() {

@@ -29,7 +29,7 @@ pub fn function_names() -> TokenStream {
             Some(argument) => argument.name(),
             None => "parameters",
         };
-        let request = Request::One(function);
+        let request = Request::from(function);
         let result = request.result();
         Some(quote!(#result => #name,))
     });

@@ -16,7 +16,7 @@ mod table;
 pub use argument::Argument;
 pub use batch::{Batch, batch_methods};
 pub use items::{function_names, runtime_methods};
-pub use request::{Fused, Request, sizes_of, spans};
+pub use request::{Part, Request, sizes_of, spans};
 pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Shape, Size, Sizes};
 pub use table::Function;
@@ -25,6 +25,17 @@ impl Function {
     /// The name of the generated method.
     pub fn name(self) -> &'static str {
         self.row().name
+    }
+
+    /// The name of the method for a frame of this name: `jacobian_left_hand`. The frame's name is in lower case, with `_`
+    /// for every character but a-z and 0-9.
+    pub fn name_of_frame(self, frame: &str) -> String {
+        let letter = |letter: char| match letter.to_ascii_lowercase() {
+            letter @ ('a'..='z' | '0'..='9') => letter,
+            _ => '_',
+        };
+        let frame: String = frame.chars().map(letter).collect();
+        format!("{}_{frame}", self.name())
     }
 
     /// The arguments of the generated method after `&self`, in order.

@@ -5,105 +5,151 @@ use core::ops::Range;
 
 /// One method of the generated model.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Request {
-    /// A function.
-    One(Function),
-    /// Several functions, as one program.
-    Fused(Fused),
+pub struct Request {
+    /// The method's name, the `r#` of a raw identifier included.
+    identifier: String,
+    parts: Vec<Part>,
+    is_tuple: bool,
 }
 
-/// Functions whose values one method returns as a tuple.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fused {
-    /// The method's name, the `r#` of a raw identifier included.
-    pub name: String,
-    /// The functions in the order of the tuple: two at least, all different, each of which
-    /// [can be fused](Function::can_be_fused).
-    pub parts: Vec<Function>,
+/// A function whose values a method returns, by themselves or in a tuple.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Part {
+    /// The function.
+    pub function: Function,
+    /// The frame that it is about, by its place among the robot's `frames`; `None` for the tip, and for a function that
+    /// is about no frame.
+    pub frame: Option<usize>,
+}
+
+impl From<Function> for Part {
+    fn from(function: Function) -> Self {
+        let frame = None;
+        Part { function, frame }
+    }
 }
 
 impl From<Function> for Request {
     fn from(function: Function) -> Self {
-        Request::One(function)
+        Request {
+            identifier: function.name().to_owned(),
+            parts: vec![function.into()],
+            is_tuple: false,
+        }
     }
 }
 
 impl Request {
+    /// A function of a frame, which has this place among the robot's `frames`, and this name. The function's row must say
+    /// `of_tip`. The method is `function_frame`.
+    pub fn of_frame(function: Function, frame: usize, name: &str) -> Request {
+        let frame = Some(frame);
+        Request {
+            identifier: function.name_of_frame(name),
+            parts: vec![Part { function, frame }],
+            is_tuple: false,
+        }
+    }
+
+    /// A method of this name, the `r#` of a raw identifier included, that returns the values of some functions as a tuple:
+    /// two at least, all different, each of which [can be fused](Function::can_be_fused).
+    pub fn fused<P: Into<Part>>(
+        identifier: impl Into<String>,
+        parts: impl IntoIterator<Item = P>,
+    ) -> Request {
+        Request {
+            identifier: identifier.into(),
+            parts: parts.into_iter().map(Into::into).collect(),
+            is_tuple: true,
+        }
+    }
+
     /// The name of the generated method, without the `r#` of a raw identifier.
     pub fn name(&self) -> &str {
-        match self {
-            Request::One(function) => function.name(),
-            Request::Fused(fused) => {
-                let name = fused.name.as_str();
-                name.strip_prefix("r#").unwrap_or(name)
-            }
-        }
+        let name = self.identifier.as_str();
+        name.strip_prefix("r#").unwrap_or(name)
+    }
+
+    /// The name of the generated method, the `r#` of a raw identifier included.
+    pub fn identifier(&self) -> &str {
+        &self.identifier
     }
 
     /// The name of the results, where they are handed in: of accelerations and torques that of the argument
     /// which they are elsewhere.
     pub fn result(&self) -> &str {
-        match self {
-            Request::One(Function::InverseDynamics) => Argument::Force.name(),
-            Request::One(Function::ForwardDynamics | Function::ForwardDynamicsAba) => {
+        match self.function() {
+            Some(Function::InverseDynamics) => Argument::Force.name(),
+            Some(Function::ForwardDynamics | Function::ForwardDynamicsAba) => {
                 Argument::Acceleration.name()
             }
-            request => request.name(),
+            _ => self.name(),
         }
     }
 
-    /// The function, where it is one.
+    /// The function, if the method is a function by its own name: neither of a frame nor one of several.
     pub fn function(&self) -> Option<Function> {
-        match self {
-            Request::One(function) => Some(*function),
-            Request::Fused(_) => None,
+        match self.parts[..] {
+            [
+                Part {
+                    function,
+                    frame: None,
+                },
+            ] if !self.is_tuple => Some(function),
+            _ => None,
         }
     }
 
-    /// The functions whose values are returned.
-    pub fn parts(&self) -> &[Function] {
-        match self {
-            Request::One(function) => core::slice::from_ref(function),
-            Request::Fused(fused) => &fused.parts,
-        }
+    /// Whether the method returns a tuple of the values of its parts.
+    pub fn is_tuple(&self) -> bool {
+        self.is_tuple
     }
 
-    /// The arguments of the generated method after `&self`: those of the parts, in the order of [`Argument`].
+    /// The functions whose values are returned, in the order of the tuple.
+    pub fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+
+    /// Those functions without their frames.
+    pub fn functions(&self) -> impl Iterator<Item = Function> {
+        self.parts.iter().map(|part| part.function)
+    }
+
+    /// The arguments of the generated method after `&self`: of one function its own, of several those of all parts in the
+    /// order of [`Argument`].
     pub fn arguments(&self) -> Vec<Argument> {
-        if let Request::One(function) = self {
-            return function.arguments().to_vec();
+        let arguments = self.functions().flat_map(Function::arguments);
+        let mut arguments: Vec<_> = arguments.copied().collect();
+        if self.is_tuple {
+            arguments.sort();
+            arguments.dedup();
         }
-        let parts = self.parts().iter();
-        let mut arguments: Vec<_> = parts.flat_map(|part| part.arguments()).copied().collect();
-        arguments.sort();
-        arguments.dedup();
         arguments
     }
 
     /// Whether one of the parts solves with M, and refuses where M is singular.
     pub fn refuses(&self) -> bool {
-        self.parts().iter().any(|part| part.row().refuses)
+        self.functions().any(|function| function.row().refuses)
     }
 
     /// Whether a part is about the base inertial parameters.
     pub fn is_about_base_parameters(&self) -> bool {
-        let mut parts = self.parts().iter();
-        parts.any(|part| part.is_about_base_parameters())
+        self.functions().any(Function::is_about_base_parameters)
     }
 }
 
 /// The sizes in the shapes of functions, of so many joints and with so many outputs in one program.
-pub fn sizes_of(parts: &[Function], joints: usize, outputs: usize) -> Sizes {
-    let count = |sizes| parts.iter().map(|part| part.outputs(sizes)).sum();
+pub fn sizes_of(parts: &[Part], joints: usize, outputs: usize) -> Sizes {
+    let count = |sizes| parts.iter().map(|part| part.function.outputs(sizes)).sum();
     Sizes::with_count(joints, outputs, count)
 }
 
 /// The outputs of each of some functions among those of one program, in which one function stands after the other.
-pub fn spans(parts: &[Function], joints: usize, outputs: usize) -> Vec<Range<usize>> {
+pub fn spans(parts: &[Part], joints: usize, outputs: usize) -> Vec<Range<usize>> {
     let sizes = sizes_of(parts, joints, outputs);
     let mut start = 0;
-    let span = |part: &Function| {
-        let end = start + part.outputs(sizes);
+    let span = |part: &Part| {
+        let end = start + part.function.outputs(sizes);
         let span = start..end;
         start = end;
         span
@@ -116,10 +162,25 @@ mod tests {
     use super::*;
 
     fn fused(parts: &[Function]) -> Request {
-        Request::Fused(Fused {
-            name: "together".to_owned(),
-            parts: parts.to_vec(),
-        })
+        Request::fused("together", parts.iter().copied())
+    }
+
+    #[test]
+    fn a_method_of_a_frame_has_its_name_in_lower_case() {
+        let of_frame = |name: &str| Request::of_frame(Function::Jacobian, 2, name);
+        for (frame, method) in [
+            ("left_hand", "jacobian_left_hand"),
+            ("Left-Hand 2", "jacobian_left_hand_2"),
+            ("Bügel", "jacobian_b_gel"),
+        ] {
+            assert_eq!(of_frame(frame).name(), method);
+        }
+        let request = of_frame("tip");
+        assert_eq!((request.function(), request.is_tuple()), (None, false));
+        assert_eq!(request.parts()[0].frame, Some(2));
+        assert_eq!(request.arguments(), [Argument::Position]);
+        let request = Request::from(Function::Jacobian);
+        assert_eq!(request.function(), Some(Function::Jacobian));
     }
 
     #[test]
@@ -145,9 +206,10 @@ mod tests {
             Function::MassMatrix,
             Function::ForwardDynamics,
             Function::GravityVector,
-        ];
+        ]
+        .map(Part::from);
         assert_eq!(spans(&parts, 2, 12), [0..4, 4..10, 10..12]);
-        let parts = [Function::KineticEnergy, Function::Regressor];
+        let parts = [Function::KineticEnergy, Function::Regressor].map(Part::from);
         assert_eq!(spans(&parts, 2, 11), [0..1, 1..11]);
         assert_eq!(sizes_of(&parts, 2, 11).parameters, 5);
     }

@@ -4,7 +4,7 @@ use crate::bounds;
 use crate::derive::derive_together;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
-use crate::function::{Function, Fused, Masses, Request};
+use crate::function::{Function, Masses, Part, Request};
 use crate::mechanism::Mechanism;
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
@@ -62,9 +62,9 @@ pub enum Reason {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = self.request.name();
-        match (&self.reason, &self.request) {
-            (Reason::Proof(failure), Request::One(_)) => failure.fmt(f),
-            (Reason::Proof(failure), Request::Fused(_)) => write!(f, "`{name}`: {failure}"),
+        match (&self.reason, self.request.function()) {
+            (Reason::Proof(failure), Some(_)) => failure.fmt(f),
+            (Reason::Proof(failure), None) => write!(f, "`{name}`: {failure}"),
             (Reason::NoSeries { joint }, _) => write!(
                 f,
                 "`{name}` does not follow friction that falls with the velocity: ask for other functions, \
@@ -86,7 +86,7 @@ impl fmt::Display for Failure {
 impl std::error::Error for Failure {}
 
 /// Finds the program of a function, or the one of several.
-type Derivation = dyn Fn(&Robot, &[Function]) -> Program;
+type Derivation = dyn Fn(&Robot, &[Part]) -> Program;
 
 /// Derives, proves and emits the methods that are asked for; `path` is the path of the runtime crate.
 ///
@@ -120,9 +120,9 @@ pub fn expand_with<R: Clone + Into<Request>>(
         let mut notes = neglected(robot, &request, &program, derive);
         notes.extend(plain(&program));
         notes.extend(factored(robot, &request));
-        if let Request::Fused(fused) = &request {
+        if request.is_tuple() {
             notes.push(beside_single_calls(
-                robot, fused, &program, &methods, derive,
+                robot, &request, &program, &methods, derive,
             ));
         }
         let method = match request.function() {
@@ -145,17 +145,17 @@ pub fn expand_with<R: Clone + Into<Request>>(
 /// before is not derived again.
 fn beside_single_calls(
     robot: &Robot,
-    fused: &Fused,
+    fused: &Request,
     program: &Program,
     methods: &[Method],
     derive: &Derivation,
 ) -> String {
-    let alone = |function: &Function| {
-        let method = |m: &&Method| m.request.function() == Some(*function);
+    let alone = |part: &Part| {
+        let method = |m: &&Method| !m.request.is_tuple() && m.request.parts() == [*part];
         let known = methods.iter().find(method).map(|method| method.operations);
-        known.unwrap_or_else(|| derive(robot, &[*function]).operations())
+        known.unwrap_or_else(|| derive(robot, &[*part]).operations())
     };
-    let alone: Vec<Operations> = fused.parts.iter().map(alone).collect();
+    let alone: Vec<Operations> = fused.parts().iter().map(alone).collect();
     let total: u32 = alone.iter().map(Operations::total).sum();
     let angles: u32 = alone.iter().map(|operations| operations.sin_cos).sum();
     let apart = format!(
@@ -179,7 +179,8 @@ fn plain(program: &Program) -> Option<String> {
 
 /// The sentence about forward dynamics by articulated bodies if joints follow others.
 fn factored(robot: &Robot, request: &Request) -> Option<String> {
-    let is_factored = robot.is_coupled() && request.parts().contains(&Function::ForwardDynamicsAba);
+    let is_by_bodies = |function| function == Function::ForwardDynamicsAba;
+    let is_factored = robot.is_coupled() && request.functions().any(is_by_bodies);
     is_factored.then(|| {
         " Joints of this arm follow others, for which there are no articulated bodies: M(q) is factored, as in \
          `forward_dynamics`, and the digits are those of that function."
@@ -195,7 +196,7 @@ fn neglected(
     derive: &Derivation,
 ) -> Vec<String> {
     let parts = request.parts();
-    let mut parts_read = parts.iter().map(|part| part.row().masses);
+    let mut parts_read = request.functions().map(|function| function.row().masses);
     let reads_inertia = parts_read.any(|masses| masses == Masses::Inertia);
     let Some(neglected) = robot.neglected.as_ref().filter(|_| reads_inertia) else {
         return Vec::new();

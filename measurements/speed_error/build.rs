@@ -4,6 +4,7 @@
 use dynamics_symbolic::derive::symbols::Symbols;
 use dynamics_symbolic::derive::textbook::Textbook;
 use dynamics_symbolic::expr::Graph;
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::robot::Robot;
@@ -27,12 +28,12 @@ const FUNCTIONS: [Function; 3] = [
 ];
 
 /// The graph's program of the formulas: equal expressions are one, and nothing else is done.
-fn textbook(robot: &Robot, functions: &[Function]) -> Program {
+fn textbook(robot: &Robot, parts: &[Part]) -> Program {
     let graph = Graph::new();
     let arm = Mechanism::from(robot);
     let mut symbols = Symbols::new(&graph, &arm);
     let textbook = Textbook::new(&mut symbols);
-    let outputs = match functions[0] {
+    let outputs = match parts[0].function {
         Function::MassMatrix => textbook.mass_matrix.concat(),
         Function::CoriolisVector => textbook.coriolis_vector,
         Function::GravityVector => textbook.gravity_vector,

@@ -7,6 +7,7 @@ use dynamics_codegen::Model;
 use dynamics_codegen::geometry::{Body, Transform, Vector};
 use dynamics_symbolic::Request;
 use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::robot::{
     Convention, Coupling, JointType, Placement, Robot, Row as Joint, Stribeck, Value,
 };
@@ -289,12 +290,16 @@ fn functions(model: &Model) -> Option<(String, Node)> {
     if model.requests.iter().all(|(_, place)| place.is_none()) {
         return None;
     }
-    let request = |(request, _): &(Request, _)| match request {
-        Request::One(function) => function.name().into(),
-        Request::Fused(fused) => {
-            let parts = fused.parts.iter().map(|part| part.name().into());
-            vec![entry(request.name(), Node::List(parts.collect()))].into()
+    let part = |part: &Part| match part.frame.and_then(|frame| model.robot.frames.get(frame)) {
+        Some(frame) => Node::Text(format!("{}({})", part.function.name(), frame.name)),
+        None => part.function.name().into(),
+    };
+    let request = |(request, _): &(Request, _)| {
+        let mut parts = request.parts().iter().map(part);
+        if request.is_tuple() {
+            return vec![entry(request.name(), Node::List(parts.collect()))].into();
         }
+        parts.next().expect("a request has a part")
     };
     let requests = model.requests.iter().map(request).collect();
     Some(entry("functions", Node::List(requests)))

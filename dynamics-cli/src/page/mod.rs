@@ -39,7 +39,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let start = Start::read(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
     read(path, given)?;
-    let programs = programs(path, &robot, &FUNCTIONS.map(Request::One))?;
+    let programs = programs(path, &robot, &FUNCTIONS.map(Request::from))?;
     let module = javascript_module(&robot, &programs);
     let equations = module_with_a_global(&module, "robotEquations");
     let table = table::script(&robot, &fields(given)?, &start);

@@ -1,6 +1,6 @@
 //! Every generated function at one state, for the checks.
 
-use dynamics_symbolic::function::{Argument, Fused};
+use dynamics_symbolic::function::{Argument, Part};
 use dynamics_symbolic::{Function, Request, method_name};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -20,15 +20,12 @@ pub(super) fn evaluation(target: &Target, requests: &[Request]) -> Evaluation {
     let at_state = at_state(target);
     let functions = requests.iter().filter_map(Request::function);
     let values = functions.map(|function| {
-        let value = call(&Request::One(function), &quote!(T));
+        let value = call(&function.into(), &quote!(T));
         set(target, function, &value)
     });
     let values = evaluated(target, &quote!(#(#values)*));
-    let fused = requests.iter().filter_map(|request| match request {
-        Request::Fused(fused) => Some(parts(target, request, fused)),
-        Request::One(_) => None,
-    });
-    let fused: Vec<_> = fused.collect();
+    let fused = requests.iter().filter(|request| request.is_tuple());
+    let fused: Vec<_> = fused.map(|request| parts(target, request)).collect();
     Evaluation {
         functions: quote!(#at_state #values),
         parts: (!fused.is_empty()).then(|| quote!(#at_state #(#fused)*)),
@@ -42,19 +39,22 @@ fn at_state(target: &Target) -> TokenStream {
 }
 
 /// Hands the parts of a method on; where it refuses, each part that is solved for is that refusal.
-fn parts(target: &Target, request: &Request, fused: &Fused) -> TokenStream {
+fn parts(target: &Target, request: &Request) -> TokenStream {
     let name = request.name();
     let call = call(request, &quote!(f64));
-    let values: Vec<Ident> = (1..=fused.parts.len())
+    let values: Vec<Ident> = (1..=request.parts().len())
         .map(|number| format_ident!("part_{number}"))
         .collect();
-    let of_parts = fused.parts.iter().zip(&values);
-    let of_parts = of_parts.map(|(part, value)| set(target, *part, &quote!(#value)));
+    let of_tip = |part: &Part| part.frame.is_none().then_some(part.function);
+    let of_parts = request.parts().iter().zip(&values);
+    let of_parts =
+        of_parts.filter_map(|(part, value)| Some(set(target, of_tip(part)?, &quote!(#value))));
     let of_parts = quote!(#(#of_parts)*);
     let found = if request.refuses() {
-        let refused = fused.parts.iter().filter(|part| part.row().refuses);
+        let of_tip = request.parts().iter().filter_map(of_tip);
+        let refused = of_tip.filter(|function| function.row().refuses);
         let error = quote!(::core::result::Result::<f64, _>::Err(x));
-        let refused = refused.map(|part| set(target, *part, &error));
+        let refused = refused.map(|function| set(target, function, &error));
         quote! {
             match #call {
                 ::core::result::Result::Ok((#(#values),*)) => { #of_parts }

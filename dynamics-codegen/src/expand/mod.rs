@@ -22,7 +22,7 @@ use quote::quote;
 use crate::call::Structure;
 use crate::description::{Asked, Entry, Row};
 use crate::validate::Model;
-use crate::validate::functions::{RESERVED, fused};
+use crate::validate::functions::{RESERVED, fused, one};
 use evaluate::Evaluation;
 use target::Target;
 
@@ -150,17 +150,17 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
         Entry::Functions(functions) => Some(functions),
         _ => None,
     });
-    let default_set = || Function::default_set(true).into_iter().map(Request::One);
+    let default_set = || Function::default_set(true).into_iter().map(Request::from);
     let requests: Vec<Request> = match asked {
         None => default_set().collect(),
-        Some(None) => Function::ALL.map(Request::One).to_vec(),
+        Some(None) => Function::ALL.map(Request::from).to_vec(),
         Some(Some(asked)) => {
             let requests = asked.iter().map(|asked| match asked {
                 Asked::Default(_) => default_set().collect(),
-                Asked::One(wanted) => vec![Request::One(wanted.function)],
-                Asked::Fused(name, parts) => vec![fused(name, parts)],
+                Asked::One(wanted) => vec![one(wanted, &[])],
+                Asked::Fused(name, parts) => vec![fused(name, parts, &[])],
                 // It may be any of them.
-                Asked::Unreadable => Function::ALL.map(Request::One).to_vec(),
+                Asked::Unreadable => Function::ALL.map(Request::from).to_vec(),
             });
             requests.flatten().collect()
         }
@@ -211,10 +211,10 @@ fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     methods.iter().map(entry).collect()
 }
 
-/// The entries of `formulas`, of functions that are methods of their own.
+/// The entries of `formulas`, of methods of one function.
 fn formulas(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     let of_method = |method: &Method| {
-        let function = method.request.function()?.name();
+        let function = method.request.name();
         let entry = move |equation: &Equation| {
             let Equation {
                 name,
@@ -232,9 +232,10 @@ fn formulas(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
                 }
             }
         };
-        Some(method.equations.iter().map(entry).collect::<Vec<_>>())
+        method.equations.iter().map(entry).collect::<Vec<_>>()
     };
-    methods.iter().filter_map(of_method).flatten().collect()
+    let of_one = methods.iter().filter(|method| !method.request.is_tuple());
+    of_one.flat_map(of_method).collect()
 }
 
 /// The parts of a struct's implementations.

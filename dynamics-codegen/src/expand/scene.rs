@@ -2,7 +2,7 @@
 //! or follow others, and terms that are neglected.
 
 use dynamics_symbolic::robot::{
-    Coupling, Frame, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
+    Body, Coupling, Frame, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
 };
 
 use crate::validate::Model;
@@ -14,7 +14,7 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
     let mut lines: Vec<String> = base.into_iter().chain(tool).flat_map(paragraph).collect();
     lines.extend(carried(robot));
-    lines.extend(frames(robot));
+    lines.extend(frames(model));
     lines.extend(locked(robot));
     lines.extend(model.notes.iter().cloned().flat_map(paragraph));
     lines.extend(coupled(robot));
@@ -50,18 +50,21 @@ fn carried(robot: &Robot) -> Vec<String> {
     list(text, rows.filter_map(line).collect())
 }
 
-/// The frames that have a body.
-fn frames(robot: &Robot) -> Vec<String> {
-    let line = |frame: &Frame| {
-        let body = frame.body.as_ref()?;
-        let place = stands(robot, frame.on, &frame.places);
-        let mass = shown(robot, &body.mass);
-        Some(format!(
-            " - `{}` {place}, with a body of {mass} kg",
-            frame.name
-        ))
+/// The frames that a method is about, or that have a body.
+fn frames(model: &Model) -> Vec<String> {
+    let robot = &model.robot;
+    let methods = model.requests.iter();
+    let parts: Vec<_> = methods.flat_map(|(request, _)| request.parts()).collect();
+    let line = |(i, frame): (usize, &Frame)| {
+        let body = frame.body.as_ref();
+        let is_asked = parts.iter().any(|part| part.frame == Some(i));
+        let mass = |body: &Body| format!(", with a body of {} kg", shown(robot, &body.mass));
+        let (place, body) = (stands(robot, frame.on, &frame.places), body.map(mass));
+        let is_shown = is_asked || body.is_some();
+        is_shown.then(|| format!(" - `{}` {place}{}", frame.name, body.unwrap_or_default()))
     };
-    list(" Frames:", robot.frames.iter().filter_map(line).collect())
+    let frames = robot.frames.iter().enumerate();
+    list(" Frames:", frames.filter_map(line).collect())
 }
 
 /// The link that carries a thing, and where on it this stands, if that is one placement.

@@ -49,8 +49,6 @@ mistakes! {
     /// A method's name that something else has.
     method_taken(asked: &Wanted, method: &str, other: &str)
         "`{asked}` is the method `{method}`, which is {other}: give the frame another name";
-    /// A function of a frame.
-    not_generated(asked: &Wanted) "`{asked}`: functions of frames are not generated yet";
     /// A frame that nothing needs.
     idle_frame(frame: &str) [asked: function_of("forward_kinematics", frame)]
         "frame `{frame}` has no body, and no function is about it: ask for one, {asked}, or remove the frame";

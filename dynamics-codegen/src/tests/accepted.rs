@@ -54,7 +54,7 @@ fn a_whole_call() {
     let requests: Vec<Request> = model.requests.iter().map(|(r, _)| r.clone()).collect();
     assert_eq!(
         requests,
-        [Function::MassMatrix, Function::Jacobian].map(Request::One)
+        [Function::MassMatrix, Function::Jacobian].map(Request::from)
     );
     assert!(model.tests);
 }
@@ -209,7 +209,7 @@ fn tensors_beyond_the_limits_where_the_row_allows_them() {
 fn friction_vector_is_in_the_default_set_where_a_row_has_friction() {
     let has_friction = |cells: &str| {
         let requests = model(&with_cells(cells)).requests;
-        let friction = Request::One(Function::FrictionVector);
+        let friction = Request::from(Function::FrictionVector);
         requests.iter().any(|(request, _)| *request == friction)
     };
     assert!(has_friction("mass: 1, friction: { viscous: 0.1 }"));
@@ -281,13 +281,13 @@ fn functions_are_fused_by_name() {
         default,
         Function::default_set(false)
             .into_iter()
-            .map(Request::One)
+            .map(Request::from)
             .collect::<Vec<_>>()
     );
-    assert_eq!(more[0], Request::One(Function::Jacobian));
+    assert_eq!(more[0], Request::from(Function::Jacobian));
     assert_eq!(more[1].name(), "control_terms");
     assert_eq!(
-        more[1].parts(),
+        more[1].functions().collect::<Vec<_>>(),
         [Function::MassMatrix, Function::GravityVector]
     );
     assert_eq!(more[2].name(), "type");
@@ -295,7 +295,7 @@ fn functions_are_fused_by_name() {
     // Friction is asked for once, whether the default set has it or not.
     for cells in ["mass: 1", "mass: 1, friction: { viscous: 1 }"] {
         let found = requests("default, friction_vector", cells);
-        let friction = Request::One(Function::FrictionVector);
+        let friction = Request::from(Function::FrictionVector);
         assert_eq!(
             found.iter().filter(|request| **request == friction).count(),
             1

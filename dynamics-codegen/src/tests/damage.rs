@@ -3,6 +3,7 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive_together as derive;
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::robot::Robot;
 
@@ -12,9 +13,9 @@ const ARM: &str = "struct Arm; convention: modified, gravity: [0, -9.81, 0], joi
 ],";
 
 /// The right programs, but for one sign in the mass matrix.
-fn wrong_sign(robot: &Robot, functions: &[Function]) -> Program {
+fn wrong_sign(robot: &Robot, functions: &[Part]) -> Program {
     let mut program = derive(robot, functions);
-    if functions[0] == Function::MassMatrix {
+    if functions[0] == Function::MassMatrix.into() {
         for instruction in &mut program.instructions {
             if let Instruction::Add(a, b) = *instruction {
                 *instruction = Instruction::Sub(a, b);
@@ -25,9 +26,9 @@ fn wrong_sign(robot: &Robot, functions: &[Function]) -> Program {
 }
 
 /// The right programs, but for a dropped last operation in the gravity vector.
-fn dropped_term(robot: &Robot, functions: &[Function]) -> Program {
+fn dropped_term(robot: &Robot, functions: &[Part]) -> Program {
     let mut program = derive(robot, functions);
-    if functions == [Function::GravityVector] {
+    if functions == [Function::GravityVector.into()] {
         program.outputs[0] = program.outputs[1];
     }
     program
@@ -77,7 +78,7 @@ fn the_methods_still_exist_after_a_failed_proof() {
 /// One part of two is wrong: the error stands for the method and names the part.
 #[test]
 fn a_wrong_part_is_a_compile_error_that_names_it() {
-    let wrong = |robot: &Robot, functions: &[Function]| {
+    let wrong = |robot: &Robot, functions: &[Part]| {
         let mut program = derive(robot, functions);
         if functions.len() == 2 {
             program.outputs[4].negative ^= true;

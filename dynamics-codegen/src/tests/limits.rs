@@ -221,6 +221,13 @@ fn too_many_functions_of_frames() {
 }
 
 #[test]
+#[ignore = "takes seconds: .ci/run runs it"]
+fn the_longest_function_of_a_frame() {
+    let (items, _) = expansion(&with_functions_of_frames(1), IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
+}
+
+#[test]
 fn tokens_without_end() {
     let message = format!("more than {MOST_TOKENS} words, numbers and signs in one call");
     let many = with_rows(&rows(20_000, "a: 1, mass: 1"));

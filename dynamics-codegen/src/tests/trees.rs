@@ -1,6 +1,8 @@
 //! Tables that are trees, with frames, in all languages.
 
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::robot::{Carrier, Placement, Value};
+use dynamics_symbolic::{Function, function};
 
 use super::*;
 use crate::description::{Name, Place};
@@ -268,20 +270,79 @@ fn the_documentation_says_where_joints_and_frames_stand() {
 
 /// A function of a frame is asked for by the frame's name, with or without quotes, and stands in tuples, too.
 #[test]
-fn functions_of_frames_are_read_in_all_languages() {
+fn functions_of_frames_say_the_same_in_all_languages() {
     let asked = "functions: [jacobian(left_hand), jacobian(\"the camera\"), grasp = (mass_matrix, forward_kinematics(left_hand))],";
-    let expected = "`jacobian(left_hand)`: functions of frames are not generated yet";
+    let of_call = model(&TORSO.replace("gravity:", &format!("{asked} gravity:"))).requests;
+    let of_frame = |function, frame| Part {
+        function,
+        frame: Some(frame),
+    };
+    let parts = [
+        Function::MassMatrix.into(),
+        of_frame(Function::ForwardKinematics, 0),
+    ];
+    let expected = [
+        function::Request::of_frame(Function::Jacobian, 0, "left_hand"),
+        function::Request::of_frame(Function::Jacobian, 1, "the camera"),
+        function::Request::fused("grasp", parts),
+    ];
+    let names: Vec<&str> = expected.iter().map(function::Request::name).collect();
     assert_eq!(
-        message(&TORSO.replace("gravity:", &format!("{asked} gravity:"))),
-        expected
+        names,
+        ["jacobian_left_hand", "jacobian_the_camera", "grasp"]
     );
+    let in_file = r#"["jacobian(left_hand)", "jacobian('the camera')", { "grasp" = ["mass_matrix", "forward_kinematics( left_hand )"] }]"#;
+    let in_toml = format!("functions = {in_file}\n{TORSO_IN_TOML}");
+    let in_json = format!(
+        "\"functions\": {},\n\"convention\"",
+        in_file.replace(" = ", ": ")
+    );
+    let in_json = TORSO_IN_JSON.replacen("\"convention\"", &in_json, 1);
+    let of_files = [(in_toml, Format::Toml), (in_json, Format::Json)]
+        .map(|(text, format)| model_of_file(&text, format).requests);
+    for requests in [of_call].into_iter().chain(of_files) {
+        let requests: Vec<_> = requests.into_iter().map(|(request, _)| request).collect();
+        assert_eq!(requests, expected);
+    }
+}
+
+/// After an error the methods of frames exist, too: no other error follows from it.
+#[test]
+fn stubs_have_the_methods_of_frames() {
+    let call = arm(
+        "third: revolute { mass: -1 }",
+        "frames: { hand: { on: third } }, functions: [jacobian(hand), pair = (mass_matrix, forward_kinematics(hand))],",
+    );
+    assert_eq!(message(&call), "a mass cannot be negative");
+    let items = crate::generate(call.parse().expect("tokens")).to_string();
+    for method in ["fn jacobian_hand <", "fn pair <"] {
+        assert!(items.contains(method), "{method}");
+    }
+}
+
+/// The generated methods have the frame's name, in constants as in code.
+#[test]
+fn methods_of_frames_are_generated() {
+    let call = arm(
+        "",
+        "frames: { \"Hand 1\": { on: second, xyz: [0.1, 0, 0] } }, functions: [jacobian(\"Hand 1\"), wrench_torques(\"Hand 1\")],",
+    );
+    let items = crate::generate(call.parse().expect("tokens")).to_string();
+    for text in [
+        "fn jacobian_hand_1 <",
+        "(\"jacobian_hand_1\" ,",
+        "fn wrench_torques_hand_1 <",
+    ] {
+        assert!(items.contains(text), "{text}");
+    }
 }
 
 /// Frames beside a file add to its own, and functions beside it may be about either.
 #[test]
 fn frames_beside_a_file_add_to_its_own() {
     let request = Request::default();
-    let beside = "[frame.tail]\non = \"lift\"";
+    let beside =
+        "functions = [\"jacobian(tail)\", \"jacobian(left_hand)\"]\n[frame.tail]\non = \"lift\"";
     let mut beside = table("beside", beside, Format::Toml, &request).expect("entries");
     beside.fields = fields();
     let model = model_beside("Torso", TORSO_IN_TOML, Format::Toml, beside).expect("a robot");
@@ -292,6 +353,19 @@ fn frames_beside_a_file_add_to_its_own() {
         .map(|frame| (frame.name.as_str(), frame.on))
         .collect();
     assert_eq!(frames[2..], [("corner", None), ("tail", Some(4))]);
+    let asked = |function, frame, name| function::Request::of_frame(function, frame, name);
+    let requests: Vec<_> = model
+        .requests
+        .into_iter()
+        .map(|(request, _)| request)
+        .collect();
+    assert_eq!(
+        requests,
+        [
+            asked(Function::Jacobian, 3, "tail"),
+            asked(Function::Jacobian, 0, "left_hand")
+        ]
+    );
 }
 
 /// What is neglected is found on trees as on arms.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
-use dynamics_symbolic::function::{Fused, Growth, Request, Set};
-use dynamics_symbolic::robot::{Robot, Row};
+use dynamics_symbolic::function::{Growth, Part, Request, Set};
+use dynamics_symbolic::robot::{Frame, Robot, Row};
 
 use super::scope::Scope;
 use crate::description::{Asked, Entry, Name, Table, Wanted};
@@ -37,7 +37,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = &Wanted> + Clone {
 /// The functions that are asked for, each with its place; those of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
     let default_set = Function::default_set(has_friction(robot)).into_iter();
-    let default_set: Vec<_> = default_set.map(|f| (Request::One(f), None)).collect();
+    let default_set: Vec<_> = default_set.map(|f| (f.into(), None)).collect();
     let Some(asked) = asked else {
         return default_set;
     };
@@ -50,14 +50,14 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
         match asked {
             Asked::Default(_) => requests.extend(default_set.clone()),
             Asked::One(wanted) => {
-                let request = (Request::One(wanted.function), Some(wanted.place));
+                let request = (one(wanted, &robot.frames), Some(wanted.place));
                 // Friction is in the set where there is some; who asks for it need not know.
                 if !(has_default && is_default(&request)) {
                     requests.push(request);
                 }
             }
             Asked::Fused(name, parts) => {
-                requests.push((fused(name, parts), Some(name.into())));
+                requests.push((fused(name, parts, &robot.frames), Some(name.into())));
             }
             Asked::Unreadable => {}
         }
@@ -71,31 +71,35 @@ fn has_friction(robot: &Robot) -> bool {
     moving.any(Row::has_friction)
 }
 
-/// The method of that name with those parts.
-pub(crate) fn fused(name: &Name, parts: &[Wanted]) -> Request {
-    Request::Fused(Fused {
-        name: name.to_string(),
-        parts: parts.iter().map(|wanted| wanted.function).collect(),
+/// The method of one function, of a robot with these frames.
+pub(crate) fn one(wanted: &Wanted, frames: &[Frame]) -> Request {
+    let Part { function, frame } = part(wanted, frames);
+    let named = frame.zip(wanted.frame.as_ref());
+    named.map_or(function.into(), |(index, name)| {
+        Request::of_frame(function, index, name.plain())
     })
 }
 
-/// The name of the method of one function: of a frame in lower case, with `_` for every character but a-z and 0-9.
-fn method_name(wanted: &Wanted) -> String {
-    let letter = |letter: char| match letter.to_ascii_lowercase() {
-        letter @ ('a'..='z' | '0'..='9') => letter,
-        _ => '_',
-    };
-    let name = wanted.function.name().to_owned();
-    let frame = wanted.frame.as_ref();
-    let frame = frame.map(|frame| frame.plain().chars().map(letter).collect::<String>());
-    frame.map_or(name.clone(), |frame| format!("{name}_{frame}"))
+/// The method of that name with those parts.
+pub(crate) fn fused(name: &Name, parts: &[Wanted], frames: &[Frame]) -> Request {
+    let parts = parts.iter().map(|wanted| part(wanted, frames));
+    Request::fused(name.to_string(), parts)
 }
 
-/// Reports a function of a frame, which is not generated.
-pub(super) fn report_of_frames(asked: &[Asked], scope: &Scope) {
-    if let Some(wanted) = named(asked).find(|wanted| wanted.frame.is_some()) {
-        scope.error(wanted.place, link::not_generated(wanted));
+/// A function and the place of its frame; 0 if there is none of that name, for a method without a body.
+fn part(wanted: &Wanted, frames: &[Frame]) -> Part {
+    let place = |name: &Name| frames.iter().position(|frame| frame.name == name.plain());
+    Part {
+        function: wanted.function,
+        frame: wanted.frame.as_ref().map(|name| place(name).unwrap_or(0)),
     }
+}
+
+/// The name of the method of one function.
+fn method_name(wanted: &Wanted) -> String {
+    let of_frame = |frame: &Name| wanted.function.name_of_frame(frame.plain());
+    let frame = wanted.frame.as_ref();
+    frame.map_or(wanted.function.name().to_owned(), of_frame)
 }
 
 /// Whether the arm has a mass, where a function divides by it; all of these are asked for by name.
@@ -105,8 +109,9 @@ pub(super) fn have_mass(
     diagnostics: &Diagnostics,
 ) -> bool {
     let divides = |(request, place): &(Request, Option<Place>)| {
-        let mut functions = request.parts().iter();
-        let function = functions.find(|function| function.divides_by_mass())?;
+        let function = request
+            .functions()
+            .find(|function| function.divides_by_mass())?;
         Some((function.name(), (*place)?))
     };
     let Some((function, place)) = requests.iter().find_map(divides) else {
@@ -181,8 +186,8 @@ pub(super) fn note_on_massless(
     robot: &Robot,
     requests: &[(Request, Option<Place>)],
 ) -> Option<String> {
-    let mut parts = requests.iter().flat_map(|(request, _)| request.parts());
-    let solving = parts.find(|function| function.row().refuses)?;
+    let mut functions = requests.iter().flat_map(|(request, _)| request.functions());
+    let solving = functions.find(|function| function.row().refuses)?;
     let rows = robot.rows.iter().enumerate();
     let carry = carry_bodies(robot);
     let massless = rows.filter(|(index, row)| {

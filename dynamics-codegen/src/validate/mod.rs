@@ -74,9 +74,6 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
             report_unused(table, &scope);
         }
     }
-    if let (true, Some(asked)) = (diagnostics.is_empty(), &parts.functions) {
-        functions::report_of_frames(asked, &scope);
-    }
     if !diagnostics.is_empty() {
         return None;
     }

@@ -9,7 +9,6 @@ use dynamics_runtime::{
     robot_dynamics,
     simulation::DormandPrince,
 };
-use dynamics_symbolic::function::Fused;
 use dynamics_symbolic::robot::{
     Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
 };
@@ -176,18 +175,15 @@ fn generated(fields: [f64; 6]) -> Scene {
 }
 
 fn runtime(functions: impl IntoIterator<Item = Function>) -> RuntimeRobot {
-    let fused = Fused {
-        name: "together".to_owned(),
-        parts: vec![
-            Function::MassMatrix,
-            Function::ForwardDynamics,
-            Function::GravityVector,
-        ],
-    };
+    let parts = [
+        Function::MassMatrix,
+        Function::ForwardDynamics,
+        Function::GravityVector,
+    ];
     let requests = functions
         .into_iter()
-        .map(Request::One)
-        .chain([Request::Fused(fused)]);
+        .map(Request::from)
+        .chain([Request::fused("together", parts)]);
     let mut arm = RuntimeRobot::new(description(), requests).expect("a robot");
     arm.set_fields(&FIELDS).expect("six fields");
     arm

@@ -39,7 +39,7 @@ struct Case {
 impl Case {
     fn new(robot: Robot, fields: &[f64], functions: impl IntoIterator<Item = Function>) -> Self {
         let programs = functions.into_iter().map(|function| {
-            let request = Request::One(function);
+            let request = Request::from(function);
             let program = proven_program(&robot, &request).expect("proven");
             (request, program)
         });
@@ -527,7 +527,7 @@ fn names_of_joints_stay_what_they_are() {
     for (row, name) in robot.rows.iter_mut().zip(NAMES) {
         row.name = name.to_owned();
     }
-    let request = Request::One(Function::GravityVector);
+    let request = Request::from(Function::GravityVector);
     let program = proven_program(&robot, &request).expect("proven");
     let programs = [(request, program)];
     let files = c_source(&robot, &programs);

@@ -3,7 +3,7 @@
 use super::degree::degree;
 use super::over_limits;
 use crate::derive::states::states;
-use crate::function::{Argument, Function, Request, spans};
+use crate::function::{Argument, Part, Request, spans};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol};
 use crate::rounding::Rounded;
@@ -29,8 +29,8 @@ pub(crate) fn note(
     let errors = over_limits(robot, program, constants)?;
     let sizes = sizes(robot, program, constants);
     let parts = request.parts();
-    let values = |(function, span): (&Function, Range<usize>)| {
-        let count = function.entries(robot.dof(), span.len());
+    let values = |(part, span): (&Part, Range<usize>)| {
+        let count = part.function.entries(robot.dof(), span.len());
         span.start..span.start + count
     };
     let outputs = spans(parts, robot.dof(), program.outputs.len());
@@ -46,8 +46,8 @@ pub(crate) fn note(
                 .to_owned(),
         );
     }
-    let named = |(part, bound): (&Function, &Option<f64>)| {
-        format!("{} (`{}`)", at_most(*bound), part.name())
+    let named = |(part, bound): (&Part, &Option<f64>)| {
+        format!("{} (`{}`)", at_most(*bound), robot.name_of(*part))
     };
     let (bounds, growth) = match parts {
         [_] => (at_most(bounds[0]), growth(program, spans[0].clone())),

@@ -28,7 +28,7 @@ fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let (zero, arm) = (symbols.graph().zero(), symbols.arm());
     let links = arm.joints.iter().map(|joint| &joint.mass).enumerate();
     let fixed_bodies = arm.fixed_bodies.iter();
-    let masses = links.chain(fixed_bodies.map(|fixed| (fixed.frame.link, &fixed.body.mass)));
+    let masses = links.chain(fixed_bodies.map(|fixed| (fixed.link, &fixed.body.mass)));
     let moving = masses.filter(|(link, _)| !arm.is_of_base(*link));
     moving.fold(zero, |sum, (_, mass)| sum + symbols.value(mass))
 }

@@ -56,9 +56,7 @@ pub struct Chain<R> {
     pub links: Vec<Link<R>>,
     /// Which of them carries which.
     pub(crate) tree: Tree,
-    /// Which of them carries the tip, if there is one.
-    pub(crate) tip: Option<usize>,
-    /// The joint about whose origin the moment of a wrench on the tip is told, where it is about one.
+    /// The joint about whose origin the moment of a wrench on a frame is told, where it is about one.
     pub pivot: Option<usize>,
 }
 
@@ -91,7 +89,6 @@ impl<'g> Chain<Expr<'g>> {
             base: Body::splat(zero),
             links,
             tree: arm.tree.clone(),
-            tip: arm.tip_link(),
             pivot: None,
         }
     }
@@ -161,11 +158,6 @@ impl<R: Ring> Chain<R> {
     /// The axis of joint i in its own frame.
     pub(super) fn axis(&self, i: usize) -> Motion<R> {
         Motion::axis(self.joint(i).joint_type, self.zero, self.one)
-    }
-
-    /// The joints that carry the tip, from its own link's inwards.
-    pub(super) fn carriers_of_tip(&self) -> impl Iterator<Item = usize> {
-        self.tree.carriers_of(self.tip)
     }
 
     /// For every link the axes of the joints that carry it, in its frame, each with the number of the joint.
@@ -334,7 +326,6 @@ mod tests {
             base: Body::splat(Number::ZERO),
             links: types.map(|joint_type| link(joint_type, random)).into(),
             tree: Tree::new(vec![None, Some(0), Some(0), Some(1)]),
-            tip: Some(3),
             pivot: None,
         };
         let force = Force {

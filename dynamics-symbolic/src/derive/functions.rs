@@ -13,23 +13,35 @@ use super::{
 };
 use crate::expr::Expr;
 pub use crate::function::Form;
-use crate::function::{Argument, Function};
+use crate::function::{self, Argument, Function};
 use crate::linear::Vector3;
+use crate::mechanism::Frame;
 
-/// A function, and how it is written.
+/// A function, of a frame where it is about one, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
     /// The function.
     pub function: Function,
-    /// Its form.
+    /// The place of the frame among the named ones; `None` for the tip.
+    pub frame: Option<usize>,
+    /// The function's form.
     pub form: Form,
 }
 
 impl Part {
-    /// A function as the recursion that is made for it.
-    pub fn recursive(function: Function) -> Self {
-        let form = Form::Recursive;
-        Part { function, form }
+    /// A part of a request in this form.
+    pub fn new(part: impl Into<function::Part>, form: Form) -> Self {
+        let function::Part { function, frame } = part.into();
+        Part {
+            function,
+            frame,
+            form,
+        }
+    }
+
+    /// A part of a request as the recursion that is made for it.
+    pub fn recursive(part: impl Into<function::Part>) -> Self {
+        Part::new(part, Form::Recursive)
     }
 }
 
@@ -38,9 +50,11 @@ impl Part {
 pub fn outputs<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,
-    Part { function, form }: Part,
+    part: Part,
 ) -> Vec<Expr<'g>> {
+    let Part { function, form, .. } = part;
     let mut equations = Equations {
+        frame: symbols.arm().frame(part.frame),
         qd: symbols.all(|joint| joint.qd),
         qdd: symbols.all(|joint| joint.qdd),
         still: vec![chain.zero; chain.links.len()],
@@ -75,6 +89,8 @@ type Vector<'g> = Vec<Expr<'g>>;
 struct Equations<'a, 'g> {
     symbols: &'a mut Symbols<'g>,
     chain: &'a Chain<Expr<'g>>,
+    /// The frame that a function of a frame is about.
+    frame: &'g Frame,
     qd: Vector<'g>,
     qdd: Vector<'g>,
     /// Zero for each joint.
@@ -84,7 +100,7 @@ struct Equations<'a, 'g> {
 impl<'g> Equations<'_, 'g> {
     /// The outputs, of all rows but for [`is_of_joints`].
     fn of_rows(&mut self, function: Function, form: Form) -> Vector<'g> {
-        let chain = self.chain;
+        let (chain, frame) = (self.chain, self.frame);
         let (zero, one) = (chain.zero, chain.one);
         match form {
             Form::Assembled => return self.assembled(function),
@@ -124,14 +140,14 @@ impl<'g> Equations<'_, 'g> {
             }
             Function::ForwardKinematics => {
                 let frames = kinematics::frames(self.symbols);
-                kinematics::tip(self.symbols, &frames).homogeneous(zero, one)
+                kinematics::fixed(self.symbols, &frames, frame.place()).homogeneous(zero, one)
             }
             Function::LinkPoses => {
                 let frames = kinematics::frames(self.symbols).into_iter();
                 let poses = frames.flat_map(|frame| frame.pose.homogeneous(zero, one));
                 poses.collect()
             }
-            Function::Jacobian => kinematics::jacobian(self.symbols),
+            Function::Jacobian => kinematics::jacobian(self.symbols, frame),
             Function::InverseDynamicsDerivatives => {
                 let of_links = derivatives::recursion(chain, &self.qd, &self.qdd);
                 self.force_derivatives(of_links.of_joints(self.symbols))
@@ -146,10 +162,10 @@ impl<'g> Equations<'_, 'g> {
                 self.forward_dynamics(Form::Recursive)
             }
             Function::ForwardDynamicsAba => self.articulated_dynamics(),
-            Function::WrenchTorques => tip::wrench_torques(self.symbols, chain),
-            Function::ToolVelocity => tip::velocity(self.symbols, chain),
-            Function::ToolAcceleration => tip::acceleration(self.symbols, chain),
-            Function::JacobianRate => link_jacobians::rate(self.symbols),
+            Function::WrenchTorques => tip::wrench_torques(self.symbols, chain, frame),
+            Function::ToolVelocity => tip::velocity(self.symbols, chain, frame),
+            Function::ToolAcceleration => tip::acceleration(self.symbols, chain, frame),
+            Function::JacobianRate => link_jacobians::rate(self.symbols, frame),
             Function::LinkJacobians => link_jacobians::of_links(self.symbols),
             Function::CenterOfMass => center_of_mass::center(self.symbols, chain),
             Function::CenterOfMassJacobian => center_of_mass::jacobian(self.symbols, chain),
@@ -323,7 +339,7 @@ impl<'g> Equations<'_, 'g> {
         let matrix = joints.block(composite::mass_matrix(self.chain));
         let nothing = vec![self.chain.zero; matrix.len()];
         let (factors, _) = self.factored(matrix.clone(), nothing);
-        let jacobian = kinematics::jacobian(self.symbols);
+        let jacobian = kinematics::jacobian(self.symbols, self.frame);
         let rows = jacobian.chunks(self.chain.links.len());
         let rows: Vec<_> = rows.map(|row| joints.entries(row.to_vec())).collect();
         let values = factors.congruence(&rows).concat();

@@ -7,13 +7,13 @@
 use super::functions::Part;
 use super::gauge::Gauge;
 use super::{Written, accurate};
-use crate::function::{Form, Function};
+use crate::function::{self, Form, Function};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
 
 /// The program of some functions: the outputs of one after those of the other.
-pub(super) fn derive(arm: &Mechanism, functions: &[Function]) -> Program {
-    let parts = together(arm, functions);
+pub(super) fn derive(arm: &Mechanism, parts: &[function::Part]) -> Program {
+    let parts = together(arm, parts);
     let gauge = Gauge::search(arm, &parts);
     let in_one = accurate(arm, &[Written::new(&parts, gauge)]);
     let own = |part: &Part| Written::new(&[*part], Gauge::search(arm, &[*part]));
@@ -25,9 +25,9 @@ pub(super) fn derive(arm: &Mechanism, functions: &[Function]) -> Program {
 
 /// The forms in which the functions are shortest together: each in turn takes another one where that
 /// makes all of them shorter, in the plain gauge.
-fn together(arm: &Mechanism, functions: &[Function]) -> Vec<Part> {
+fn together(arm: &Mechanism, parts: &[function::Part]) -> Vec<Part> {
     let plain = Gauge::plain(arm.joints.len());
-    let mut parts: Vec<_> = functions.iter().copied().map(Part::recursive).collect();
+    let mut parts: Vec<_> = parts.iter().copied().map(Part::recursive).collect();
     let mut cost = plain.length(arm, &parts);
     for index in 0..parts.len() {
         for form in forms(arm, parts[index].function) {

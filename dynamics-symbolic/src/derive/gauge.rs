@@ -25,7 +25,7 @@ pub struct Gauge {
     /// Whether inertial parameters move inwards to the base parameters: see
     /// [`Chain::group_parameters`].
     pub grouped: bool,
-    /// The joint about whose origin the moment of a wrench on the tip is told: see [`Chain::pivot`].
+    /// The joint about whose origin the moment of a wrench on a frame is told: see [`Chain::pivot`].
     pub pivot: Option<usize>,
 }
 

@@ -1,11 +1,11 @@
-//! Poses of the link frames of the table and of the tip, and the geometric Jacobian.
+//! Poses of the link frames of the table and of what is fixed to them, and the geometric Jacobian.
 
 use super::place::{self, place};
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
 use crate::mechanism::{self, Mechanism, Origin};
-use crate::robot::{Interpretation, JointType};
+use crate::robot::{Interpretation, JointType, Placement};
 use crate::spatial::{Axis, Place, Turn, Turns};
 
 /// A frame in the world, which is the base frame where the table says nothing else.
@@ -93,25 +93,20 @@ pub(super) fn base<'g>(symbols: &mut Symbols<'g>) -> Pose<'g> {
     base.map_or(world, |base| world.placed(symbols, &base))
 }
 
-/// The tip, by the `frames` of all links; frame 0 if there is none.
-pub(super) fn tip<'g>(symbols: &mut Symbols<'g>, frames: &[Frame<'g>]) -> Pose<'g> {
-    match &symbols.arm().tip {
-        Some(tip) => fixed(symbols, frames, tip),
-        None => base(symbols),
-    }
-}
-
-/// A frame that is fixed to a link, by the `frames` of all links.
+/// A frame that is fixed to a link or to the base, by the `frames` of all links.
 pub(super) fn fixed<'g>(
     symbols: &mut Symbols<'g>,
     frames: &[Frame<'g>],
-    frame: &mechanism::Frame,
+    (link, places): (Option<usize>, &[Placement]),
 ) -> Pose<'g> {
-    let link = frames[frame.link].pose;
-    if frame.places.is_empty() {
+    let link = match link {
+        Some(link) => frames[link].pose,
+        None => base(symbols),
+    };
+    if places.is_empty() {
         return link;
     }
-    let in_link = place(symbols, &frame.places);
+    let in_link = place(symbols, places);
     link.placed(symbols, &in_link)
 }
 
@@ -152,19 +147,14 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
     frames
 }
 
-/// The geometric Jacobian of the tip's origin by rows: vx vy vz wx wy wz.
+/// The geometric Jacobian of a frame's origin by rows: vx vy vz wx wy wz.
 ///
 /// Columns (z x (p - o), z) for a revolute joint, (z, 0) for a prismatic one.
-pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, frame: &mechanism::Frame) -> Vec<Expr<'g>> {
     let zero = symbols.graph().zero();
     let frames = frames(symbols);
-    let tip = tip(symbols, &frames).origin;
-    by_rows(&columns(
-        symbols.arm(),
-        &frames,
-        symbols.arm().tip_link(),
-        (tip, zero),
-    ))
+    let origin = fixed(symbols, &frames, frame.place()).origin;
+    by_rows(&columns(symbols.arm(), &frames, frame.link, (origin, zero)))
 }
 
 /// What each joint gives a point of a link at unit speed: its velocity, and the angular velocity of the link.

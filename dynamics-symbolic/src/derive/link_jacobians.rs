@@ -1,9 +1,10 @@
-//! Geometric Jacobians of all links, and the rate of the tip's, in the axes of the base.
+//! Geometric Jacobians of all links, and the rate of a frame's, in the axes of the base.
 
-use super::kinematics::{by_rows, columns, frames, tip};
+use super::kinematics::{by_rows, columns, fixed, frames};
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::Vector3;
+use crate::mechanism::Frame;
 use crate::robot::JointType;
 use core::ops::Add;
 
@@ -20,21 +21,21 @@ pub(super) fn of_links<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
 
 /// dJ/dt by rows, from the columns (L_j, A_j) of J.
 ///
-/// A revolute joint with the axis z_j, about which the tip is at r_j, has L_j = z_j x r_j. With w the
+/// A revolute joint with the axis z_j, about which the frame is at r_j, has L_j = z_j x r_j. With w the
 /// angular velocity before the joint, the axis changes at the rate w x z_j, and r_j at
 /// w x r_j + u_j, u_j = sum L_k qd_k over the joints k >= j. So, by Jacobi's identity,
 ///
 ///   dL_j/dt = w x L_j + z_j x u_j,   dA_j/dt = w x A_j,
 ///
 /// and of a prismatic joint dL_j/dt = w x L_j.
-pub(super) fn rate<'g>(symbols: &mut Symbols<'g>) -> Vec<Expr<'g>> {
+pub(super) fn rate<'g>(symbols: &mut Symbols<'g>, frame: &Frame) -> Vec<Expr<'g>> {
     let (zero, arm) = (symbols.graph().zero(), symbols.arm());
     let qd = symbols.all(|joint| joint.qd);
     let frames = frames(symbols);
-    let tip = tip(symbols, &frames).origin;
-    let columns = columns(arm, &frames, arm.tip_link(), (tip, zero));
+    let origin = fixed(symbols, &frames, frame.place()).origin;
+    let columns = columns(arm, &frames, frame.link, (origin, zero));
     let none = Vector3::splat(zero);
-    // u_j: the velocity of the tip by joint j and those beyond.
+    // u_j: the velocity of the frame by joint j and those beyond.
     let mut velocities = vec![none; columns.len()];
     arm.tree.inward(none, Vector3::add, |j, outer| {
         velocities[j] = outer + columns[j].0 * qd[j];

@@ -36,7 +36,7 @@ mod tip;
 pub mod units;
 
 use crate::expr::{Edge, Graph};
-use crate::function::{Form, Function, Search, Trial};
+use crate::function::{self, Form, Function, Search, Trial};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
 use crate::robot::Robot;
@@ -48,14 +48,14 @@ use symbols::Symbols;
 
 /// The program of a function: the shortest that its forms, the gauges and the
 /// simplifications lead to, as far as they keep its digits.
-pub fn derive(robot: &Robot, function: Function) -> Program {
-    shortest(&robot.into(), function)
+pub fn derive(robot: &Robot, part: impl Into<function::Part>) -> Program {
+    shortest(&robot.into(), part.into())
 }
 
-fn shortest(arm: &Mechanism, function: Function) -> Program {
-    let parts = promising_forms(arm, function);
-    if is_tried_by(Trial::Unsimplified, function) {
-        let gauge = Gauge::search(arm, &[Part::recursive(function)]);
+fn shortest(arm: &Mechanism, part: function::Part) -> Program {
+    let parts = promising_forms(arm, part);
+    if is_tried_by(Trial::Unsimplified, part.function) {
+        let gauge = Gauge::search(arm, &[Part::recursive(part)]);
         let length = |part: &Part| gauge.length(arm, &[*part]);
         let part = parts.into_iter().min_by_key(length);
         let part = part.expect("every function has a form");
@@ -68,11 +68,11 @@ fn shortest(arm: &Mechanism, function: Function) -> Program {
 }
 
 /// The program of several functions, whose outputs follow one another, or of one.
-pub fn derive_together(robot: &Robot, functions: &[Function]) -> Program {
+pub fn derive_together(robot: &Robot, parts: &[function::Part]) -> Program {
     let arm = robot.into();
-    match functions {
-        [function] => shortest(&arm, *function),
-        _ => fused::derive(&arm, functions),
+    match parts {
+        [part] => shortest(&arm, *part),
+        _ => fused::derive(&arm, parts),
     }
 }
 
@@ -84,10 +84,10 @@ fn is_tried_by(trial: Trial, function: Function) -> bool {
 /// The forms that are tried. Where they differ by the number of joints, how they compare shows
 /// before any search: a form that takes over a tenth more than another in the plain gauge is
 /// not tried.
-fn promising_forms(arm: &Mechanism, function: Function) -> Vec<Part> {
-    let forms = forms(arm, function).into_iter();
-    let parts: Vec<_> = forms.map(|form| Part { function, form }).collect();
-    if !is_tried_by(Trial::Promising, function) {
+fn promising_forms(arm: &Mechanism, part: function::Part) -> Vec<Part> {
+    let forms = forms(arm, part.function).into_iter();
+    let parts: Vec<_> = forms.map(|form| Part::new(part, form)).collect();
+    if !is_tried_by(Trial::Promising, part.function) {
         return parts;
     }
     let plain = Gauge::plain(arm.joints.len());
@@ -109,7 +109,7 @@ fn forms(arm: &Mechanism, function: Function) -> Vec<Form> {
 /// The program of a function written in one form: the shortest that the gauges and the
 /// simplifications lead to, as far as they keep its digits.
 pub fn derive_form(robot: &Robot, function: Function, form: Form) -> Program {
-    derive_part(&robot.into(), Part { function, form })
+    derive_part(&robot.into(), Part::new(function, form))
 }
 
 fn derive_part(arm: &Mechanism, part: Part) -> Program {
@@ -156,14 +156,15 @@ fn accurate(arm: &Mechanism, written: &[Written]) -> Program {
 
 /// The program of a function in the plain gauge, as its recursion is written: long, and accurate. The rounding of
 /// other programs is compared with it, and it is the result where every shorter program loses digits.
-pub fn derive_plain(robot: &Robot, function: Function) -> Program {
+pub fn derive_plain(robot: &Robot, part: impl Into<function::Part>) -> Program {
     let arm = &Mechanism::from(robot);
-    let gauge = match function.row().search {
+    let part = Part::recursive(part);
+    let gauge = match part.function.row().search {
         // Its recursion is written in this gauge in any case.
         Search::Accuracy => Gauge::physical(arm.joints.len()),
         _ => Gauge::plain(arm.joints.len()),
     };
-    unsimplified(arm, &[Written::new(&[Part::recursive(function)], gauge)])
+    unsimplified(arm, &[Written::new(&[part], gauge)])
 }
 
 /// Functions as the recursions that are made for them, in the plain gauge. Bounds on the errors of
@@ -171,7 +172,10 @@ pub fn derive_plain(robot: &Robot, function: Function) -> Program {
 fn plain_recursion(arm: &Mechanism, parts: &[Part]) -> Written {
     let recursion = |part: &Part| match part.form {
         Form::Articulated => *part,
-        Form::Recursive | Form::Assembled | Form::Columns => Part::recursive(part.function),
+        Form::Recursive | Form::Assembled | Form::Columns => Part {
+            form: Form::Recursive,
+            ..*part
+        },
     };
     let parts: Vec<_> = parts.iter().map(recursion).collect();
     Written::new(&parts, Gauge::plain(arm.joints.len()))

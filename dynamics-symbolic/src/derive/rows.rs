@@ -54,10 +54,10 @@ impl<R: Ring> Places<R> {
             &joint.inertia,
         ));
         let fixed_bodies = arm.fixed_bodies.iter();
-        let here = fixed_bodies.filter(|fixed| fixed.frame.link == i);
-        here.fold(own, |own, FixedBody { frame, body }| {
+        let here = fixed_bodies.filter(|fixed| fixed.link == i);
+        here.fold(own, |own, FixedBody { places, body, .. }| {
             let body = place::central(cells, &body.mass, &body.com, &body.inertia);
-            own.joined(leave(place(cells, &frame.places).leave_body(body)))
+            own.joined(leave(place(cells, places).leave_body(body)))
         })
     }
 }

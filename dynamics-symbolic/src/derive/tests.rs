@@ -52,11 +52,11 @@ fn branched() -> Mechanism {
         neglected: None,
     };
     let tip = Frame {
-        link: 3,
+        link: Some(3),
         places: Vec::new(),
     };
     Mechanism {
-        tip: Some(tip),
+        tip,
         ..Mechanism::from(&robot)
     }
 }
@@ -65,7 +65,7 @@ fn branched() -> Mechanism {
 fn of_all_forms<'g>(symbols: &mut Symbols<'g>, function: Function) -> Vec<Vec<Expr<'g>>> {
     let arm = symbols.arm();
     let forms = [Form::Recursive, Form::Assembled, Form::Columns];
-    let parts = forms.map(|form| Part { function, form });
+    let parts = forms.map(|form| Part::new(function, form));
     let mut all = Vec::new();
     for part in parts {
         for gauge in [Gauge::plain(arm.joints.len()), Gauge::search(arm, &[part])] {
@@ -148,7 +148,7 @@ fn accelerations_and_regressors_on_branches_fit_the_forces() {
     let mut symbols = Symbols::new(&graph, &arm);
     let (zero, n) = (graph.zero(), arm.joints.len());
     let plain = Gauge::plain(n).chain(&mut symbols);
-    let mut of = |function, form| outputs(&mut symbols, &plain, Part { function, form });
+    let mut of = |function, form| outputs(&mut symbols, &plain, Part::new(function, form));
     let inertia = of(Function::MassMatrix, Form::Recursive);
     let bias = of(Function::BiasForce, Form::Recursive);
     let accelerations = [

@@ -126,12 +126,12 @@ fn bodies<'g>(symbols: &mut Symbols<'g>) -> Vec<Body<'g>> {
     let fixed_bodies = arm
         .fixed_bodies
         .iter()
-        .map(|FixedBody { frame, body }| Body {
-            link: frame.link,
+        .map(|FixedBody { link, places, body }| Body {
+            link: *link,
             mass: &body.mass,
             com: &body.com,
             inertia: &body.inertia,
-            pose: fixed(symbols, &frames, frame),
+            pose: fixed(symbols, &frames, (Some(*link), places)),
         });
     links.chain(fixed_bodies).collect()
 }

@@ -1,6 +1,6 @@
-//! The velocity and the acceleration of the tip, and the joint forces of a wrench on it.
+//! The velocity and the acceleration of a frame, which may be the tip, and the joint forces of a wrench on it.
 //!
-//! A motion of the tip is gathered from the tip inwards. Seen from link i the tip is at r, moves at u
+//! A motion of the frame is gathered from the frame inwards. Seen from link i the frame is at r, moves at u
 //! and accelerates at a, and turns at w with the rate e. Joint i adds its own motion; a revolute one, as
 //! the product rule has it for Rz(q) r,
 //!
@@ -17,30 +17,34 @@ use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::function::Argument;
 use crate::linear::Vector3;
+use crate::mechanism::Frame;
 use crate::robot::JointType;
 use crate::spatial::{Axis, Joint, leave_about};
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
-/// Where the tip is in the frame of the link that carries it; anywhere if there is none.
-fn place_of_tip<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector<'g> {
-    let arm = symbols.arm();
-    let Some(tip) = &arm.tip else {
+/// Where a frame is in the chain's frame of the link that carries it; anywhere if that is the base.
+fn place_of<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>, frame: &Frame) -> Vector<'g> {
+    let Some(link) = frame.link else {
         return Vector3::splat(chain.zero);
     };
-    let in_link = place::place(symbols, &tip.places).origin;
-    let places = Places::new(symbols, arm);
-    let on_axis = places.leave_point(tip.link, in_link);
-    let link = &chain.links[tip.link];
+    let in_link = place::place(symbols, &frame.places).origin;
+    let places = Places::new(symbols, symbols.arm());
+    let on_axis = places.leave_point(link, in_link);
+    let link = &chain.links[link];
     leave_about(Axis::Z, link.behind, on_axis.plus_z(-link.shift))
 }
 
-/// J qd: velocity of the tip's origin, angular velocity.
-pub(super) fn velocity<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let mut r = place_of_tip(symbols, chain);
+/// J qd: velocity of the frame's origin, angular velocity.
+pub(super) fn velocity<'g>(
+    symbols: &mut Symbols<'g>,
+    chain: &Chain<Expr<'g>>,
+    frame: &Frame,
+) -> Vec<Expr<'g>> {
+    let mut r = place_of(symbols, chain, frame);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut w) = (none, none);
-    for i in chain.carriers_of_tip() {
+    for i in chain.tree.carriers_of(frame.link) {
         let (joint, qd) = (chain.joint(i), symbols.joint(i).qd);
         match joint.joint_type {
             JointType::Revolute => {
@@ -55,15 +59,16 @@ pub(super) fn velocity<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -
     in_world(symbols, [u, w])
 }
 
-/// J qdd + Jdot qd: acceleration of the tip's origin, angular acceleration.
+/// J qdd + Jdot qd: acceleration of the frame's origin, angular acceleration.
 pub(super) fn acceleration<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,
+    frame: &Frame,
 ) -> Vec<Expr<'g>> {
-    let mut r = place_of_tip(symbols, chain);
+    let mut r = place_of(symbols, chain, frame);
     let none = Vector3::splat(chain.zero);
     let (mut u, mut a, mut w, mut e) = (none, none, none, none);
-    for i in chain.carriers_of_tip() {
+    for i in chain.tree.carriers_of(frame.link) {
         let (joint, of_joint) = (chain.joint(i), symbols.joint(i));
         let (qd, qdd) = (of_joint.qd, of_joint.qdd);
         match joint.joint_type {
@@ -85,20 +90,20 @@ pub(super) fn acceleration<'g>(
     in_world(symbols, [a, e])
 }
 
-/// J' w, the force f and the moment n handed on outwards as they are: with the tip at r from the origin
-/// of frame i, joint i feels z.(n + r x f). Where the chain has a pivot, the moment is told about the origin
-/// of that joint, and handed on from there ([`Wrench::about`]).
+/// J' w, the force f and the moment n handed on outwards as they are: with the frame that is pushed at r from
+/// the origin of frame i, joint i feels z.(n + r x f). Where the chain has a pivot that carries the pushed frame, the
+/// moment is told about the origin of that joint, and handed on from there ([`Wrench::about`]).
 pub(super) fn wrench_torques<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,
+    frame: &Frame,
 ) -> Vec<Expr<'g>> {
-    let wrench = Wrench::new(symbols, chain);
+    let wrench = Wrench::new(symbols, chain, frame);
     let mut forces = vec![None; chain.links.len()];
-    if let Some(pivot) = chain.pivot {
+    if let Some(pivot) = chain.pivot.filter(|pivot| wrench.carriers.contains(pivot)) {
         wrench.about(chain, pivot, &mut forces);
     }
-    let carriers: Vec<_> = chain.carriers_of_tip().collect();
-    for &i in carriers.iter().rev() {
+    for &i in wrench.carriers.iter().rev() {
         forces[i] = forces[i].or_else(|| Some(wrench.joint_force(i, chain.joint(i))));
     }
     let forces = forces
@@ -107,26 +112,29 @@ pub(super) fn wrench_torques<'g>(
     forces.collect()
 }
 
-/// A wrench on the tip as it is in a frame.
+/// A wrench on a frame, as it is in another one.
 #[derive(Clone, Copy)]
 struct LocalWrench<'g> {
     force: Vector<'g>,
     moment: Vector<'g>,
-    /// Where the tip is.
+    /// Where the frame is that is pushed.
     lever: Vector<'g>,
 }
 
-/// A wrench on the tip, in frame 0 and the frames of the links that carry the tip.
+/// A wrench on a frame, in frame 0 and the frames of the links that carry the pushed one.
 struct Wrench<'g> {
+    /// Those links, from the frame's own inwards.
+    carriers: Vec<usize>,
     in_base: LocalWrench<'g>,
     in_links: Vec<LocalWrench<'g>>,
 }
 
 impl<'g> Wrench<'g> {
-    fn new(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Self {
-        let mut lever = place_of_tip(symbols, chain);
+    fn new(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>, frame: &Frame) -> Self {
+        let mut lever = place_of(symbols, chain, frame);
         let mut levers = vec![lever; chain.links.len()];
-        for i in chain.carriers_of_tip() {
+        let carriers: Vec<_> = chain.tree.carriers_of(frame.link).collect();
+        for &i in &carriers {
             levers[i] = lever;
             lever = inward(chain.joint(i), lever);
         }
@@ -141,7 +149,11 @@ impl<'g> Wrench<'g> {
             moment: chain.joint(i).enter(before.moment),
             lever: levers[i],
         });
-        Wrench { in_base, in_links }
+        Wrench {
+            carriers,
+            in_base,
+            in_links,
+        }
     }
 
     /// z.(n + r x f)
@@ -167,7 +179,7 @@ impl<'g> Wrench<'g> {
         let place = chain.joint(pivot).offset;
         let about = local.moment + (local.lever - place).cross(local.force);
         let is_at_pivot = |joint: &Joint<Expr<'g>>| joint.offset.0.iter().all(|x| x.is_zero());
-        let mut outer: Vec<usize> = chain.carriers_of_tip().collect();
+        let mut outer = self.carriers.clone();
         let inner = outer.split_off(outer.iter().take_while(|i| **i != pivot).count());
         let mut m = about;
         for i in inner.iter().take(1).chain(outer.iter().rev()).copied() {
@@ -190,7 +202,7 @@ impl<'g> Wrench<'g> {
     }
 }
 
-/// Force and moment at the tip, in the axes of frame 0.
+/// Force and moment, in the axes of frame 0.
 fn wrench<'g>(symbols: &mut Symbols<'g>) -> [Vector<'g>; 2] {
     let mut vector =
         |first: usize| Vector3([0, 1, 2].map(|k| symbols.entry(Argument::Wrench, first + k)));

@@ -3,6 +3,7 @@
 use super::inputs::{constants_of, input_names, inputs, literal, reads_cells, real};
 use super::names::{ident, line_names, punct};
 use super::pivots::pivots;
+use super::signature::in_tuple;
 use crate::function::{Request, Shape, Sizes, sizes_of, spans};
 use crate::program::{ConstantId, Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::Robot;
@@ -204,12 +205,10 @@ impl<'p> Writer<'p> {
         let sizes = sizes_of(request.parts(), joints, count);
         let spans = spans(request.parts(), joints, count);
         let parts = request.parts().iter().zip(spans);
-        let values =
-            parts.map(|(part, mut span)| self.values(part.shape(), sizes, &mut span.start, path));
-        let values = match request {
-            Request::One(_) => values.collect(),
-            Request::Fused(_) => quote!((#(#values),*)),
-        };
+        let values = parts.map(|(part, mut span)| {
+            self.values(part.function.shape(), sizes, &mut span.start, path)
+        });
+        let values = in_tuple(request, values.collect());
         let tests = self.pivot_tests(robot, request, path);
         if tests.is_empty() {
             return values;

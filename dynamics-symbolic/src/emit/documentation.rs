@@ -1,7 +1,7 @@
 //! The documentation of the generated methods.
 
 use crate::formula::{Format, Formulas, MOST_JOINTS, MOST_TERMS, Shown, Structure, TooLong};
-use crate::function::{Argument, Function, Request, Shape, spans};
+use crate::function::{Argument, Function, Part, Request, Shape, spans};
 use crate::program::{Operand, Output, Program, Proven};
 use crate::robot::{JointType, Robot};
 
@@ -59,30 +59,35 @@ pub(super) fn facts(
     lines
 }
 
-/// The description of the function, in the names of this arm's frames.
-fn description(robot: &Robot, function: Function) -> String {
-    let frame = robot.base.as_ref().map_or("base frame", |_| "world");
+/// The description of the function, in the names of this arm's frames. If it is about a named one, `the tip` is that one.
+fn description(robot: &Robot, Part { function, frame }: Part) -> String {
+    let world = robot.base.as_ref().map_or("base frame", |_| "world");
+    let text = function.row().description.replace("{frame}", world);
+    if let Some(named) = frame.and_then(|frame| robot.frames.get(frame)) {
+        let named = format!("frame `{}`", named.name);
+        let text = text.replace("{tip}", &named);
+        return text.replace("the tip", &format!("the {named}"));
+    }
     let tool = robot.tool.as_ref();
-    let tip = tool.map_or("last link frame", |_| "tool frame");
-    let text = function.row().description;
-    text.replace("{frame}", frame).replace("{tip}", tip)
+    text.replace("{tip}", tool.map_or("last link frame", |_| "tool frame"))
 }
 
 /// The quantity that is returned, or each quantity of a tuple, in order.
 fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
-    let fused = match request {
-        Request::One(function) => return vec![format!(" {}", description(robot, *function))],
-        Request::Fused(fused) => fused,
-    };
-    let names = fused.parts.iter().map(|part| format!("`{}`", part.name()));
+    let parts = request.parts().iter();
+    let descriptions = parts.map(|part| description(robot, *part));
+    if !request.is_tuple() {
+        return descriptions.map(|text| format!(" {text}")).collect();
+    }
+    let parts = request.parts().iter();
+    let names = parts.map(|part| format!("`{}`", robot.name_of(*part)));
     let quoted = names.collect::<Vec<_>>().join(", ");
     let title = [
         format!(" ({quoted}) at one state, as one program."),
         String::new(),
     ];
-    let numbered = fused.parts.iter().enumerate();
-    let parts =
-        numbered.map(|(number, part)| format!(" - `{number}`: {}", description(robot, *part)));
+    let numbered = descriptions.enumerate();
+    let parts = numbered.map(|(number, text)| format!(" - `{number}`: {text}"));
     title.into_iter().chain(parts).collect()
 }
 
@@ -110,7 +115,7 @@ pub(super) fn unresisted<'r>(
     let spans = spans(request.parts(), n, program.outputs.len());
     let mut parts = request.parts().iter().zip(spans);
     // All parts with pivots have the same. Those of a series are of the runtime's factorisation.
-    let Some((_, span)) = parts.find(|(part, _)| part.has_pivots()) else {
+    let Some((_, span)) = parts.find(|(part, _)| part.function.has_pivots()) else {
         return Vec::new();
     };
     let pivots = &program.outputs[span.end - 2 * n..span.end - n];
@@ -143,8 +148,8 @@ fn units(robot: &Robot, request: &Request) -> String {
 fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
     let parts = request.parts();
     let spans = spans(parts, robot.dof(), program.outputs.len());
-    let structure = |(part, span): (&Function, _)| {
-        let structure = Structure::new(robot, *part, program, span)?;
+    let structure = |(part, span): (&Part, _)| {
+        let structure = Structure::new(robot, part.function, program, span)?;
         Some([String::new(), format!(" {}", structure.sentence())])
     };
     let structures = parts.iter().zip(spans).filter_map(structure);
@@ -153,9 +158,9 @@ fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String
 
 /// The place of the formulas of a longer arm, whose values have names.
 fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
-    let has_symbol = |part: &Function| part.row().symbol.is_some();
+    let has_symbol = |function: Function| function.row().symbol.is_some();
     let is_longer = robot.dof() > MOST_JOINTS && robot.followers().next().is_none();
-    if !(is_longer && request.parts().iter().any(has_symbol)) {
+    if !(is_longer && request.functions().any(has_symbol)) {
         return Vec::new();
     }
     let elsewhere = "`robot-dynamics show`, with `--format text`";

@@ -13,7 +13,7 @@ pub(super) fn pivots(
     let mut pivots: Vec<(usize, [Output; 2])> = Vec::new();
     let spans = spans(request.parts(), joints, program.outputs.len());
     for (part, span) in request.parts().iter().zip(spans) {
-        if !part.has_pivots() {
+        if !part.function.has_pivots() {
             continue;
         }
         let (first, diagonal) = (span.end - 2 * joints, span.end - joints);

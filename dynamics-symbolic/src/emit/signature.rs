@@ -86,11 +86,10 @@ impl<'a> Types<'a> {
     /// The type of the values that a method returns.
     fn output(&self, request: &Request) -> TokenStream {
         let path = self.path;
-        let parts = request.parts().iter().map(|part| self.values(part.shape()));
-        let values = match request {
-            Request::One(_) => parts.collect(),
-            Request::Fused(_) => quote!((#(#parts),*)),
-        };
+        let values = request
+            .functions()
+            .map(|function| self.values(function.shape()));
+        let values = in_tuple(request, values.collect());
         if !request.refuses() {
             return values;
         }
@@ -134,11 +133,20 @@ pub(super) fn signature(request: &Request, sizes: Sizes, path: &TokenStream) -> 
     Types::new(sizes, path).signature(request, generic)
 }
 
-/// The name of a method: that of several functions is the user's.
+/// The name of a method: that of several functions or of a frame is the user's.
 pub fn method_name(request: &Request) -> Ident {
-    match request {
-        Request::One(function) => ident(function.name()),
-        Request::Fused(fused) => field(&fused.name),
+    match request.function() {
+        Some(function) => ident(function.name()),
+        None => field(request.identifier()),
+    }
+}
+
+/// The values of a method, or their types, from those of its parts.
+pub(super) fn in_tuple(request: &Request, parts: Vec<TokenStream>) -> TokenStream {
+    if request.is_tuple() {
+        quote!((#(#parts),*))
+    } else {
+        parts.into_iter().collect()
     }
 }
 
@@ -152,7 +160,7 @@ pub(super) fn without_parameters(joints: usize) -> Sizes {
 
 /// A method of a trait, without its own documentation, that calls the struct's method of the same name.
 pub fn handed_on(function: Function, dof: usize, path: &TokenStream) -> TokenStream {
-    let request = Request::One(function);
+    let request = Request::from(function);
     let signature = Types::new(without_parameters(dof), path).signature(&request, None);
     let (name, names) = (method_name(&request), names(&request));
     quote! {
@@ -178,7 +186,7 @@ pub(super) fn provided(
         let matrix = leading_matrix(dof, path, body);
         return Some(quote!(#series #matrix));
     }
-    let request = Request::One(function);
+    let request = Request::from(function);
     let types = Types::new(without_parameters(dof), path);
     let (arguments, output) = (types.arguments(&request), types.output(&request));
     let method = handed_on(function, dof, path);
@@ -267,15 +275,15 @@ pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Opti
     provided(function, dof, path, &quote!(::core::unimplemented!()), 0)
 }
 
-/// The type by which the runtime's trait `Function` knows what is asked for: several functions by their
-/// number among the methods.
+/// The type by which the runtime's trait `Function` knows what is asked for: several functions, and a function of a
+/// frame, by their number among the methods.
 pub fn function_type(request: &Request, index: usize, path: &TokenStream) -> TokenStream {
-    match request {
-        Request::One(function) => {
+    match request.function() {
+        Some(function) => {
             let name = ident(&format!("{function:?}"));
             quote!(#path::functions::#name)
         }
-        Request::Fused(_) => {
+        None => {
             let index = Literal::usize_unsuffixed(index);
             quote!(#path::functions::Fused<#index>)
         }
@@ -296,11 +304,13 @@ pub(super) fn function_items(
     let (arguments, names) = (request.arguments(), names(request));
     let shapes = arguments.iter().filter_map(|argument| argument.shape());
     let taken = shapes.map(|shape| types.arrangement(&shape));
-    let parts = request.parts().iter();
-    let arrangements = parts.map(|part| types.arrangement(part.shape()));
-    let values = match request {
-        Request::One(_) => arrangements.collect(),
-        Request::Fused(_) => quote!((#(#arrangements,)*)),
+    let arrangements = request
+        .functions()
+        .map(|function| types.arrangement(function.shape()));
+    let values = if request.is_tuple() {
+        quote!((#(#arrangements,)*))
+    } else {
+        arrangements.collect()
     };
     let texts = arguments.iter().map(|argument| argument.name());
     let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
@@ -341,9 +351,9 @@ pub(super) fn call_of_function(
 ) -> TokenStream {
     let (n, names) = (number_of_joints(sizes.joints), names(request));
     let function = function_type(request, index, path);
-    let value = match request {
-        Request::One(_) => function.clone(),
-        Request::Fused(_) => {
+    let value = match request.function() {
+        Some(_) => function.clone(),
+        None => {
             let index = Literal::usize_unsuffixed(index);
             quote!(#path::functions::Fused::<#index>)
         }

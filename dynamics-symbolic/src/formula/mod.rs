@@ -20,7 +20,7 @@ pub use structure::Structure;
 pub use write::Format;
 pub(crate) use write::signed_sum;
 
-use crate::function::{Function, spans};
+use crate::function::{Function, Part, spans};
 use crate::program::Program;
 use crate::robot::Robot;
 use expression::Expression;
@@ -81,7 +81,7 @@ impl Formulas {
     /// The formulas of a short arm, which are written without being asked for.
     pub fn of_short_arm(
         robot: &Robot,
-        functions: &[Function],
+        parts: &[Part],
         program: &Program,
         budget: Budget,
     ) -> Option<Self> {
@@ -89,12 +89,12 @@ impl Formulas {
         let mut inputs = program.inputs.iter();
         let is_named = inputs.all(|symbol| robot.follower_of(symbol).is_none());
         let is_short = robot.dof() <= MOST_JOINTS && is_named;
-        is_short.then(|| Formulas::new(robot, functions, program, budget))
+        is_short.then(|| Formulas::new(robot, parts, program, budget))
     }
 
     /// The formulas of a program of some functions. Functions whose values have no letter to name them by are
     /// left out, and so are those whose values are arranged in arrays and tuples.
-    pub fn new(robot: &Robot, functions: &[Function], program: &Program, budget: Budget) -> Self {
+    pub fn new(robot: &Robot, parts: &[Part], program: &Program, budget: Budget) -> Self {
         let groups = Groups::new(&robot.into());
         let (atoms, values) = multiply_out::multiplied_out(&groups, program, budget);
         let collected = |polynomial| {
@@ -102,8 +102,8 @@ impl Formulas {
             (merged.len(), collect::collected(&atoms, &merged))
         };
         let mut entries = Vec::new();
-        let spans = spans(functions, robot.dof(), values.len());
-        for (&function, span) in functions.iter().zip(spans) {
+        let spans = spans(parts, robot.dof(), values.len());
+        for (&Part { function, .. }, span) in parts.iter().zip(spans) {
             let indices = structure::indices(function, robot.dof(), span.len());
             let (Some(symbol), Some(indices)) = (function.row().symbol, indices) else {
                 continue;

@@ -25,26 +25,31 @@ pub struct Mechanism {
     pub(crate) joints: Vec<Joint>,
     /// Which link carries which joint.
     pub(crate) tree: Tree,
-    /// The tip. If there is none, nothing that concerns a tip is proven, whatever is derived.
-    pub(crate) tip: Option<Frame>,
+    /// The tip. If there is none, it is frame 0 here, and nothing that concerns a tip is proven.
+    pub(crate) tip: Frame,
+    /// The named frames.
+    pub(crate) frames: Vec<Frame>,
     /// What is fixed to links: the tool at the tip, and the bodies of frames.
     pub(crate) fixed_bodies: Vec<FixedBody>,
     /// The base inertial parameters that are left out of the Lagrangian.
     pub(crate) neglected: Option<Neglected>,
 }
 
-/// A frame that is fixed to a link.
+/// A frame that is fixed to a link, or to the base.
 #[derive(Clone, Debug)]
 pub(crate) struct Frame {
-    pub(crate) link: usize,
-    /// In the frame of that link, each placement in the one before it.
+    /// The link; `None` for the base.
+    pub(crate) link: Option<usize>,
+    /// In the frame of that link, or in frame 0: each placement in the one before it.
     pub(crate) places: Vec<Placement>,
 }
 
 /// A body that is fixed to a link.
 #[derive(Clone, Debug)]
 pub(crate) struct FixedBody {
-    pub(crate) frame: Frame,
+    pub(crate) link: usize,
+    /// In the frame of that link, each placement in the one before it.
+    pub(crate) places: Vec<Placement>,
     pub(crate) body: Body,
 }
 
@@ -117,10 +122,17 @@ pub(crate) struct Forces {
     pub(crate) spring: Option<Spring>,
 }
 
+impl Frame {
+    /// The link and the places.
+    pub(crate) fn place(&self) -> (Option<usize>, &[Placement]) {
+        (self.link, &self.places)
+    }
+}
+
 impl Mechanism {
-    /// The link that carries the tip, if there is one.
-    pub(crate) fn tip_link(&self) -> Option<usize> {
-        self.tip.as_ref().map(|tip| tip.link)
+    /// The frame of this place among the named ones, or the tip.
+    pub(crate) fn frame(&self, named: Option<usize>) -> &Frame {
+        named.map_or(&self.tip, |named| &self.frames[named])
     }
 
     /// The number of joints that move by themselves.

@@ -18,48 +18,58 @@ impl From<&Robot> for Mechanism {
         });
         let mut joints: Vec<_> = joints.collect();
         Aligned::align(&mut joints, &tree);
-        let tip = tip(robot);
         Mechanism {
             fields: robot.fields.len(),
             gravity: robot.gravity.clone(),
             base: robot.base.clone(),
             joints,
             tree,
-            fixed_bodies: fixed_bodies(robot, tip.as_ref()),
-            tip,
+            fixed_bodies: fixed_bodies(robot),
+            tip: tip(robot),
+            frames: frames(robot),
             neglected: robot.neglected.clone(),
         }
     }
 }
 
 /// The tool, or else the tip that a file says or the link frame.
-fn tip(robot: &Robot) -> Option<Frame> {
-    let link = robot.tip_row()?;
-    let mount = robot.rows[link].mount.iter();
-    let places = mount.flat_map(|mount| mount.tip.iter().cloned());
-    let tool = robot.tool.iter().map(|tool| tool.placement.clone());
-    let places = places.chain(tool).collect();
-    Some(Frame { link, places })
+fn tip(robot: &Robot) -> Frame {
+    let link = robot.tip_row();
+    let mount = link.and_then(|link| robot.rows[link].mount.as_ref());
+    let places = mount.iter().flat_map(|mount| &mount.tip);
+    let tool = robot.tool.iter().filter(|_| link.is_some());
+    let places = places.chain(tool.map(|tool| &tool.placement));
+    Frame {
+        link,
+        places: places.cloned().collect(),
+    }
+}
+
+fn frames(robot: &Robot) -> Vec<Frame> {
+    let frames = robot.frames.iter().map(|frame| Frame {
+        link: frame.on,
+        places: frame.places.clone(),
+    });
+    frames.collect()
 }
 
 /// The tool, and the bodies of frames on links. A body on the base does not move.
-fn fixed_bodies(robot: &Robot, tip: Option<&Frame>) -> Vec<FixedBody> {
+fn fixed_bodies(robot: &Robot) -> Vec<FixedBody> {
     let tool = robot.tool.as_ref().filter(|tool| tool.has_body());
-    let tool = tool.zip(tip).map(|(tool, tip)| FixedBody {
-        frame: tip.clone(),
-        body: Body {
+    let tool = tool.and_then(|tool| {
+        let Frame { link, places } = tip(robot);
+        let body = Body {
             mass: tool.mass.clone(),
             com: tool.com.clone(),
             inertia: tool.inertia.clone(),
-        },
+        };
+        let link = link?;
+        Some(FixedBody { link, places, body })
     });
     let of_frames = robot.frames.iter().filter_map(|frame| {
-        let places = frame.places.clone();
         Some(FixedBody {
-            frame: Frame {
-                link: frame.on?,
-                places,
-            },
+            link: frame.on?,
+            places: frame.places.clone(),
             body: frame.body.clone()?,
         })
     });

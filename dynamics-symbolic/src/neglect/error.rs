@@ -5,7 +5,7 @@ use super::reals::sin_cos;
 use super::sample::Samples;
 use super::{STATES, sum};
 use crate::exact::Rational;
-use crate::function::{Argument, Function, spans};
+use crate::function::{Argument, Part, spans};
 use crate::mechanism::Mechanism;
 use crate::program::{Arithmetic, Program, by_operators};
 use crate::robot::{Grouping, Robot, Symbol};
@@ -33,15 +33,15 @@ pub struct LargestError {
 /// one that is left.
 pub fn largest_error(
     robot: &Robot,
-    functions: &[Function],
+    parts: &[Part],
     complete: &Program,
     pruned: &Program,
 ) -> LargestError {
     let outputs = complete.outputs.len();
-    let spans = spans(functions, robot.dof(), outputs);
+    let spans = spans(parts, robot.dof(), outputs);
     // Behind the values of a function there may be pivots and the diagonal.
-    let values = functions.iter().zip(spans).map(|(function, span)| {
-        let count = function.entries(robot.dof(), span.len());
+    let values = parts.iter().zip(spans).map(|(part, span)| {
+        let count = part.function.entries(robot.dof(), span.len());
         span.start..span.start + count
     });
     let mut errors: Vec<_> = values.map(|span| (span, 0.0_f64, 0.0_f64)).collect();

@@ -15,7 +15,7 @@ pub use assignment::{Assignment, Number};
 pub use definition::Definition;
 
 use crate::exact::SplitMix64;
-use crate::function::{Function, spans};
+use crate::function::{Function, Part, spans};
 use crate::program::Program;
 use crate::robot::Robot;
 use core::fmt;
@@ -71,14 +71,14 @@ impl fmt::Display for ProofFailure {
 
 impl std::error::Error for ProofFailure {}
 
-/// Proves that a program computes its function.
+/// Proves that a program computes its function, of a frame where it is about one.
 ///
 /// # Errors
 ///
 /// The first output that differs from the definition, if one does. A table that
 /// divides by zero defines nothing: no program is proven for it.
-pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(), ProofFailure> {
-    prove_together(robot, &[function], program)
+pub fn prove(robot: &Robot, part: impl Into<Part>, program: &Program) -> Result<(), ProofFailure> {
+    prove_together(robot, &[part.into()], program)
 }
 
 /// Proves that a program computes some functions, the outputs of one after those of the other: each of
@@ -89,20 +89,20 @@ pub fn prove(robot: &Robot, function: Function, program: &Program) -> Result<(),
 /// As [`prove`], for the first function that fails.
 pub fn prove_together(
     robot: &Robot,
-    functions: &[Function],
+    parts: &[Part],
     program: &Program,
 ) -> Result<(), ProofFailure> {
-    prove_at(robot, functions, program, seeds(robot, functions, program))
+    prove_at(robot, parts, program, seeds(robot, parts, program))
 }
 
 /// Compares at the first of these points at which nothing divides by zero.
 fn prove_at(
     robot: &Robot,
-    functions: &[Function],
+    parts: &[Part],
     program: &Program,
     seeds: [u64; DRAWS],
 ) -> Result<(), ProofFailure> {
-    let compare = |seed: &u64| Proof::at(robot, functions, *seed).holds(program);
+    let compare = |seed: &u64| Proof::at(robot, parts, *seed).holds(program);
     let [first, others @ ..] = &seeds;
     others
         .iter()
@@ -113,11 +113,16 @@ fn prove_at(
 }
 
 /// The seeds of the points, from a hash of all that is compared: the cells of the table, each as its value at
-/// a fixed point of the field, the functions, and the constants and instructions of the program.
-fn seeds(robot: &Robot, functions: &[Function], program: &Program) -> [u64; DRAWS] {
+/// a fixed point of the field, the functions with their frames, and the constants and instructions of the program.
+fn seeds(robot: &Robot, parts: &[Part], program: &Program) -> [u64; DRAWS] {
     let mut fixed = Assignment::new(robot, 0);
     Definition::read(&mut fixed, robot);
-    fixed.note(functions.iter().map(|function| *function as u64));
+    let frame = |part: &Part| part.frame.map_or(0, |frame| frame as u64 + 1);
+    fixed.note(
+        parts
+            .iter()
+            .map(|part| part.function as u64 + (frame(part) << 32)),
+    );
     fixed.note_program(program);
     core::array::from_fn(|draw| SplitMix64::number(fixed.digest(), draw as u64))
 }
@@ -125,7 +130,7 @@ fn seeds(robot: &Robot, functions: &[Function], program: &Program) -> [u64; DRAW
 /// The proof of any number of programs of the same functions at one point: their definitions are evaluated once.
 pub struct Proof {
     dof: usize,
-    functions: Vec<Function>,
+    parts: Vec<Part>,
     point: Assignment,
     definition: Definition,
     /// The right outputs of each function, unless they depend on those that were computed; `None` inside if the
@@ -135,20 +140,19 @@ pub struct Proof {
 
 impl Proof {
     /// At the first point that is drawn for a program.
-    pub fn new(robot: &Robot, functions: &[Function], program: &Program) -> Self {
-        Proof::at(robot, functions, seeds(robot, functions, program)[0])
+    pub fn new(robot: &Robot, parts: &[Part], program: &Program) -> Self {
+        Proof::at(robot, parts, seeds(robot, parts, program)[0])
     }
 
-    fn at(robot: &Robot, functions: &[Function], seed: u64) -> Self {
+    fn at(robot: &Robot, parts: &[Part], seed: u64) -> Self {
         let mut point = Assignment::new(robot, seed);
         let definition = Definition::new(&mut point, robot);
-        let expected = functions
-            .iter()
-            .map(|&function| (!function.row().refuses).then(|| definition.expected(function, &[])));
+        let expected =
+            |part: &Part| (!part.function.row().refuses).then(|| definition.expected(*part, &[]));
         Proof {
             dof: robot.dof(),
-            functions: functions.to_vec(),
-            expected: expected.collect(),
+            parts: parts.to_vec(),
+            expected: parts.iter().map(expected).collect(),
             point,
             definition,
         }
@@ -162,10 +166,10 @@ impl Proof {
     pub fn holds(&mut self, program: &Program) -> Result<(), ProofFailure> {
         let computed = program.evaluate(&mut self.point);
         let mut rest = &computed[..];
-        let spans = spans(&self.functions, self.dof, computed.len());
-        for (number, (&function, span)) in self.functions.iter().zip(spans).enumerate() {
+        let spans = spans(&self.parts, self.dof, computed.len());
+        for (number, (&part, span)) in self.parts.iter().zip(spans).enumerate() {
             // The last one has to have all that is left.
-            let is_last = number + 1 == self.functions.len();
+            let is_last = number + 1 == self.parts.len();
             let count = if is_last {
                 rest.len()
             } else {
@@ -177,10 +181,11 @@ impl Proof {
             let expected = match &self.expected[number] {
                 Some(expected) => expected,
                 None => {
-                    judged = self.definition.expected(function, own);
+                    judged = self.definition.expected(part, own);
                     &judged
                 }
             };
+            let function = part.function;
             compare(own, expected.as_deref()).map_err(|cause| ProofFailure { function, cause })?;
         }
         Ok(())
@@ -317,7 +322,8 @@ mod tests {
                 Instruction::Add(zero, shift),
                 Instruction::Div(Operand::Result(1), zero),
             ];
-            let result = prove_at(&robot, &[Function::MassMatrix], &program, seeds);
+            let parts = [Function::MassMatrix.into()];
+            let result = prove_at(&robot, &parts, &program, seeds);
             result.map_err(|failure| failure.cause)
         };
         assert_eq!(result(position(5), [5, 6, 7], 0), Ok(()));
@@ -331,7 +337,7 @@ mod tests {
     #[test]
     fn the_point_is_drawn_from_table_and_program() {
         let table = one_joint(Value::integer(1));
-        let functions = [Function::MassMatrix];
+        let functions = [Function::MassMatrix].map(Part::from);
         let [q, qd] = [0, 1].map(Operand::Input);
         let sound = program(vec![Instruction::Add(q, qd)], &[3], &[Operand::Result(0)]);
         let mut known = vec![seeds(&table, &functions, &sound)[0]];
@@ -341,7 +347,16 @@ mod tests {
             ..table.clone()
         };
         assert_eq!(seeds(&renamed, &functions, &sound)[0], known[0]);
-        known.push(seeds(&table, &[Function::BiasForce], &sound)[0]);
+        known.push(seeds(&table, &[Function::BiasForce.into()], &sound)[0]);
+        let of_frame = |function, frame| {
+            [Part {
+                function,
+                frame: Some(frame),
+            }]
+        };
+        for frame in [0, 1] {
+            known.push(seeds(&table, &of_frame(Function::MassMatrix, frame), &sound)[0]);
+        }
         let mut of_program = |change: fn(&mut Program)| {
             let mut program = sound.clone();
             change(&mut program);

@@ -1,6 +1,7 @@
 //! Named places on links and on the base.
 
-use super::{Placement, Value};
+use super::{Placement, Robot, Value};
+use crate::function::Part;
 
 /// A frame that is fixed to a link or to the base, with a body if there is one.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,4 +26,15 @@ pub struct Body<C = Value> {
     /// Inertia tensor about the centre of mass, axes parallel to that frame: entries xx, yy, zz, xy, yz, xz of the
     /// tensor, kg m^2.
     pub inertia: [C; 6],
+}
+
+impl Robot {
+    /// The name of the method that returns the values of a part alone.
+    pub fn name_of(&self, part: Part) -> String {
+        let frame = part.frame.and_then(|frame| self.frames.get(frame));
+        match frame {
+            Some(frame) => part.function.name_of_frame(&frame.name),
+            None => part.function.name().to_owned(),
+        }
+    }
 }

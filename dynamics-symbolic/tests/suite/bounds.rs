@@ -1,7 +1,6 @@
 //! What the documentation of generated methods says of rounding over the joint limits. That the bounds hold is
 //! measured in tests/files, on arms whose files have limits.
 
-use dynamics_symbolic::function::Fused;
 use dynamics_symbolic::robot::{JointType, Robot, Value};
 use dynamics_symbolic::{Function, Request, expand};
 use expect_test::expect_file;
@@ -51,14 +50,12 @@ fn documentation_says_how_large_rounding_errors_are_within_the_limits() {
         text += &listed(&robot, lines(&robot, &Function::ALL));
     }
     let robot = limited(arms::robot("ur5"));
-    let fused = Request::Fused(Fused {
-        name: "terms".to_owned(),
-        parts: vec![
-            Function::MassMatrix,
-            Function::CoriolisVector,
-            Function::ForwardDynamics,
-        ],
-    });
+    let parts = [
+        Function::MassMatrix,
+        Function::CoriolisVector,
+        Function::ForwardDynamics,
+    ];
+    let fused = Request::fused("terms", parts);
     text += &listed(&robot, lines(&robot, &[fused]));
     expect_file!["../golden/bounds.txt"].assert_eq(&text);
 }

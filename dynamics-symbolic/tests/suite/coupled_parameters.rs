@@ -489,7 +489,7 @@ fn damages_are_found() {
     let robot = arm(Convention::Modified, [0, -10, 0], 4, rows);
     let function = Function::BaseParameters;
     let sound = derive(&robot, function);
-    let mut proof = Proof::new(&robot, &[function], &sound);
+    let mut proof = Proof::new(&robot, &[function.into()], &sound);
     assert_eq!(proof.holds(&sound), Ok(()));
     assert!(sound.instructions.len() > 10);
     for index in 0..sound.instructions.len() {

@@ -86,7 +86,7 @@ fn every(function: Function, dof: usize, length: usize) -> usize {
 
 /// Damages every operation of a proven program in every way; how many damages were refused.
 fn refused(robot: &Robot, function: Function, sound: &Program) -> usize {
-    let mut proof = Proof::new(robot, &[function], sound);
+    let mut proof = Proof::new(robot, &[function.into()], sound);
     assert_eq!(proof.holds(sound), Ok(()));
     let mut refused = 0;
     let length = sound.instructions.len();
@@ -401,7 +401,7 @@ fn every_damage_to_symbolic_base_parameters_is_found() {
     for name in ["elbow_3r", "generic_chain_n3"] {
         let robot = arms::with_inertial_fields(name);
         let sound = derive(&robot, function);
-        let mut proof = Proof::new(&robot, &[function], &sound);
+        let mut proof = Proof::new(&robot, &[function.into()], &sound);
         assert_eq!(proof.holds(&sound), Ok(()));
         assert!(sound.instructions.len() > 50, "{name}");
         for index in 0..sound.instructions.len() {
@@ -423,7 +423,7 @@ fn every_damage_to_a_base_parameter_is_found() {
     for name in ["puma560", "panda", "scara"] {
         let robot = arms::robot(name);
         let sound = derive(&robot, Function::BaseParameters);
-        let mut proof = Proof::new(&robot, &[Function::BaseParameters], &sound);
+        let mut proof = Proof::new(&robot, &[Function::BaseParameters.into()], &sound);
         for index in 0..sound.outputs.len() {
             let mut program = sound.clone();
             let Operand::Constant(id) = program.outputs[index].operand else {

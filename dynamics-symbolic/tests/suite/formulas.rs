@@ -45,7 +45,7 @@ fn two_link_saha() -> Robot {
 fn lines(robot: &Robot, functions: &[Function], format: Format) -> Vec<String> {
     let of = |&function: &Function| {
         let program = derive(robot, function);
-        let formulas = Formulas::new(robot, &[function], &program, BUDGET);
+        let formulas = Formulas::new(robot, &[function.into()], &program, BUDGET);
         let shown = formulas.shown(format, usize::MAX);
         shown
             .into_iter()
@@ -123,7 +123,7 @@ fn formulas_are_what_is_computed() {
         let have_letters = |function: &Function| function.row().symbol.is_some();
         for function in Function::ALL.into_iter().filter(have_letters) {
             let program = derive(robot, function);
-            let formulas = Formulas::new(robot, &[function], &program, BUDGET);
+            let formulas = Formulas::new(robot, &[function.into()], &program, BUDGET);
             let expected = program.evaluate(&mut Point(robot));
             for (shown, expected) in formulas
                 .shown(Format::Text, usize::MAX)
@@ -180,7 +180,7 @@ fn mathml_is_well_formed() {
 fn a_formula_that_is_too_long_says_how_long() {
     let robot = two_link_craig();
     let program = derive(&robot, Function::MassMatrix);
-    let formulas = Formulas::new(&robot, &[Function::MassMatrix], &program, BUDGET);
+    let formulas = Formulas::new(&robot, &[Function::MassMatrix.into()], &program, BUDGET);
     let shown = formulas.shown(Format::Text, 2);
     let too_long = shown[0].formula.clone().unwrap_err();
     assert_eq!(
@@ -192,7 +192,7 @@ fn a_formula_that_is_too_long_says_how_long() {
         terms: 3,
         products: 20,
     };
-    let formulas = Formulas::new(&robot, &[Function::MassMatrix], &program, small);
+    let formulas = Formulas::new(&robot, &[Function::MassMatrix.into()], &program, small);
     let too_long = formulas.shown(Format::Text, 9)[0].formula.clone();
     let too_long = too_long.unwrap_err().to_string();
     assert_eq!(

@@ -1,11 +1,10 @@
 //! Several functions as one program: what it computes, and what it saves.
 
-use crate::derive;
-use dynamics_symbolic::derive::derive_together;
-use dynamics_symbolic::function::{Fused, Request, spans};
+use dynamics_symbolic::derive;
+use dynamics_symbolic::function::{Part, Request, spans};
 use dynamics_symbolic::neglect::neglect;
-use dynamics_symbolic::program::Instruction;
-use dynamics_symbolic::prove::{Cause, prove_together};
+use dynamics_symbolic::program::{Instruction, Program};
+use dynamics_symbolic::prove::{self, Cause, ProofFailure};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, expand};
 use expect_test::{expect, expect_file};
@@ -40,6 +39,22 @@ const SETS: [&[Function]; 5] = [
     ],
     &[Function::Regressor, Function::BaseParameters],
 ];
+
+fn parts(functions: &[Function]) -> Vec<Part> {
+    functions.iter().copied().map(Part::from).collect()
+}
+
+fn derive_together(robot: &Robot, functions: &[Function]) -> Program {
+    derive::derive_together(robot, &parts(functions))
+}
+
+fn prove_together(
+    robot: &Robot,
+    functions: &[Function],
+    program: &Program,
+) -> Result<(), ProofFailure> {
+    prove::prove_together(robot, &parts(functions), program)
+}
 
 /// Every set on every arm with so many joints.
 fn prove_sets(joints: RangeInclusive<usize>) {
@@ -127,7 +142,7 @@ fn abbreviated_models_have_tuples() {
 fn a_damaged_part_is_refused() {
     let robot = arms::robot("elbow_3r");
     let sound = derive_together(&robot, &CONTROL);
-    let [_, motion, gravity] = &spans(&CONTROL, 3, sound.outputs.len())[..] else {
+    let [_, motion, gravity] = &spans(&parts(&CONTROL), 3, sound.outputs.len())[..] else {
         panic!("three parts");
     };
     for index in 0..sound.instructions.len() {
@@ -164,10 +179,7 @@ fn a_damaged_part_is_refused() {
 }
 
 fn request(name: &str, parts: &[Function]) -> Request {
-    Request::Fused(Fused {
-        name: name.to_owned(),
-        parts: parts.to_vec(),
-    })
+    Request::fused(name, parts.iter().copied())
 }
 
 fn text(robot: &Robot, requests: &[Request]) -> String {
@@ -221,7 +233,7 @@ fn what_is_saved() {
         for set in [&CONTROL[..], &LINEARISED] {
             let apart: Vec<_> = set
                 .iter()
-                .map(|f| derive(&robot, *f).operations())
+                .map(|f| crate::derive(&robot, *f).operations())
                 .collect();
             let program = derive_together(&robot, set);
             assert_eq!(prove_together(&robot, set, &program), Ok(()), "{name}");

@@ -10,7 +10,7 @@ use super::formulas::two_link_craig;
 #[test]
 fn two_link_arm_in_c_and_javascript() {
     let robot = two_link_craig();
-    let functions = Function::default_set(false).into_iter().map(Request::One);
+    let functions = Function::default_set(false).into_iter().map(Request::from);
     let program = |request: Request| {
         let program = proven_program(&robot, &request).expect("proven");
         (request, program)

@@ -40,7 +40,7 @@ fn abbreviated_models_are_proven_and_measured() {
             let neglected = abbreviated.neglected.expect("neglected");
             let count = neglected.columns.len();
             for (i, function) in FUNCTIONS.into_iter().enumerate() {
-                let error = largest_error(&robot, &[function], &complete[i], &programs[i]);
+                let error = largest_error(&robot, &[function.into()], &complete[i], &programs[i]);
                 let name_of = function.name();
                 table += &format!(
                     "{name:9} {share:5}  {count:9}  {name_of:18} {:4} of {:4}    {:9.1e}\n",

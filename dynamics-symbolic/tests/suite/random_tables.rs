@@ -5,6 +5,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::program::Instruction;
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;
@@ -100,22 +101,38 @@ fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Fun
     }
 }
 
+/// The functions that are also those of frames.
+fn of_tip() -> impl Iterator<Item = Function> {
+    Function::ALL.into_iter().filter(|f| f.row().of_tip)
+}
+
 fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
     let has_tip = robot.tip_row().is_some();
     let exists = |f: &&Function| {
         (has_tip || !f.row().of_tip) && !(f.divides_by_mass() && is_massless(robot))
     };
     let functions = functions.iter().filter(exists);
-    let programs = functions.clone().map(|&f| (f, derive(robot, f)));
+    let named = (0..robot.frames.len()).map(Some);
+    let of_frames = of_tip().flat_map(|function| {
+        let part = move |frame| Part { function, frame };
+        named.clone().map(part)
+    });
+    let parts = functions.clone().map(|&f| f.into()).chain(of_frames);
+    let programs = parts.map(|part| (part, derive(robot, part)));
     // Articulated bodies are of joints that move by themselves.
     let function = Function::ForwardDynamics;
     let is_asked = functions.clone().any(|f| *f == function);
-    let articulated = (is_asked && !robot.is_coupled())
-        .then(|| (function, derive_form(robot, function, Form::Articulated)));
-    for (function, program) in programs.chain(articulated) {
-        let proof = prove(robot, function, &program);
+    let articulated = (is_asked && !robot.is_coupled()).then(|| {
+        (
+            function.into(),
+            derive_form(robot, function, Form::Articulated),
+        )
+    });
+    for (part, program) in programs.chain(articulated) {
+        let proof = prove(robot, part, &program);
         assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
-        arms::assert_zeros_are_constants(robot, function, &program);
+        arms::assert_zeros_are_constants(robot, part, &program);
+        let function = part.function;
         let divides = program
             .instructions
             .iter()

@@ -56,7 +56,7 @@ fn recursions_equal_the_textbook_expression_by_expression() {
         let chain = Gauge::plain(robot.rows.len()).chain(&mut symbols);
         for (function, expected) in expected {
             for form in function.forms(robot.dof()) {
-                let short = outputs(&mut symbols, &chain, Part { function, form });
+                let short = outputs(&mut symbols, &chain, Part::new(function, form));
                 assert_eq!(short, expected, "{name} {} {form:?}", function.name());
             }
         }
@@ -106,7 +106,7 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
         let chain = Gauge::plain(n).chain(&mut symbols);
         let function = Function::InverseDynamicsDerivatives;
         for form in [Form::Recursive, Form::Assembled] {
-            let short = outputs(&mut symbols, &chain, Part { function, form });
+            let short = outputs(&mut symbols, &chain, Part::new(function, form));
             assert_eq!(short, expected, "{name} {form:?}");
         }
         // d2 tau/dq dq, d2 tau/dqd dqd and d2 tau/dq dqd from the first ones, dM/dq from M.
@@ -126,7 +126,7 @@ fn derivatives_are_those_of_the_textbook_s_torques() {
         }
         let function = Function::InverseDynamicsSecondDerivatives;
         for form in [Form::Recursive, Form::Assembled] {
-            let short = outputs(&mut symbols, &chain, Part { function, form });
+            let short = outputs(&mut symbols, &chain, Part::new(function, form));
             assert_eq!(short, expected, "{name} {form:?}");
         }
     }

@@ -33,6 +33,19 @@ robot_dynamics! {
 
 const P: usize = Identified::BASE_PARAMETERS;
 
+robot_dynamics! {
+    pub struct Torso;
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [
+        waist: revolute { mass: 1 },
+        left_elbow: revolute { on: waits, mass: 1 },
+        right_elbow: revolute { on: waist, mass: 1 },
+    ],
+    frames: { left_hand: { on: left_elbow, xyz: [0.3, 0, 0] } },
+    functions: [jacobian(left_hand), jacobian("right-hand"), grasp = (mass_matrix, forward_kinematics(left_hand))],
+}
+
 fn main() {
     let arm = Arm { length: 0.3 }.clone();
     let q = robot_dynamics::nalgebra::Vector2::new(0.1, 0.2);
@@ -44,6 +57,7 @@ fn main() {
     robot_dynamics::check_against_rnea(&arm).assert_ok();
     fall(&arm);
     identified();
+    frames();
     many(&[arm]);
 }
 
@@ -53,6 +67,13 @@ fn many(arms: &[Arm]) {
     let mut g = q;
     arms[0].gravity_vector_batch(&q, &mut g).unwrap();
     Batch::with_parameters(arms).gravity_vector_batch(&q, &mut g).unwrap();
+}
+
+fn frames() {
+    use robot_dynamics::nalgebra::{Matrix4, Matrix6x3, Vector3};
+    let q = Vector3::new(0.1, 0.2, 0.3);
+    let _: Matrix6x3<f64> = Torso.jacobian_left_hand(&q) + Torso.jacobian_right_hand(&q);
+    let _: Matrix4<f64> = Torso.grasp(&q).1;
 }
 
 fn identified() {

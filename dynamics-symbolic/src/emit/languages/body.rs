@@ -61,7 +61,8 @@ impl<'a> Body<'a> {
         let spans = spans(request.parts(), joints, self.program.outputs.len());
         let parts = request.parts().iter().zip(spans);
         let values = parts.map(|(part, span)| {
-            let outputs = &self.program.outputs[span.start..][..part.entries(joints, span.len())];
+            let entries = part.function.entries(joints, span.len());
+            let outputs = &self.program.outputs[span.start..][..entries];
             outputs.iter().map(|output| self.output(*output)).collect()
         });
         values.collect()

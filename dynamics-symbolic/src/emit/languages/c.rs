@@ -223,14 +223,19 @@ impl Writer<'_> {
         let sizes = proven.sizes(request, self.robot.dof());
         let mut written = Vec::new();
         for part in request.parts() {
-            let shapes: Vec<(String, &Shape)> = match part.shape() {
+            let name = if request.is_tuple() {
+                self.robot.name_of(*part)
+            } else {
+                part.function.name().to_owned()
+            };
+            let shapes: Vec<(String, &Shape)> = match part.function.shape() {
                 Shape::Tuple(shapes) => {
                     let shapes = shapes.iter().enumerate();
                     shapes
-                        .map(|(k, shape)| (format!("{}_{}", part.name(), k + 1), shape))
+                        .map(|(k, shape)| (format!("{name}_{}", k + 1), shape))
                         .collect()
                 }
-                shape => vec![(part.name().to_owned(), shape)],
+                shape => vec![(name, shape)],
             };
             for (name, shape) in shapes {
                 if shape.entries(sizes) > 0 {

@@ -97,10 +97,12 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let sizes = proven.sizes(request, robot.dof());
     let values = body.values(request);
     let parts = request.parts().iter().zip(&values);
-    let mut values = parts.map(|(part, values)| value(part.shape(), sizes, &mut values.iter()));
-    let returned = match request {
-        Request::One(_) => values.collect(),
-        Request::Fused(_) => array(&mut values),
+    let mut values =
+        parts.map(|(part, values)| value(part.function.shape(), sizes, &mut values.iter()));
+    let returned = if request.is_tuple() {
+        array(&mut values)
+    } else {
+        values.collect()
     };
     let mut lines = body.statements(request);
     lines.push(format!("return {returned};"));

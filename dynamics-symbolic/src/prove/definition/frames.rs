@@ -7,16 +7,19 @@ use super::place::{self, Frames};
 use super::pose::{Lift, Pose, Position};
 use crate::robot::{self, Robot};
 
-/// A frame that is fixed to the link of a row.
+/// A frame that is fixed to the link of a row, or to the base.
 pub(super) struct Frame {
-    row: usize,
-    /// In the link frame; `None` where it is that.
+    /// `None` for the base.
+    row: Option<usize>,
+    /// In the link frame or frame 0; `None` where it is that.
     place: Option<Pose<Number>>,
 }
 
 /// A body that is fixed to a link.
 pub(super) struct FixedBody {
-    frame: Frame,
+    row: usize,
+    /// As of a [`Frame`].
+    place: Option<Pose<Number>>,
     body: Body,
 }
 
@@ -34,7 +37,20 @@ impl Frame {
         let tool = robot.tool.as_ref();
         let tool = tool.map(|tool| place::placement(point, &tool.placement));
         let place = behind.map_or(tool, |behind| Some(behind.then_fixed(&tool)));
+        let row = Some(row);
         Some(Frame { row, place })
+    }
+
+    /// The named frames.
+    pub(super) fn named(point: &mut Assignment, robot: &Robot) -> Vec<Frame> {
+        let frames = robot.frames.iter().map(|frame| {
+            point.note([frame.on.map_or(0, |row| row as u64 + 1)]);
+            Frame {
+                row: frame.on,
+                place: Some(place::product(point, &frame.places)),
+            }
+        });
+        frames.collect()
     }
 }
 
@@ -42,8 +58,10 @@ impl FixedBody {
     /// The tool at the tip and the bodies of frames. Bodies on the base do not move.
     pub(super) fn all(point: &mut Assignment, robot: &Robot) -> Vec<FixedBody> {
         let tool = robot.tool.as_ref().and_then(|tool| {
+            let Frame { row, place } = Frame::tip(point, robot)?;
             Some(FixedBody {
-                frame: Frame::tip(point, robot)?,
+                row: row?,
+                place,
                 body: Body::new(point, &tool.mass, &tool.com, &tool.inertia),
             })
         });
@@ -52,7 +70,8 @@ impl FixedBody {
             point.note([row as u64]);
             let place = Some(place::product(point, &frame.places));
             Some(FixedBody {
-                frame: Frame { row, place },
+                row,
+                place,
                 body: Body::new(point, &body.mass, &body.com, &body.inertia),
             })
         };
@@ -74,7 +93,9 @@ impl Definition {
 
     /// The pose of a frame.
     pub(super) fn pose<R: Lift>(&self, frame: &Frame, q: &[Position<R>]) -> Pose<R> {
-        self.frames(q)[frame.row].link.then_fixed(&frame.place)
+        let base = Pose::identity().then_fixed(&self.base);
+        let link = frame.row.map_or(base, |row| self.frames(q)[row].link);
+        link.then_fixed(&frame.place)
     }
 
     /// Every body, the row of its link, and the pose of its frame: the links, then what is fixed to them.
@@ -82,10 +103,13 @@ impl Definition {
         let frames = self.frames(q);
         let links = self.rows.iter().zip(&frames).enumerate();
         let links = links.map(|(i, (row, frames))| (i, &row.body, frames.link));
-        let fixed = self.fixed_bodies.iter().map(|FixedBody { frame, body }| {
-            let pose = frames[frame.row].link.then_fixed(&frame.place);
-            (frame.row, body, pose)
-        });
+        let fixed = self
+            .fixed_bodies
+            .iter()
+            .map(|FixedBody { row, place, body }| {
+                let pose = frames[*row].link.then_fixed(place);
+                (*row, body, pose)
+            });
         links.chain(fixed).collect()
     }
 
@@ -99,8 +123,8 @@ impl Definition {
         let here = self
             .fixed_bodies
             .iter()
-            .filter(move |fixed| fixed.frame.row == row);
-        here.map(|fixed| fixed.body.parameters(&link.then_fixed(&fixed.frame.place)))
+            .filter(move |fixed| fixed.row == row);
+        here.map(|fixed| fixed.body.parameters(&link.then_fixed(&fixed.place)))
     }
 
     /// The bodies that can move: a joint that carries them is not locked.

@@ -35,7 +35,7 @@ mod row;
 mod walk;
 
 use super::assignment::{Assignment, JointPoint, Number, STATES};
-use crate::function::{Argument, Function};
+use crate::function::{Argument, Function, Part};
 use crate::linear::{Matrix3, Vector3};
 use crate::robot::Robot;
 use frames::{FixedBody, Frame};
@@ -50,7 +50,10 @@ pub struct Definition {
     gravity: Vector3<Number>,
     base: Option<Pose<Number>>,
     rows: Vec<Row>,
+    /// The tip, if there is one.
     tip: Option<Frame>,
+    /// The named frames.
+    frames: Vec<Frame>,
     /// The tool and the bodies of frames.
     fixed_bodies: Vec<FixedBody>,
     /// The positions of all joints.
@@ -105,6 +108,7 @@ impl Definition {
         let base = robot.base.as_ref();
         let base = base.map(|base| place::placement(point, base));
         let tip = Frame::tip(point, robot);
+        let frames = Frame::named(point, robot);
         let fixed_bodies = FixedBody::all(point, robot);
         let uncoupled = robot.is_coupled().then(|| {
             let complete = Robot {
@@ -122,6 +126,7 @@ impl Definition {
             gravity,
             base,
             tip,
+            frames,
             fixed_bodies,
             q: rows.iter().map(|row| row.joint.position).collect(),
             rows,
@@ -143,13 +148,18 @@ impl Definition {
         definition
     }
 
-    /// The right outputs of a function, or `None` if the table defines none at this point, as for functions of the tip
-    /// where there is none. Results of solving
+    /// The right outputs of a function, of a frame where it is about one. `None` if the table defines none at this point, as
+    /// for functions of the tip where there is none. Results of solving
     /// with M are judged: `computed` accelerations for which M qdd + V + G + K + F = tau holds are right.
-    pub fn expected(&self, function: Function, computed: &[Option<Number>]) -> Option<Vector> {
+    pub fn expected(&self, part: impl Into<Part>, computed: &[Option<Number>]) -> Option<Vector> {
         if self.unfaithful {
             return None;
         }
+        let Part { function, frame } = part.into();
+        let frame = match frame {
+            Some(named) => self.frames.get(named),
+            None => self.tip.as_ref(),
+        };
         Some(match function {
             Function::MassMatrix => self.mass_matrix(&self.q).concat(),
             Function::CoriolisVector => self.coriolis_vector(),
@@ -166,22 +176,22 @@ impl Definition {
             Function::CoriolisMatrix => self.coriolis_matrix().concat(),
             Function::CoriolisCoefficients => self.coriolis_coefficients(),
             Function::CentrifugalCoefficients => self.centrifugal_coefficients(),
-            Function::ForwardKinematics => self.forward_kinematics(self.tip.as_ref()?),
+            Function::ForwardKinematics => self.forward_kinematics(frame?),
             Function::LinkPoses => self.link_poses(),
-            Function::Jacobian => self.jacobian(self.tip.as_ref()?).concat(),
+            Function::Jacobian => self.jacobian(frame?).concat(),
             Function::InverseDynamicsDerivatives => self.inverse_dynamics_derivatives(),
             Function::ForwardDynamicsDerivatives => self.forward_dynamics_derivatives(computed),
             Function::Regressor => self.regressor()?,
             Function::BaseParameters => self.base_parameters()?,
-            Function::WrenchTorques => self.wrench_torques(self.tip.as_ref()?),
-            Function::ToolVelocity => self.tool_velocity(self.tip.as_ref()?),
-            Function::ToolAcceleration => self.tool_acceleration(self.tip.as_ref()?),
-            Function::JacobianRate => self.jacobian_rate(self.tip.as_ref()?),
+            Function::WrenchTorques => self.wrench_torques(frame?),
+            Function::ToolVelocity => self.tool_velocity(frame?),
+            Function::ToolAcceleration => self.tool_acceleration(frame?),
+            Function::JacobianRate => self.jacobian_rate(frame?),
             Function::LinkJacobians => self.link_jacobians(),
             Function::CenterOfMass => self.center_of_mass()?,
             Function::CenterOfMassJacobian => self.center_of_mass_jacobian()?,
             Function::OperationalInertiaInverse => {
-                self.operational_inertia_inverse(self.tip.as_ref()?, computed)
+                self.operational_inertia_inverse(frame?, computed)
             }
             Function::GeneralizedMomentum => self.generalized_momentum(),
             Function::MomentumBias => self.momentum_bias(),

@@ -111,11 +111,11 @@ fn number(x: &Float) -> f64 {
 /// Forward dynamics by the factors of M, each result as the derivation defines it.
 fn as_derived(robot: &Robot) -> Program {
     let (function, form) = (Function::ForwardDynamics, Form::Recursive);
-    let gauge = Gauge::search(&robot.into(), &[Part { function, form }]);
+    let gauge = Gauge::search(&robot.into(), &[Part::new(function, form)]);
     let graph = Graph::new();
     let arm = Mechanism::from(robot);
     let mut symbols = Symbols::new(&graph, &arm);
-    let outputs = gauge.outputs(&mut symbols, &[Part { function, form }]);
+    let outputs = gauge.outputs(&mut symbols, &[Part::new(function, form)]);
     Program::new(&graph, symbols.meanings(), &outputs, &|id| {
         graph.operation(id)
     })
