@@ -1,9 +1,8 @@
 //! The body of a method: straight-line assignments behind its inputs, and its outputs.
 
 use super::inputs::{constants_of, input_names, inputs, literal, reads_cells, real};
-use super::names::{ident, line_names, punct};
+use super::names::{ident, in_tuple, line_names, punct};
 use super::pivots::pivots;
-use super::signature::in_tuple;
 use crate::function::{Request, Shape, Sizes, sizes_of, spans};
 use crate::program::{ConstantId, Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::Robot;

@@ -1,5 +1,6 @@
-//! Identifiers in generated code, and the number of joints.
+//! Identifiers in generated code, the number of joints, and tuples of values.
 
+use crate::function::Request;
 use crate::program::Line;
 use proc_macro2::{Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -45,5 +46,14 @@ pub(super) fn number_of_joints(dof: usize) -> TokenStream {
     match dof {
         0 => quote!(N),
         _ => Literal::usize_unsuffixed(dof).into_token_stream(),
+    }
+}
+
+/// The values of a method, or their types, from those of its parts.
+pub(super) fn in_tuple(request: &Request, parts: Vec<TokenStream>) -> TokenStream {
+    if request.is_tuple() {
+        quote!((#(#parts),*))
+    } else {
+        parts.into_iter().collect()
     }
 }

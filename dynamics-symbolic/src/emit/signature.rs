@@ -1,6 +1,6 @@
 //! The signatures of the generated methods.
 
-use super::names::{field, ident, number_of_joints};
+use super::names::{field, ident, in_tuple, number_of_joints};
 use crate::derive::base::observed;
 use crate::function::{Argument, Function, Request, Shape, Size, Sizes};
 use crate::robot::Robot;
@@ -138,15 +138,6 @@ pub fn method_name(request: &Request) -> Ident {
     match request.function() {
         Some(function) => ident(function.name()),
         None => field(request.identifier()),
-    }
-}
-
-/// The values of a method, or their types, from those of its parts.
-pub(super) fn in_tuple(request: &Request, parts: Vec<TokenStream>) -> TokenStream {
-    if request.is_tuple() {
-        quote!((#(#parts),*))
-    } else {
-        parts.into_iter().collect()
     }
 }
 
