@@ -136,8 +136,8 @@ pub use state::SizedState;
 pub use table::RuntimeTable;
 #[doc(hidden)]
 pub use table::{
-    Arm, AsArm, Convention, Follower, Followers, Frame, JointMotion, JointType, Placement, Row,
-    Spring, Stribeck, Table, Tool,
+    Arm, AsArm, Carrier, Convention, FixedFrame, Follower, Followers, Frame, Frames, JointMotion,
+    JointType, Placement, Row, Spring, Stribeck, Table, Tool,
 };
 #[doc(hidden)]
 pub use taylor::{

@@ -174,19 +174,24 @@ impl Springs {
 
 /// A bound of every frame's and every centre of mass's distance from the base.
 fn reach(table: Arm<'_>, q: &DVector<f64>) -> f64 {
-    let mut origins = 0.0;
+    // Of each link frame, by those that carry it.
+    let mut origins: Vec<f64> = Vec::new();
     let mut centre = 0.0_f64;
-    for moving in table.chain() {
+    for (k, moving) in table.chain().enumerate() {
         let row = moving.row;
         let d = match row.joint_type {
             JointType::Revolute => row.d,
             JointType::Prismatic => row.d + moving.factor * q[moving.joint] + moving.offset,
         };
-        origins += row.a.abs() + d.abs() + norm(&row.mount.position) + norm(&row.tip.position);
+        let carrier = row.on.of(k).map_or(0.0, |carrier| origins[carrier]);
+        let places = norm(&row.mount.position) + norm(&row.tip.position);
+        origins.push(carrier + row.a.abs() + d.abs() + places);
         centre = centre.max(norm(&row.com));
     }
     let tool = norm(&table.tool.frame.xyz) + norm(&table.tool.com);
-    origins + centre + tool
+    let frames = table.frames.iter();
+    let fixed = frames.map(|frame| norm(&frame.place.position) + norm(&frame.com));
+    origins.into_iter().fold(0.0, f64::max) + centre + fixed.fold(tool, f64::max)
 }
 
 fn norm(vector: &[f64; 3]) -> f64 {

@@ -10,6 +10,13 @@ use super::pose::Pose;
 use super::walk::Place;
 use crate::JointType;
 use crate::size::Size;
+use crate::table::{AsArm as _, FixedFrame};
+
+/// A frame in the world, and the link that carries it; none for a frame on the base.
+struct Carried {
+    link: Option<usize>,
+    pose: Pose,
+}
 
 impl<D: Size> NumericArm<D> {
     /// A value that is computed from the joints at their positions.
@@ -62,10 +69,24 @@ impl<D: Size> NumericArm<D> {
         poses[k].then(&self.links[k].table_frame)
     }
 
-    /// The last link, which carries the tip, and the tip in the world.
-    fn tip(&self, poses: &D::Links<Pose>) -> Option<(usize, Pose)> {
-        let last = self.count.checked_sub(1)?;
-        Some((last, poses[last].then(&self.links[last].tip)))
+    /// The tip in the world, and the link that carries it. There is none where several rows carry no other.
+    fn tip(&self, poses: &D::Links<Pose>) -> Option<Carried> {
+        let tip = |link: usize| poses[link].then(&self.links[link].tip);
+        let is_there = self.tip_link.is_some() || self.count == 0;
+        is_there.then(|| Carried {
+            link: self.tip_link,
+            pose: self.tip_link.map_or(self.base, tip),
+        })
+    }
+
+    /// A frame of the table in the world, and the link that carries it.
+    fn frame(&self, frame: usize, poses: &D::Links<Pose>) -> Carried {
+        let FixedFrame { on, place, .. } = &self.table.arm().frames[frame];
+        let carrier = on.map_or(self.base, |k| self.table_frame(k, poses));
+        Carried {
+            link: *on,
+            pose: carrier.then(&place.into()),
+        }
     }
 
     /// Homogeneous transforms of the link frames in the world, of those joints that move by themselves.
@@ -74,11 +95,16 @@ impl<D: Size> NumericArm<D> {
         self.per_joint(|k| homogeneous(&self.table_frame(k, &poses)))
     }
 
-    /// Homogeneous transform of the tip in the world: of the tool, or else of the last link frame. For
-    /// no joints, that of the base.
+    /// Homogeneous transform of the tip in the world: of the tool, or else of the only link frame that carries no other
+    /// link. For no joints, that of the base.
     pub fn forward_kinematics(&self, q: &D::Vector) -> Matrix4<f64> {
         let tip = self.tip(&self.poses_in_world(q));
-        homogeneous(&tip.map_or(self.base, |(_, tip)| tip))
+        tip.map_or(Matrix4::repeat(f64::NAN), |tip| homogeneous(&tip.pose))
+    }
+
+    /// Homogeneous transform of a frame in the world.
+    pub fn frame_pose(&self, frame: usize, q: &D::Vector) -> Matrix4<f64> {
+        homogeneous(&self.frame(frame, &self.poses_in_world(q)).pose)
     }
 
     /// Geometric Jacobian of the tip's origin p: rows vx vy vz wx wy wz in the world.
@@ -87,33 +113,79 @@ impl<D: Size> NumericArm<D> {
     /// (Craig, section 5.8).
     pub fn jacobian(&self, q: &D::Vector) -> D::Columns<6> {
         let poses = self.poses_in_world(q);
-        match self.tip(&poses) {
-            Some((last, tip)) => self.point_jacobian(last, &tip.position, &poses),
-            None => self.size.columns(),
+        let tip = self.tip(&poses);
+        tip.map_or_else(|| self.no_columns(), |tip| self.jacobian_of(&tip, &poses))
+    }
+
+    /// Geometric Jacobian of a frame's origin. The columns of joints that do not carry it are zero.
+    pub fn frame_jacobian(&self, frame: usize, q: &D::Vector) -> D::Columns<6> {
+        let poses = self.poses_in_world(q);
+        self.jacobian_of(&self.frame(frame, &poses), &poses)
+    }
+
+    /// J' w: the torques of a wrench w = (fx fy fz nx ny nz), N and N m, on a frame, about its origin and in the axes of
+    /// the world.
+    pub fn frame_wrench_torques(
+        &self,
+        frame: usize,
+        q: &D::Vector,
+        wrench: &Vector6<f64>,
+    ) -> D::Vector {
+        let jacobian = self.frame_jacobian(frame, q);
+        let torque = |joint| (0..6).map(|row| jacobian[(row, joint)] * wrench[row]).sum();
+        self.size.vector_of(torque)
+    }
+
+    /// The columns of a tip that is not there.
+    fn no_columns(&self) -> D::Columns<6> {
+        let mut columns = self.size.columns();
+        for (row, joint) in (0..6).flat_map(|row| (0..self.dof()).map(move |joint| (row, joint))) {
+            columns[(row, joint)] = f64::NAN;
         }
+        columns
     }
 
     /// The rate of the geometric Jacobian along a motion.
-    ///
-    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
-    /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the tip less that of a point of axis i.
     pub fn jacobian_rate(&self, q: &D::Vector, qd: &D::Vector) -> D::Columns<6> {
         let poses = self.poses_in_world(q);
+        let tip = self.tip(&poses);
+        tip.map_or_else(
+            || self.no_columns(),
+            |tip| self.jacobian_rate_of(&tip, &poses, qd),
+        )
+    }
+
+    /// The rate of the geometric Jacobian of a frame along a motion.
+    pub fn frame_jacobian_rate(
+        &self,
+        frame: usize,
+        q: &D::Vector,
+        qd: &D::Vector,
+    ) -> D::Columns<6> {
+        let poses = self.poses_in_world(q);
+        self.jacobian_rate_of(&self.frame(frame, &poses), &poses, qd)
+    }
+
+    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
+    /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the frame less that of a point of axis i.
+    fn jacobian_rate_of(
+        &self,
+        Carried { link, pose: frame }: &Carried,
+        poses: &D::Links<Pose>,
+        qd: &D::Vector,
+    ) -> D::Columns<6> {
         let mut rate = self.size.columns();
-        let Some((last, tip)) = self.tip(&poses) else {
-            return rate;
-        };
-        let velocity_of_tip = self.velocity(Some(last), &tip.position, &poses, qd)[0];
-        self.walk_to_base(last, |joint| {
+        let [velocity_of_frame, _] = self.velocity(*link, &frame.position, poses, qd);
+        self.walk_from(*link, |joint| {
             let axis = poses[joint.k].rotation.column(2).into_owned();
             let place = poses[joint.k].position;
             // The velocity of the axis and of its point, by the joints before it.
-            let [v, w] = self.velocity(joint.carrier, &place, &poses, qd);
+            let [v, w] = self.velocity(joint.carrier, &place, poses, qd);
             let turning = w.cross(&axis);
             let column = match joint.link.joint_type {
                 JointType::Revolute => {
-                    let arm = tip.position - place;
-                    let linear = turning.cross(&arm) + axis.cross(&(velocity_of_tip - v));
+                    let arm = frame.position - place;
+                    let linear = turning.cross(&arm) + axis.cross(&(velocity_of_frame - v));
                     joined(&linear, &turning)
                 }
                 JointType::Prismatic => joined(&turning, &Vector3::zeros()),
@@ -132,11 +204,9 @@ impl<D: Size> NumericArm<D> {
         qd: &D::Vector,
     ) -> [Vector3<f64>; 2] {
         let mut velocity = Vector6::zeros();
-        if let Some(link) = link {
-            self.walk_to_base(link, |place| {
-                velocity += column(place.link, &poses[place.k], point) * place.of(qd);
-            });
-        }
+        self.walk_from(link, |place| {
+            velocity += column(place.link, &poses[place.k], point) * place.of(qd);
+        });
         [0, 3].map(|first| velocity.fixed_rows::<3>(first).into_owned())
     }
 
@@ -145,27 +215,23 @@ impl<D: Size> NumericArm<D> {
     pub fn link_jacobians(&self, q: &D::Vector) -> D::Each<D::Columns<6>> {
         let poses = self.poses_in_world(q);
         self.per_joint(|k| {
-            let origin = self.table_frame(k, &poses).position;
-            self.point_jacobian(k, &origin, &poses)
+            let pose = self.table_frame(k, &poses);
+            let link = Some(k);
+            self.jacobian_of(&Carried { link, pose }, &poses)
         })
     }
 
-    /// Geometric Jacobian of a point that link k carries.
-    fn point_jacobian(
-        &self,
-        k: usize,
-        point: &Vector3<f64>,
-        poses: &D::Links<Pose>,
-    ) -> D::Columns<6> {
+    /// Geometric Jacobian of a frame's origin.
+    fn jacobian_of(&self, frame: &Carried, poses: &D::Links<Pose>) -> D::Columns<6> {
         let mut jacobian = self.size.columns();
-        self.walk_to_base(k, |place| {
-            let column = column(place.link, &poses[place.k], point);
+        self.walk_from(frame.link, |place| {
+            let column = column(place.link, &poses[place.k], &frame.pose.position);
             place.add_column(&mut jacobian, 6, |row| column[row]);
         });
         jacobian
     }
 
-    /// Centre of mass of all links and of the tool in the world, `sum m c / sum m`.
+    /// Centre of mass of all links, of the tool and of the bodies of frames in the world, `sum m c / sum m`.
     pub fn center_of_mass(&self, q: &D::Vector) -> Vector3<f64> {
         let poses = self.poses_in_world(q);
         let mut moment = Vector3::zeros();

@@ -8,7 +8,7 @@ use super::joint::Joint;
 use super::pose::Pose;
 use crate::friction::DryFriction;
 use crate::table::{Arm, Moving};
-use crate::{Convention, JointType, Placement, Row, Spring, Tool};
+use crate::{Convention, JointType, Placement, Row, Spring};
 
 /// A joint and the link that it moves, in Craig's frames: frame i has its z on the axis of joint i.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +20,7 @@ pub struct Link {
     a: f64,
     pub(super) d: f64,
     pub(super) theta: SinCos,
-    /// The place before alpha and a, if the row does not begin at the frame before it.
+    /// The place before alpha and a, if the row does not begin at the frame of the carrying link.
     mount: Option<Mount>,
     pub(super) mass: f64,
     pub(super) com: Vector3<f64>,
@@ -34,7 +34,7 @@ pub struct Link {
     pub(super) spring: Spring,
     /// The link frame of the table in this frame.
     pub(super) table_frame: Pose,
-    /// The tip in this frame, of the last link.
+    /// The tip in this frame, of the link that carries it.
     pub(super) tip: Pose,
     /// The link that carries this one; none for a link on the base.
     pub(super) carrier: Option<usize>,
@@ -77,24 +77,20 @@ impl Link {
         is_follower: false,
     };
 
-    /// The links of an arm from the base outwards, the tool a part of the last one. Standard rows are converted to
-    /// frames on the joints' own axes.
+    /// The links of a robot from the base outwards, the tool and the bodies of frames parts of the links that carry them.
+    /// Standard rows are converted to frames on the joints' own axes.
     pub(super) fn all(arm: Arm<'_>) -> impl Iterator<Item = Link> {
-        let count = arm.chain().count();
-        let mut before: Option<Row> = None;
         arm.chain().enumerate().map(move |(k, moving)| {
-            let is_last = k + 1 == count && *arm.tool != Tool::NONE;
-            let row = if is_last {
-                arm.tool.joined(moving.row)
-            } else {
-                *moving.row
-            };
+            let carrier = moving.row.on.of(k);
+            let row = arm.with_bodies(k, moving.row);
             let link = match arm.convention {
                 Convention::Modified => Link::modified(&row),
-                Convention::Standard => Link::standard(before.as_ref(), &row),
+                Convention::Standard => {
+                    let before = carrier.and_then(|carrier| arm.chain().nth(carrier));
+                    Link::standard(before.map(|before| before.row), &row)
+                }
             };
-            before = Some(row);
-            link.moving(k.checked_sub(1), &moving)
+            link.moving(carrier, &moving)
         })
     }
 
@@ -106,11 +102,11 @@ impl Link {
             .mounted(&row.mount, |mount| mount.then(&screw_x))
     }
 
-    /// A row of a standard table and the row before it.
+    /// A row of a standard table, and the row of the link that carries it.
     ///
     /// The chain `Rz(theta_1) Tz(d_1) Tx(a_1) Rx(alpha_1) Rz(theta_2) ...` is split before each
-    /// rotation about z instead of after each rotation about x. So row i takes a and alpha from row
-    /// i-1 (from the first on: none), and the table's link frame is `Tx(a_i) Rx(alpha_i)` in the
+    /// rotation about z instead of after each rotation about x. So a row takes a and alpha from the row
+    /// that carries it (on the base: none), and the table's link frame is `Tx(a_i) Rx(alpha_i)` in the
     /// frame of the joint.
     fn standard(before: Option<&Row>, row: &Row) -> Self {
         let (alpha, a) = before.map_or((SinCos::ZERO, 0.0), |before| {

@@ -8,7 +8,7 @@ use super::joint::Joint;
 use super::pose::Pose;
 #[cfg(feature = "std")]
 use crate::RuntimeTable;
-use crate::table::MOST_FOLLOWERS;
+use crate::table::{Arm, Carrier, FixedFrame, MOST_FOLLOWERS, MOST_FRAMES};
 use crate::{
     Convention, Follower, Followers, Frame, JointMotion, JointType, Placement, Row, Table, Tool,
 };
@@ -18,9 +18,9 @@ impl<const N: usize> Table<N> {
     /// where its joint is locked, rad or m; `None` for a joint that moves. N joints must move, otherwise this
     /// panics.
     ///
-    /// The link of a locked joint becomes a part of the link before it, or of the base; motors,
+    /// The link of a locked joint becomes a part of the link that carries it, or of the base; motors,
     /// friction and springs of locked joints are left out. The joints that move keep the link frames of the
-    /// table; the tip, to which a tool is fixed, stays the frame of the last row.
+    /// table; the tip of an arm without branches, to which a tool is fixed, stays the frame of the last row.
     pub fn lock<const L: usize>(
         convention: Convention,
         gravity: [f64; 3],
@@ -52,22 +52,56 @@ impl<const N: usize> Table<N> {
         rows: &[Row],
         motions: &[JointMotion],
     ) -> Self {
+        Self::of_rows(convention, gravity, rows, motions, &[])
+    }
+
+    /// As [`Table::couple`], with frames on the rows or on the base. The table has the first 16 of them. The body of any
+    /// further one becomes a part of the link that carries it.
+    ///
+    /// This panics where [`Table::couple`] does, and if a frame stands on a row that is not there.
+    pub fn with_frames<const L: usize, const F: usize>(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: [Row; L],
+        motions: [JointMotion; L],
+        frames: [FixedFrame; F],
+    ) -> Self {
+        Self::of_rows(convention, gravity, &rows, &motions, &frames)
+    }
+
+    fn of_rows(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        motions: &[JointMotion],
+        frames: &[FixedFrame],
+    ) -> Self {
         let mut joints = [Row::new(JointType::Revolute); N];
         let (mut followers, mut free) = (Followers::NONE, 0);
-        for_moving_rows(convention, rows, motions, |row| match row {
-            Read::Joint(row) => {
-                assert!(free < N, "{N} joints move by themselves");
-                joints[free] = row;
-                free += 1;
+        let (kept, bodies) = frames.split_at(frames.len().min(MOST_FRAMES));
+        let rows = Rows {
+            convention,
+            rows,
+            motions,
+            bodies,
+        };
+        for row in rows.moving() {
+            match row {
+                Read::Joint(row) => {
+                    assert!(free < N, "{N} joints move by themselves");
+                    joints[free] = row;
+                    free += 1;
+                }
+                Read::Follower(follower) => {
+                    let is_placed = followers.push(follower);
+                    assert!(is_placed, "at most {MOST_FOLLOWERS} joints follow others");
+                }
             }
-            Read::Follower(follower) => {
-                let is_placed = followers.push(follower);
-                assert!(is_placed, "at most {MOST_FOLLOWERS} joints follow others");
-            }
-        });
+        }
         assert_eq!(free, N, "so many joints move by themselves");
         Table {
             followers,
+            frames: kept.iter().map(|frame| rows.frame(frame)).collect(),
             ..Table::new(convention, gravity, joints)
         }
     }
@@ -75,7 +109,7 @@ impl<const N: usize> Table<N> {
 
 #[cfg(feature = "std")]
 impl RuntimeTable {
-    /// The table of an arm some of whose joints are locked or follow others. `motions` says for each row how its joint
+    /// The table of a robot some of whose joints are locked or follow others. `motions` says for each row how its joint
     /// moves.
     pub fn couple(
         convention: Convention,
@@ -83,11 +117,32 @@ impl RuntimeTable {
         rows: &[Row],
         motions: &[JointMotion],
     ) -> Self {
+        Self::with_frames(convention, gravity, rows, motions, &[])
+    }
+
+    /// As [`RuntimeTable::couple`], with frames on the rows or on the base. This panics if a frame stands on a row that is
+    /// not there.
+    pub fn with_frames(
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        motions: &[JointMotion],
+        frames: &[FixedFrame],
+    ) -> Self {
         let mut table = RuntimeTable::new(convention, gravity, Vec::new());
-        for_moving_rows(convention, rows, motions, |row| match row {
-            Read::Joint(row) => table.rows.push(row),
-            Read::Follower(follower) => table.followers.push(Some(follower)),
-        });
+        let rows = Rows {
+            convention,
+            rows,
+            motions,
+            bodies: &[],
+        };
+        for row in rows.moving() {
+            match row {
+                Read::Joint(row) => table.rows.push(row),
+                Read::Follower(follower) => table.followers.push(Some(follower)),
+            }
+        }
+        table.frames = frames.iter().map(|frame| rows.frame(frame)).collect();
         table
     }
 }
@@ -98,67 +153,136 @@ enum Read {
     Follower(Follower),
 }
 
-/// Calls `found` for each row whose joint moves, from the base outwards. Links that locked joints fix to the row's link are
-/// a part of it.
-fn for_moving_rows(
+/// The rows of a table, some of whose joints are locked or follow others.
+#[derive(Clone, Copy)]
+struct Rows<'t> {
     convention: Convention,
-    rows: &[Row],
-    motions: &[JointMotion],
-    mut found: impl FnMut(Read),
-) {
-    let joint_of = |row: usize| {
-        let before = motions[..row].iter();
-        before
-            .filter(|motion| **motion == JointMotion::Free)
-            .count()
-    };
-    let mut joints = 0;
-    let mut close = |(row, motion): (Row, JointMotion)| match motion {
-        JointMotion::Follows {
-            leader,
-            factor,
-            offset,
-        } => found(Read::Follower(Follower {
-            row,
-            place: joints,
-            leader: joint_of(leader),
-            factor,
-            offset,
-        })),
-        _ => {
-            joints += 1;
-            found(Read::Joint(row));
-        }
-    };
-    // The last link that moves, and where the next row begins behind its joint.
-    let (mut link, mut start) = (None::<(Row, JointMotion)>, Pose::IDENTITY);
-    for (row, motion) in rows.iter().zip(motions) {
-        start = start.then(&(&row.mount).into());
-        if let JointMotion::Locked(position) = *motion {
-            start = start.then(&transform(convention, row, position));
-            if let Some((link, _)) = &mut link {
-                let pose = in_link_frame(link, &start, row);
-                join(link, row, &pose);
-            }
-        } else {
-            let mount = start.placement();
-            link.replace((Row { mount, ..*row }, *motion))
-                .map(&mut close);
-            start = Pose::IDENTITY;
-        }
-        if let Some((link, _)) = &mut link {
-            let frame = in_link_frame(link, &start, row);
-            link.tip = frame.then(&(&row.tip).into()).placement();
-        }
-    }
-    link.map(close);
+    rows: &'t [Row],
+    motions: &'t [JointMotion],
+    /// Frames of which the bodies alone are read: as parts of the links that carry them.
+    bodies: &'t [FixedFrame],
 }
 
-/// The link frame of a row that begins at `start` behind the joint of another one, in that one's link frame.
-/// A moving row begins at itself.
-fn in_link_frame(link: &Row, start: &Pose, row: &Row) -> Pose {
-    let back = Pose::from(&link.link_frame).inverse();
-    back.then(start).then(&(&row.link_frame).into())
+impl Rows<'_> {
+    /// The rows whose joints move, from the base outwards. Links that locked joints fix to a row's link are a part of it.
+    fn moving(self) -> impl Iterator<Item = Read> {
+        let rows = (0..self.rows.len()).filter(move |i| self.moves(*i));
+        rows.map(move |i| {
+            let row = self.joined(i);
+            match self.motions[i] {
+                JointMotion::Follows {
+                    leader,
+                    factor,
+                    offset,
+                } => Read::Follower(Follower {
+                    row,
+                    place: self.free_above(i),
+                    leader: self.free_above(leader),
+                    factor,
+                    offset,
+                }),
+                _ => Read::Joint(row),
+            }
+        })
+    }
+
+    fn moves(&self, row: usize) -> bool {
+        !matches!(self.motions[row], JointMotion::Locked(_))
+    }
+
+    fn free_above(&self, row: usize) -> usize {
+        let above = self.motions[..row].iter();
+        above.filter(|motion| **motion == JointMotion::Free).count()
+    }
+
+    /// The number of a moving row among those that move.
+    fn number(&self, row: usize) -> usize {
+        (0..row).filter(|above| self.moves(*above)).count()
+    }
+
+    /// The moving row with which the link of a row moves: its own, or the nearest one that carries it.
+    fn mover(&self, row: usize) -> Option<usize> {
+        let mut here = Some(row);
+        while let Some(locked) = here.filter(|row| !self.moves(*row)) {
+            here = self.rows[locked].on.of(locked);
+        }
+        here
+    }
+
+    /// Where the four parameters of a row begin, behind the joint of the moving row that carries it.
+    fn start(&self, row: usize) -> Pose {
+        let carrier = self.rows[row].on.of(row);
+        let start = carrier.map_or(Pose::IDENTITY, |carrier| self.behind(carrier));
+        start.then(&(&self.rows[row].mount).into())
+    }
+
+    /// The frame behind the joint of a row, behind the joint of the moving row with which it moves.
+    fn behind(&self, row: usize) -> Pose {
+        match self.motions[row] {
+            JointMotion::Locked(position) => {
+                let transform = transform(self.convention, &self.rows[row], position);
+                self.start(row).then(&transform)
+            }
+            _ => Pose::IDENTITY,
+        }
+    }
+
+    /// The link frame of a row in that of the moving row with which it moves, or in the base frame.
+    fn in_mover(&self, row: usize) -> Pose {
+        let mover = self.mover(row);
+        if mover == Some(row) {
+            return Pose::IDENTITY;
+        }
+        let link_frame = |row: usize| Pose::from(&self.rows[row].link_frame);
+        let back = mover.map_or(Pose::IDENTITY, |mover| link_frame(mover).inverse());
+        back.then(&self.behind(row)).then(&link_frame(row))
+    }
+
+    /// A moving row as it is in the table of the rows that move.
+    fn joined(&self, row: usize) -> Row {
+        let carrier = self.rows[row].on.of(row);
+        let carrier = carrier.and_then(|carrier| self.mover(carrier));
+        let on = match carrier.map(|carrier| self.number(carrier)) {
+            on if on == self.number(row).checked_sub(1) => Carrier::Above,
+            Some(carrier) => Carrier::Row(carrier),
+            None => Carrier::Base,
+        };
+        let mount = self.start(row).placement();
+        let mut joined = Row {
+            on,
+            mount,
+            ..self.rows[row]
+        };
+        let moves_with = |other: &usize| self.mover(*other) == Some(row);
+        for locked in (row + 1..self.rows.len()).filter(moves_with) {
+            join(&mut joined, &self.rows[locked], &self.in_mover(locked));
+        }
+        for frame in self.bodies.iter().map(|frame| self.frame(frame)) {
+            if frame.on == Some(self.number(row)) {
+                join(&mut joined, &frame.body(), &(&frame.place).into());
+            }
+        }
+        // The tip is on the last row of an arm without branches.
+        let last = self.rows.len() - 1;
+        let is_serial = (0..=last).all(|i| self.rows[i].on.of(i) == i.checked_sub(1));
+        if is_serial && moves_with(&last) {
+            let tip = Pose::from(&self.rows[last].tip);
+            joined.tip = self.in_mover(last).then(&tip).placement();
+        }
+        joined
+    }
+
+    /// A frame as it is in the table of the rows that move.
+    fn frame(&self, frame: &FixedFrame) -> FixedFrame {
+        let Some(row) = frame.on else { return *frame };
+        frame.assert_stands_on(self.rows.len());
+        let place = self.in_mover(row).then(&(&frame.place).into());
+        FixedFrame {
+            on: self.mover(row).map(|mover| self.number(mover)),
+            place: place.placement(),
+            ..*frame
+        }
+    }
 }
 
 /// The row's frame in the one before it, with the joint at that position.
@@ -185,9 +309,23 @@ impl Placement {
     }
 }
 
+impl Arm<'_> {
+    /// Row k of all rows with the bodies that are fixed to its link: those of frames, and the tool if the tip is there.
+    pub(super) fn with_bodies(self, k: usize, row: &Row) -> Row {
+        let mut joined = *row;
+        if *self.tool != Tool::NONE && self.tip_row() == Some(k) {
+            joined = self.tool.joined(row);
+        }
+        for frame in self.frames.iter().filter(|frame| frame.on == Some(k)) {
+            join(&mut joined, &frame.body(), &(&frame.place).into());
+        }
+        joined
+    }
+}
+
 impl Tool {
     /// The tool as a part of the last link: its body, and the tip.
-    pub(super) fn joined(&self, last: &Row) -> Row {
+    fn joined(&self, last: &Row) -> Row {
         let tip = Pose::from(&last.tip).then(&(&self.frame).into());
         let body = Row {
             mass: self.mass,

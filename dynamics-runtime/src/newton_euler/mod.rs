@@ -38,7 +38,7 @@ use nalgebra::{Const, SVector, Vector3};
 
 use crate::size::Size;
 use crate::table::AsArm as _;
-use crate::{Model, Table};
+use crate::{Model, Table, Tool};
 pub use angle::turned;
 use link::Link;
 use pose::Pose;
@@ -48,9 +48,10 @@ pub use regressor::StandardParameters;
 ///
 /// The methods are named like the generated functions that are compared with them, and take
 /// and return the same quantities in the same units: `q` in rad or m, `qd` and `qdd` per second and
-/// per second squared, torques in N m or N, energies in J.
+/// per second squared, torques in N m or N, energies in J. Rows may be a tree. Functions of a frame take its index in the
+/// table's frames; those of the tip are NaN where several rows carry no other, so that there is no tip.
 ///
-/// No method panics or allocates, and only the two of forward dynamics can
+/// No method panics, unless a frame is not there, or allocates, and only the two of forward dynamics can
 /// fail; input that is not finite propagates. The rounding error of
 /// each result is a few units in the last place of the result's natural scale, held against
 /// references of 25 digits by `tests/suite/reference.rs`.
@@ -96,6 +97,8 @@ pub struct NumericArm<D: Size> {
     count: usize,
     /// Whether a link is carried by another one than the link before it.
     has_branches: bool,
+    /// The link that carries the tip, if there is a tip.
+    tip_link: Option<usize>,
     /// In the axes of the base.
     gravity: Vector3<f64>,
     /// In the axes of the world.
@@ -106,10 +109,23 @@ pub struct NumericArm<D: Size> {
 
 impl<D: Size> NumericArm<D> {
     /// Reads the table.
+    ///
+    /// # Panics
+    ///
+    /// If a row stands on one that is not above it, or a frame on a row that is not there; if there is a tool, but several
+    /// rows carry no other, so that there is no tip.
     pub fn new(table: &D::Table) -> Self {
         let arm = table.arm();
         let size = D::from_usize(arm.rows.len());
-        let count = arm.chain().count();
+        let (count, tip_link) = (arm.chain().count(), arm.tip_row());
+        let has_place = count == 0 || tip_link.is_some() || *arm.tool == Tool::NONE;
+        assert!(
+            has_place,
+            "a tool stands at the tip, and several rows carry no other: make it a frame of its row"
+        );
+        arm.frames
+            .iter()
+            .for_each(|frame| frame.assert_stands_on(count));
         let mut links = size.links(count, Link::NONE);
         for (k, link) in Link::all(arm).enumerate() {
             links[k] = link;
@@ -122,6 +138,7 @@ impl<D: Size> NumericArm<D> {
             has_branches: (0..count).any(|k| links[k].carrier != k.checked_sub(1)),
             links,
             count,
+            tip_link,
             gravity: base.rotation.tr_mul(&world_gravity),
             world_gravity,
             base,
@@ -167,3 +184,5 @@ const fn numbered<const N: usize>() -> [&'static str; N] {
 mod frame_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tree_tests;

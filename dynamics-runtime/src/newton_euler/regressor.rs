@@ -21,7 +21,8 @@ use crate::{Row, Table};
 pub type StandardParameters = SVector<f64, 10>;
 
 impl<const N: usize> Table<N> {
-    /// The ten standard inertial parameters of the link of each joint, the tool among those of the last link.
+    /// The ten standard inertial parameters of the link of each joint, those of the tool and of the bodies of frames among
+    /// those of the links that carry them.
     ///
     /// They do not include motors, springs and friction. The links of joints that follow others are in
     /// [`standard_parameters_of_followers`](Table::standard_parameters_of_followers).
@@ -51,16 +52,9 @@ fn standard_parameters(
     arm: Arm<'_>,
     of_followers: bool,
 ) -> impl Iterator<Item = StandardParameters> {
-    let last = arm.chain().count();
-    let rows = (1..=last).zip(arm.chain());
+    let rows = arm.chain().enumerate();
     let asked_for = rows.filter(move |(_, moving)| moving.is_follower == of_followers);
-    asked_for.map(move |(k, moving)| {
-        if k == last {
-            parameters(&arm.tool.joined(moving.row))
-        } else {
-            parameters(moving.row)
-        }
-    })
+    asked_for.map(move |(k, moving)| parameters(&arm.with_bodies(k, moving.row)))
 }
 
 /// The standard parameters of a row's link.

@@ -8,7 +8,7 @@ use nalgebra::{
 
 use super::{NewtonEuler, NumericArm};
 use crate::test_arms::{CRAIG_ARM, general_table, mounted_table, random_state};
-use crate::{Convention, JointMotion, JointType, Model, Row, RuntimeTable, State, Table};
+use crate::{Carrier, Convention, JointMotion, JointType, Model, Row, RuntimeTable, State, Table};
 
 #[track_caller]
 fn assert_near<const R: usize, const C: usize>(
@@ -558,14 +558,21 @@ fn arms_of_a_size_known_at_run_time_are_the_same() {
 #[test]
 fn branches_add_up() {
     for seed in seeds() {
-        let table = general_table::<3>(Convention::Modified, seed);
+        let convention = [Convention::Standard, Convention::Modified][seed as usize % 2];
+        let table = general_table::<3>(convention, seed);
         let [first, second, third] = table.rows;
         let arm = |rows| NewtonEuler::new(&Table::new(table.convention, table.gravity, rows));
         let [left, right] = [second, third].map(|row| arm([first, row]));
         let root = NewtonEuler::new(&Table::new(table.convention, table.gravity, [first]));
-        let mut tree = NewtonEuler::new(&Table::new(table.convention, table.gravity, table.rows));
-        tree.links[2].carrier = Some(0);
-        tree.has_branches = true;
+        let branch = Row {
+            on: Carrier::Row(0),
+            ..third
+        };
+        let tree = NewtonEuler::new(&Table::new(
+            table.convention,
+            table.gravity,
+            [first, second, branch],
+        ));
 
         let State { q, qd, qdd } = random_state::<3>(seed);
         let [on_left, on_right] = [[0, 1], [0, 2]].map(|joints| {

@@ -95,8 +95,9 @@ impl<D: Size> NumericArm<D> {
         self.walk_from(Some(k), visit);
     }
 
+    /// As [`walk_carriers`](Self::walk_carriers), beginning with this link; no link is the base.
     #[inline(always)]
-    fn walk_from(&self, mut here: Option<usize>, mut visit: impl FnMut(Place<'_>)) {
+    pub(super) fn walk_from(&self, mut here: Option<usize>, mut visit: impl FnMut(Place<'_>)) {
         while let Some(k) = here {
             let place = self.place(k);
             visit(place);

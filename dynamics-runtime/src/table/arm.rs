@@ -1,6 +1,6 @@
 //! Tables of any number of joints, as the numeric algorithms read them.
 
-use super::{Convention, Follower, Row, Table};
+use super::{Convention, FixedFrame, Follower, Row, Table};
 use crate::frame::{Frame, Tool};
 
 /// The contents of a table, whatever its size.
@@ -11,6 +11,7 @@ pub struct Arm<'t> {
     pub(crate) base: &'t Frame,
     pub(crate) rows: &'t [Row],
     pub(crate) followers: &'t [Option<Follower>],
+    pub(crate) frames: &'t [FixedFrame],
     pub(crate) tool: &'t Tool,
 }
 
@@ -55,9 +56,19 @@ impl<'t> Arm<'t> {
         with_followers.chain(followers_at(self.rows.len()))
     }
 
-    /// Mass of all links and of the tool, kg.
+    /// The row of the tip, the only one that carries no other: the last one where there are no branches. `None` where
+    /// several carry no other, and for no rows.
+    pub(crate) fn tip_row(self) -> Option<usize> {
+        let mut rows = self.chain().enumerate();
+        let is_serial = rows.all(|(k, moving)| moving.row.on.of(k) == k.checked_sub(1));
+        self.chain().count().checked_sub(1).filter(|_| is_serial)
+    }
+
+    /// Mass of all links, of the tool and of the bodies of frames on links, kg.
     pub(crate) fn total_mass(self) -> f64 {
-        self.chain().map(|moving| moving.row.mass).sum::<f64>() + self.tool.mass
+        let on_links = self.frames.iter().filter(|frame| frame.on.is_some());
+        let of_frames = on_links.map(|frame| frame.mass).sum::<f64>();
+        self.chain().map(|moving| moving.row.mass).sum::<f64>() + self.tool.mass + of_frames
     }
 }
 
@@ -76,6 +87,7 @@ impl<const N: usize> AsArm for Table<N> {
             base: &self.base,
             rows: &self.rows,
             followers: &self.followers.list,
+            frames: &self.frames,
             tool: &self.tool,
         }
     }

@@ -1,28 +1,33 @@
 //! The Denavit-Hartenberg table as plain numbers: what the numeric algorithms read.
 
 mod arm;
+mod carrier;
 mod followers;
+mod frames;
 #[cfg(feature = "std")]
 mod runtime;
 
 pub(crate) use arm::Moving;
 pub use arm::{Arm, AsArm};
+pub use carrier::Carrier;
 pub(crate) use followers::MOST_FOLLOWERS;
 pub use followers::{Follower, Followers, JointMotion};
+pub(crate) use frames::MOST_FRAMES;
+pub use frames::{FixedFrame, Frames};
 #[cfg(feature = "std")]
 pub use runtime::RuntimeTable;
 
 pub use crate::frame::{Frame, Tool};
 pub use crate::placement::Placement;
 
-/// How a row of the table places link frame i in link frame i-1.
+/// How a row of the table places its link frame in that of the link that carries it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Convention {
     /// `Rz(theta) Tz(d) Tx(a) Rx(alpha)`: the frame at the far end of the link.
     Standard,
-    /// `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig): the frame on the joint's own axis; row i holds
-    /// alpha and a of link i-1.
+    /// `Rx(alpha) Tx(a) Rz(theta) Tz(d)` (Craig): the frame on the joint's own axis; a row holds
+    /// alpha and a of the link that carries it.
     Modified,
 }
 
@@ -81,11 +86,30 @@ impl Spring {
 /// A generated table has whole turns taken off the angles that lose digits by them.
 ///
 /// A row is written as `Row { mass: 2.0, ..Row::new(JointType::Revolute) }`, because later versions may have more cells.
+/// Rows are a tree if some of them say on which link they stand:
+///
+/// ```
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::table::{Carrier, Frame, JointType, Placement, Row};
+///
+/// // Two fingers on the link of row 0, 4 cm apart.
+/// let finger = |y| Row {
+///     on: Carrier::Row(0),
+///     mount: Placement::of_frames(&[Frame { xyz: [0.0, y, 0.1], rpy: [0.0; 3] }]),
+///     mass: 0.05,
+///     ..Row::new(JointType::Prismatic)
+/// };
+/// let rows = [Row::new(JointType::Revolute), finger(0.02), finger(-0.02)];
+/// # assert_eq!(rows[2].on, Carrier::Row(0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Row {
     /// Revolute or prismatic.
     pub joint_type: JointType,
+    /// The link that carries the joint: by default, that of the row above.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub on: Carrier,
     /// Link length, m.
     pub a: f64,
     /// Link twist, rad.
@@ -122,14 +146,15 @@ pub struct Row {
     /// The greatest velocity in either direction, rad/s or m/s, where the table has one.
     #[cfg_attr(feature = "serde", serde(default))]
     pub velocity_limit: Option<f64>,
-    /// Where this row begins: in the frame that the row before describes, of a modified table behind its `Rz(theta)
-    /// Tz(d)`, for the first row in the base frame. It is [`Placement::IDENTITY`], unless joints between the two rows are
-    /// locked ([`Table::lock`]), or a URDF file places the joint: the cells a, alpha, d and theta are then zero.
+    /// Where this row begins: in the frame that the row of the carrying link describes, of a modified table behind its
+    /// `Rz(theta) Tz(d)`, or in the base frame. It is [`Placement::IDENTITY`], unless the table says a place (`at`), joints
+    /// between the two rows are locked ([`Table::lock`]), or a URDF file places the joint: the cells a, alpha, d and theta
+    /// are then zero.
     pub mount: Placement,
     /// The link frame, in the frame after `Rz(theta) Tz(d)` of a modified row. It is [`Placement::IDENTITY`], unless the
     /// axis of a joint in a URDF file is not the z axis of its link. `com` and `inertia` refer to the link frame.
     pub link_frame: Placement,
-    /// The last frame of the table, in the link frame of this row; it is read in the last row alone. It is
+    /// The tip, in the link frame of this row; it is read in the last row of an arm without branches alone. It is
     /// [`Placement::IDENTITY`], unless joints behind that row are locked or a URDF file has a tip behind it.
     pub tip: Placement,
     /// New cells break no literal that ends with `..Row::new(joint_type)`.
@@ -143,6 +168,7 @@ impl Row {
     pub const fn new(joint_type: JointType) -> Self {
         Row {
             joint_type,
+            on: Carrier::Above,
             a: 0.0,
             alpha: 0.0,
             d: 0.0,
@@ -173,7 +199,7 @@ impl Row {
     }
 }
 
-/// The table of an arm with `N` joints, as numbers. Nothing is validated.
+/// The table of a robot with `N` joints, as numbers. Nothing is validated.
 ///
 /// A table is written as `Table { tool, ..Table::new(convention, gravity, rows) }`, because later versions may have more
 /// entries.
@@ -186,13 +212,17 @@ pub struct Table<const N: usize> {
     pub gravity: [f64; 3],
     /// The base frame, frame 0, in the world.
     pub base: Frame,
-    /// The rows of the joints, from the base outwards.
+    /// The rows of the joints, from the base outwards: each one behind the row that carries it.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::array"))]
     pub rows: [Row; N],
     /// The rows of the joints that follow these.
     #[cfg_attr(feature = "serde", serde(default))]
     pub followers: Followers,
-    /// The tool on the last link of the table, whether its joint is locked or not.
+    /// Frames on the links, and the bodies in them.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub frames: Frames,
+    /// The tool at the tip: on the link of the only row that carries no other, whether its joint is locked or not. A robot
+    /// in which several rows carry no other has no tip, and no tool.
     pub tool: Tool,
     /// New entries break no literal that ends with `..Table::new(convention, gravity, rows)`.
     #[doc(hidden)]
@@ -209,6 +239,7 @@ impl<const N: usize> Table<N> {
             base: Frame::IDENTITY,
             rows,
             followers: Followers::NONE,
+            frames: Frames::NONE,
             tool: Tool::NONE,
             non_exhaustive: (),
         }
@@ -229,7 +260,7 @@ impl<const N: usize> Table<N> {
         self.rows.each_ref().map(|row| row.velocity_limit)
     }
 
-    /// Mass of all links and of the tool, kg.
+    /// Mass of all links, of the tool and of the bodies of frames on links, kg.
     pub fn total_mass(&self) -> f64 {
         self.arm().total_mass()
     }

@@ -1,9 +1,9 @@
 //! A table whose number of joints is known at run time alone.
 
-use super::{Arm, AsArm, Convention, Follower, Row, Table};
+use super::{Arm, AsArm, Convention, FixedFrame, Follower, Frames, Row, Table};
 use crate::frame::{Frame, Tool};
 
-/// The table of an arm whose number of joints is known at run time alone, as numbers. Nothing is validated.
+/// The table of a robot whose number of joints is known at run time alone, as numbers. Nothing is validated.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RuntimeTable {
@@ -13,9 +13,12 @@ pub struct RuntimeTable {
     pub gravity: [f64; 3],
     /// The base frame, frame 0, in the world.
     pub base: Frame,
-    /// The rows of the joints, from the base outwards.
+    /// The rows of the joints, from the base outwards: each one behind the row that carries it.
     pub rows: Vec<Row>,
-    /// The tool on the last link of the table, whether its joint is locked or not.
+    /// Frames on the links, and the bodies in them.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub frames: Vec<FixedFrame>,
+    /// The tool at the tip, as in [`Table::tool`].
     pub tool: Tool,
     /// Each of them is there.
     pub(crate) followers: Vec<Option<Follower>>,
@@ -29,6 +32,7 @@ impl RuntimeTable {
             gravity,
             base: Frame::IDENTITY,
             rows,
+            frames: Vec::new(),
             tool: Tool::NONE,
             followers: Vec::new(),
         }
@@ -39,12 +43,13 @@ impl RuntimeTable {
         self.followers.iter().flatten()
     }
 
-    /// The same table for an arm of `N` joints; `None` if it has another number of joints, or more followers than
-    /// [`Followers`](super::Followers) has room for.
+    /// The same table for an arm of `N` joints; `None` if it has another number of joints, or more followers or frames than
+    /// [`Followers`](super::Followers) or [`Frames`] has room for.
     pub fn of_joints<const N: usize>(&self) -> Option<Table<N>> {
         let rows = <[Row; N]>::try_from(&self.rows[..]).ok()?;
         let mut table = Table {
             base: self.base,
+            frames: Frames::new(&self.frames)?,
             tool: self.tool,
             ..Table::new(self.convention, self.gravity, rows)
         };
@@ -63,6 +68,7 @@ impl<const N: usize> From<&Table<N>> for RuntimeTable {
             gravity: table.gravity,
             base: table.base,
             rows: table.rows.to_vec(),
+            frames: table.frames.to_vec(),
             tool: table.tool,
             followers: table.followers.iter().copied().map(Some).collect(),
         }
@@ -77,6 +83,7 @@ impl AsArm for RuntimeTable {
             base: &self.base,
             rows: &self.rows,
             followers: &self.followers,
+            frames: &self.frames,
             tool: &self.tool,
         }
     }
