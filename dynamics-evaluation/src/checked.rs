@@ -7,7 +7,7 @@ use dynamics_runtime::{
     table::RuntimeTable,
 };
 use dynamics_symbolic::Function;
-use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::function::{Argument, Part, frame_in_methods};
 
 use crate::RuntimeRobot;
 
@@ -46,16 +46,16 @@ impl Checked for RuntimeRobot {
                 .values(function, &function.shared, &argument, &|x| x)
                 .map(Vec::into_iter);
             let mut evaluation = Evaluation::default();
-            for part in function.request.functions() {
-                let entries = part.shape().entries(function.layout.sizes);
+            for part in function.request.parts() {
+                let row = part.function.row();
+                let entries = row.shape.entries(function.layout.sizes);
+                let evaluation = self.at_frame(&mut evaluation, *part);
                 match &mut values {
                     Ok(values) => {
                         let of_part: Vec<f64> = values.take(entries).collect();
-                        evaluation.set(part.name(), of_part);
+                        evaluation.set(row.name, of_part);
                     }
-                    Err(error) if part.row().refuses => {
-                        evaluation.set(part.name(), Err::<f64, _>(*error));
-                    }
+                    Err(error) if row.refuses => evaluation.set(row.name, Err::<f64, _>(*error)),
                     Err(_) => {}
                 }
             }
@@ -80,16 +80,32 @@ impl RuntimeRobot {
         let mut evaluation = Evaluation::default();
         for function in self.functions() {
             // A Taylor series is no program over numbers.
-            if let Some(one) = function.request.function()
-                && one != Function::TaylorSeries
+            if let [part] = *function.request.parts()
+                && part.function != Function::TaylorSeries
             {
                 let shared = function.tape.shared(self.fields(), &T::from_f64);
                 let values = self.values(function, &shared, &argument, &T::from_f64);
-                evaluation.set(one.name(), values);
+                let at_frame = self.at_frame(&mut evaluation, part);
+                at_frame.set(part.function.name(), values);
             }
         }
         let qd: Vec<T> = state.qd.iter().map(|x| real(*x)).collect();
         evaluation.combined(&qd)
+    }
+
+    /// The values at the frame that a function is about; without one, those of the whole robot.
+    fn at_frame<'e, T: Scalar>(
+        &self,
+        evaluation: &'e mut Evaluation<T>,
+        part: Part,
+    ) -> &'e mut Evaluation<T> {
+        match part.frame {
+            Some(frame) => {
+                let name = frame_in_methods(&self.robot().frames[frame].name);
+                evaluation.at_frame(&name, frame)
+            }
+            None => evaluation,
+        }
     }
 }
 

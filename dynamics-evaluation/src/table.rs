@@ -1,7 +1,10 @@
 //! The table of a robot in numbers, as a generated struct hands it out.
 
 use dynamics_runtime::{
-    table::{Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Spring, Stribeck, Tool},
+    table::{
+        self, Carrier, Convention, FixedFrame, Frame, JointMotion, JointType, Row, RuntimeTable,
+        Spring, Stribeck, Tool,
+    },
     turned,
 };
 use dynamics_symbolic::program::rounded_angle;
@@ -17,11 +20,12 @@ pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
     let gravity = robot.gravity.each_ref().map(|value| cells.number(value));
     let rows: Vec<Row> = (0..robot.rows.len()).map(|i| cells.row(robot, i)).collect();
     let motions: Vec<_> = robot.rows.iter().map(|row| cells.motion(row)).collect();
-    let mut arm = if motions.iter().all(|motion| *motion == JointMotion::Free) {
-        RuntimeTable::new(convention, gravity, rows)
-    } else {
-        RuntimeTable::couple(convention, gravity, &rows, &motions)
-    };
+    let frames: Vec<_> = robot
+        .frames
+        .iter()
+        .map(|frame| cells.fixed(frame))
+        .collect();
+    let mut arm = RuntimeTable::with_frames(convention, gravity, &rows, &motions, &frames);
     arm.base = cells.frame(robot.base.as_ref());
     if let Some(tool) = &robot.tool {
         arm.tool = cells.tool(tool);
@@ -64,6 +68,26 @@ impl Cells<'_> {
         })
     }
 
+    /// The last of some frames, each placed in the one before it.
+    fn place(&self, placements: &[Placement]) -> table::Placement {
+        let frames = placements.iter().map(|place| self.frame(Some(place)));
+        table::Placement::of_frames(&frames.collect::<Vec<_>>())
+    }
+
+    /// A frame on a link or on the base, and its body.
+    fn fixed(&self, frame: &robot::Frame) -> FixedFrame {
+        let bare = FixedFrame::new(frame.on, self.place(&frame.places));
+        frame.body.as_ref().map_or(bare, |body| {
+            let robot::Body { mass, com, inertia } = body.map(&mut self.cell());
+            FixedFrame {
+                mass,
+                com,
+                inertia,
+                ..bare
+            }
+        })
+    }
+
     fn tool(&self, tool: &robot::Tool) -> Tool {
         let tool = tool.map(&mut self.cell());
         Tool {
@@ -91,17 +115,17 @@ impl Cells<'_> {
     /// The row of the runtime; how its joint moves is said apart from it.
     fn row(&self, robot: &Robot, i: usize) -> Row {
         let row = robot.rows[i].map(&mut self.cell());
-        let [mount, link_frame, tip] = robot.mounted(i).map(|placements| {
-            let frames = placements
-                .iter()
-                .map(|place| frame(place.map(&mut self.cell())));
-            dynamics_runtime::table::Placement::of_frames(&frames.collect::<Vec<_>>())
-        });
+        let [mount, link_frame, tip] = robot.mounted(i).map(|placements| self.place(&placements));
         // All fields are written out, so that the compiler names a new one here.
         Row {
             joint_type: match row.joint_type {
                 robot::JointType::Revolute => JointType::Revolute,
                 robot::JointType::Prismatic => JointType::Prismatic,
+            },
+            on: match row.on {
+                robot::Carrier::Above => Carrier::Above,
+                robot::Carrier::Base => Carrier::Base,
+                robot::Carrier::Row(carrier) => Carrier::Row(carrier),
             },
             a: row.a,
             alpha: row.alpha,

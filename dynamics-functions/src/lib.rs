@@ -21,21 +21,24 @@ pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Shape, Size, Sizes};
 pub use table::Function;
 
+/// The name of a frame in the names of methods: in lower case, with `_` for every character but a-z and 0-9.
+pub fn frame_in_methods(frame: &str) -> String {
+    let letter = |letter: char| match letter.to_ascii_lowercase() {
+        letter @ ('a'..='z' | '0'..='9') => letter,
+        _ => '_',
+    };
+    frame.chars().map(letter).collect()
+}
+
 impl Function {
     /// The name of the generated method.
     pub fn name(self) -> &'static str {
         self.row().name
     }
 
-    /// The name of the method for a frame of this name: `jacobian_left_hand`. The frame's name is in lower case, with `_`
-    /// for every character but a-z and 0-9.
+    /// The name of the method for a frame of this name: `jacobian_left_hand`.
     pub fn name_of_frame(self, frame: &str) -> String {
-        let letter = |letter: char| match letter.to_ascii_lowercase() {
-            letter @ ('a'..='z' | '0'..='9') => letter,
-            _ => '_',
-        };
-        let frame: String = frame.chars().map(letter).collect();
-        format!("{}_{frame}", self.name())
+        format!("{}_{}", self.name(), frame_in_methods(frame))
     }
 
     /// The arguments of the generated method after `&self`, in order.

@@ -8,9 +8,9 @@ mod second_derivatives;
 
 use arms::{Bodies, Tables};
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, Request};
 use robot_dynamics::check::Check;
 
 /// What an arm was compared in.
@@ -20,6 +20,8 @@ struct Tally {
     with_fields: usize,
     /// Arms with forward dynamics at some state: the others have a mass matrix that is singular.
     solved: usize,
+    /// Values of functions at frames.
+    at_frames: usize,
     largest: f64,
 }
 
@@ -51,13 +53,24 @@ impl Tally {
         let exists = |f: &Function| !(f.divides_by_mass() && is_massless(robot));
         let functions = Function::ALL.into_iter().filter(exists);
         let functions = functions.filter(|f| *f != Function::TaylorSeries);
-        let arm = RuntimeRobot::new(robot.clone(), functions);
+        let of_tip = Function::ALL.into_iter().filter(|f| f.row().of_tip);
+        let requests = functions
+            .filter(|f| !f.row().of_tip || robot.tip_row().is_some())
+            .map(Request::from);
+        let frames = robot.frames.iter().enumerate();
+        let of_frames = frames.flat_map(|(i, frame)| {
+            let of_tip = of_tip.clone().filter(exists);
+            of_tip.map(move |function| Request::of_frame(function, i, &frame.name))
+        });
+        let arm = RuntimeRobot::new(robot.clone(), requests.chain(of_frames));
         let mut arm = arm.expect("programs are proven");
         arm.set_fields(fields).expect("a value for each field");
         let report = Check::new().samples(8).run_any(&arm);
         assert!(report.is_ok(), "{label}: {report}\n{robot:#?}\n{fields:?}");
         self.arms += 1;
         self.solved += usize::from(!report.not_compared.contains(&"forward_dynamics"));
+        let functions = report.functions.iter();
+        self.at_frames += functions.filter(|found| found.frame.is_some()).count();
         let errors = report.functions.iter().map(|function| function.error);
         self.largest = errors.fold(self.largest, f64::max);
     }
@@ -70,6 +83,7 @@ fn assert_varied(tally: &Tally) {
         with_fields,
         solved,
         largest,
+        ..
     } = tally;
     println!(
         "{arms} arms, {with_fields} with fields, {solved} regular somewhere, largest error {largest:.1e}"
@@ -103,6 +117,7 @@ fn programs_of_many_random_arms_agree_with_newton_euler() {
         || compare_drawn(11, 80, Tables::mounted_robot),
         || compare_drawn(12, 80, Tables::robot_with_joint_forces),
         || compare_drawn(13, 25, Tables::coupled_robot),
+        || compare_drawn(14, 200, Tables::tree),
     ];
     for seed in seeds.map(std::thread::spawn) {
         assert_varied(&seed.join().expect("all arms agree"));
@@ -113,4 +128,13 @@ fn programs_of_many_random_arms_agree_with_newton_euler() {
 #[test]
 fn programs_of_random_arms_with_followers_agree_with_newton_euler() {
     assert_varied(&compare_drawn(4, 3, Tables::coupled_robot));
+}
+
+/// Rows on any link and on the base, at places of their own; frames on links and on the base, with bodies and without.
+/// Some joints are locked, some follow others on any branch.
+#[test]
+fn programs_of_random_trees_agree_with_newton_euler() {
+    let tally = compare_drawn(5, 8, Tables::tree);
+    assert_varied(&tally);
+    assert!(tally.at_frames > 0);
 }

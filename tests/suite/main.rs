@@ -15,3 +15,4 @@ mod identities;
 mod second_derivatives;
 mod table;
 mod taylor;
+mod trees;

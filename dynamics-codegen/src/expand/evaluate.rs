@@ -1,8 +1,9 @@
 //! Every generated function at one state, for the checks.
 
-use dynamics_symbolic::function::{Argument, Part};
-use dynamics_symbolic::{Function, Request, method_name};
-use proc_macro2::{Ident, Span, TokenStream};
+use dynamics_symbolic::function::{Argument, Part, frame_in_methods};
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Request, method_name};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::target::Target;
@@ -15,17 +16,17 @@ pub(super) struct Evaluation {
     pub(super) parts: Option<TokenStream>,
 }
 
-/// The calls of the methods, whose values are kept by the names of the functions.
-pub(super) fn evaluation(target: &Target, requests: &[Request]) -> Evaluation {
+/// The calls of the methods, whose values are kept by the names of the functions and of their frames.
+pub(super) fn evaluation(target: &Target, robot: &Robot, requests: &[Request]) -> Evaluation {
     let at_state = at_state(target);
-    let functions = requests.iter().filter_map(Request::function);
-    let values = functions.map(|function| {
-        let value = call(&function.into(), &quote!(T));
-        set(target, function, &value)
+    let alone = requests.iter().filter(|request| !request.is_tuple());
+    let values = alone.map(|request| {
+        let value = call(request, &quote!(T));
+        set(target, robot, request.parts()[0], &value)
     });
     let values = evaluated(target, &quote!(#(#values)*));
     let fused = requests.iter().filter(|request| request.is_tuple());
-    let fused: Vec<_> = fused.map(|request| parts(target, request)).collect();
+    let fused: Vec<_> = fused.map(|request| parts(target, robot, request)).collect();
     Evaluation {
         functions: quote!(#at_state #values),
         parts: (!fused.is_empty()).then(|| quote!(#at_state #(#fused)*)),
@@ -39,22 +40,20 @@ fn at_state(target: &Target) -> TokenStream {
 }
 
 /// Hands the parts of a method on; where it refuses, each part that is solved for is that refusal.
-fn parts(target: &Target, request: &Request) -> TokenStream {
+fn parts(target: &Target, robot: &Robot, request: &Request) -> TokenStream {
     let name = request.name();
     let call = call(request, &quote!(f64));
     let values: Vec<Ident> = (1..=request.parts().len())
         .map(|number| format_ident!("part_{number}"))
         .collect();
-    let of_tip = |part: &Part| part.frame.is_none().then_some(part.function);
     let of_parts = request.parts().iter().zip(&values);
-    let of_parts =
-        of_parts.filter_map(|(part, value)| Some(set(target, of_tip(part)?, &quote!(#value))));
+    let of_parts = of_parts.map(|(part, value)| set(target, robot, *part, &quote!(#value)));
     let of_parts = quote!(#(#of_parts)*);
     let found = if request.refuses() {
-        let of_tip = request.parts().iter().filter_map(of_tip);
-        let refused = of_tip.filter(|function| function.row().refuses);
+        let parts = request.parts().iter();
+        let refused = parts.filter(|part| part.function.row().refuses);
         let error = quote!(::core::result::Result::<f64, _>::Err(x));
-        let refused = refused.map(|function| set(target, function, &error));
+        let refused = refused.map(|part| set(target, robot, *part, &error));
         quote! {
             match #call {
                 ::core::result::Result::Ok((#(#values),*)) => { #of_parts }
@@ -80,9 +79,14 @@ fn evaluated(target: &Target, values: &TokenStream) -> TokenStream {
 
 /// Keeps the value of a function. The method is called by its path: behind a point, one of that name of a trait that is in
 /// scope around the table could come first.
-fn set(target: &Target, function: Function, value: &TokenStream) -> TokenStream {
-    let (path, name) = (target.path, function.name());
-    quote!(#path::Evaluation::set(&mut found_values, #name, #value);)
+fn set(target: &Target, robot: &Robot, part: Part, value: &TokenStream) -> TokenStream {
+    let (path, name) = (target.path, part.function.name());
+    let values = part.frame.map_or(quote!(&mut found_values), |index| {
+        let frame = frame_in_methods(&robot.frames[index].name);
+        let index = Literal::usize_unsuffixed(index);
+        quote!(#path::Evaluation::at_frame(&mut found_values, #frame, #index))
+    });
+    quote!(#path::Evaluation::set(#values, #name, #value);)
 }
 
 /// The call of a method at the state, in numbers of that type: without arguments nothing else says it.

@@ -60,7 +60,7 @@ pub(crate) fn robot(
             .collect(),
         fields: traits::fields(&target, &robot.fields),
         angles: angles(robot.dof(), methods),
-        evaluation: evaluate::evaluation(&target, &requests),
+        evaluation: evaluate::evaluation(&target, robot, &requests),
     };
     let implementations = items.implementations(&target, &requests);
     let implementations = if structure.is_alone {

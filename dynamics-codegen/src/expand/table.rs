@@ -4,7 +4,8 @@ use core::fmt::Debug;
 
 use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{
-    Angle, Coupling, Placement, Quantity, Robot, Row, Spring, Stribeck, Tool, Value,
+    Angle, Body, Carrier, Coupling, Frame, Placement, Quantity, Robot, Row, Spring, Stribeck, Tool,
+    Value,
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -25,16 +26,26 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         Quantity::Number => number(value, &fields),
     };
     let cells: Vec<_> = robot.rows.iter().map(|row| row.map(&mut cell)).collect();
-    let placements: Vec<_> = (0..cells.len())
-        .map(|i| robot.mounted(i).map(|all| placement(&all, &mut cell, path)))
-        .collect();
+    let mut mounted = |i| {
+        robot.mounted(i).map(|places| {
+            let places = places.iter().map(|place| place.map(&mut cell));
+            placement(&places.collect::<Vec<_>>(), path)
+        })
+    };
+    let placements: Vec<_> = (0..cells.len()).map(&mut mounted).collect();
     let rows = cells.iter().zip(placements);
     let rows = rows.map(|(cells, placements)| row(cells, placements, path));
-    let (made, motions): (_, Vec<_>) = if robot.is_coupled() {
-        (
-            quote!(couple),
-            cells.iter().map(|row| motion(row, path)).collect(),
-        )
+    let frames = robot.frames.iter();
+    let frames: Vec<_> = frames
+        .map(|frame| fixed_frame(&frame.map(&mut cell), path))
+        .collect();
+    let (made, motions): (_, Vec<_>) = if robot.is_coupled() || !frames.is_empty() {
+        let made = if frames.is_empty() {
+            quote!(couple)
+        } else {
+            quote!(with_frames)
+        };
+        (made, cells.iter().map(|row| motion(row, path)).collect())
     } else if robot.rows.iter().any(|row| row.locked.is_some()) {
         (
             quote!(lock),
@@ -47,8 +58,9 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         (quote!(new), Vec::new())
     };
     let motions = (!motions.is_empty()).then(|| quote!([#(#motions),*],));
+    let frames = (!frames.is_empty()).then(|| quote!([#(#frames),*],));
     let arm = quote! {
-        #path::Table::#made(#path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions)
+        #path::Table::#made(#path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions #frames)
     };
     let base = robot.base.as_ref().map(|base| {
         let frame = frame(&base.map(&mut cell), path);
@@ -118,15 +130,20 @@ fn tool(tool: &Tool<TokenStream>, path: &TokenStream) -> TokenStream {
     }
 }
 
+/// A frame on a link or on the base, and its body.
+fn fixed_frame(frame: &Frame<TokenStream>, path: &TokenStream) -> TokenStream {
+    let on = option(frame.on.map(Literal::usize_unsuffixed));
+    let place = placement(&frame.places, path);
+    let place = place.unwrap_or_else(|| quote!(#path::Placement::IDENTITY));
+    let body = frame.body.as_ref().map(|Body { mass, com, inertia }| {
+        quote!(mass: #mass, com: [#(#com),*], inertia: [#(#inertia),*],)
+    });
+    quote!(#path::FixedFrame { #body ..#path::FixedFrame::new(#on, #place) })
+}
+
 /// The last of some frames, each placed in the one before it; `None` where there are none.
-fn placement(
-    placements: &[Placement],
-    cell: &mut impl FnMut(&Value, Quantity) -> TokenStream,
-    path: &TokenStream,
-) -> Option<TokenStream> {
-    let frames = placements
-        .iter()
-        .map(|placement| frame(&placement.map(cell), path));
+fn placement(placements: &[Placement<TokenStream>], path: &TokenStream) -> Option<TokenStream> {
+    let frames = placements.iter().map(|placement| frame(placement, path));
     let frames: Vec<_> = frames.collect();
     (!frames.is_empty()).then(|| quote!(#path::Placement::of_frames(&[#(#frames),*])))
 }
@@ -138,6 +155,14 @@ fn row(
     path: &TokenStream,
 ) -> TokenStream {
     let joint_type = variant(row.joint_type);
+    let on = match row.on {
+        Carrier::Above => None,
+        Carrier::Base => Some(quote!(on: #path::Carrier::Base,)),
+        Carrier::Row(carrier) => {
+            let carrier = Literal::usize_unsuffixed(carrier);
+            Some(quote!(on: #path::Carrier::Row(#carrier),))
+        }
+    };
     let cells = row.cells().map(|(name, values)| {
         let name = Ident::new(name, Span::call_site());
         match values {
@@ -176,6 +201,7 @@ fn row(
     let tip = tip.map(|placement| quote!(tip: #placement,));
     quote! {
         #path::Row {
+            #on
             #(#cells)*
             #stribeck
             #spring

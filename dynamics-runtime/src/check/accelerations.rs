@@ -103,7 +103,7 @@ pub(super) fn task_space<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<En
     let Some([found]) = matrices(found, [(6, 6)]) else {
         return unreadable();
     };
-    let jacobian = at.numeric.jacobian(at.q);
+    let jacobian = at.tip_jacobian();
     let x = at
         .mass_matrix
         .clone()

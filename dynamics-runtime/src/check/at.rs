@@ -1,6 +1,6 @@
 //! A state at which functions are compared.
 
-use nalgebra::{DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 
 use super::scale::Scale;
 use crate::table::{AsArm as _, Moving};
@@ -15,6 +15,8 @@ pub(super) struct At<'a> {
     pub(super) qd: &'a DVector<f64>,
     pub(super) qdd: &'a DVector<f64>,
     pub(super) tau: &'a DVector<f64>,
+    /// The frame that functions of the tip are about; `None` for the tip.
+    pub(super) frame: Option<usize>,
     /// M(q) of the numeric algorithm.
     pub(super) mass_matrix: DMatrix<f64>,
     pub(super) scale: Scale,
@@ -84,7 +86,38 @@ impl<'a> At<'a> {
             qd,
             qdd,
             tau,
+            frame: None,
             mass_matrix,
+        }
+    }
+
+    /// Whether the table has room for the frame: it has room for 16 frames where it is an array.
+    pub(super) fn has_frame(&self) -> bool {
+        self.frame
+            .is_none_or(|frame| frame < self.table.frames.len())
+    }
+
+    /// The transform of the tip, or of the frame.
+    pub(super) fn tip_pose(&self) -> Matrix4<f64> {
+        match self.frame {
+            None => self.numeric.forward_kinematics(self.q),
+            Some(frame) => self.numeric.frame_pose(frame, self.q),
+        }
+    }
+
+    /// The Jacobian of the tip, or of the frame.
+    pub(super) fn tip_jacobian(&self) -> Matrix6xX<f64> {
+        match self.frame {
+            None => self.numeric.jacobian(self.q),
+            Some(frame) => self.numeric.frame_jacobian(frame, self.q),
+        }
+    }
+
+    /// The rate of that Jacobian.
+    pub(super) fn tip_jacobian_rate(&self) -> Matrix6xX<f64> {
+        match self.frame {
+            None => self.numeric.jacobian_rate(self.q, self.qd),
+            Some(frame) => self.numeric.frame_jacobian_rate(frame, self.q, self.qd),
         }
     }
 

@@ -64,9 +64,9 @@ table! { at, k;
     configuration_space_form: beside(
         at.numeric.coriolis_vector(at.q, at.qd), at.joint(k, at.scale.coriolis_vector)
     ),
-    forward_kinematics: beside(at.numeric.forward_kinematics(at.q), (at.pose(k), None)),
+    forward_kinematics: beside(at.tip_pose(), (at.pose(k), None)),
     link_poses: beside(at.numeric.link_poses(at.q), (at.pose(k), Some(k / 16 % at.joints()))),
-    jacobian: beside(at.numeric.jacobian(at.q), at.jacobian(k)),
+    jacobian: beside(at.tip_jacobian(), at.jacobian(k)),
     regressor_form: beside(at.tau - at.joint_forces(), at.joint(k, at.scale.inverse_dynamics)),
     inverse_dynamics_derivatives: beside(
         at.force_derivatives(),
@@ -76,15 +76,15 @@ table! { at, k;
     forward_dynamics_aba: solves(accelerations),
     taylor_series: solves(series_residuals),
     wrench_torques: beside(
-        at.numeric.jacobian(at.q).transpose() * State::<0>::wrench(),
+        at.tip_jacobian().transpose() * State::<0>::wrench(),
         at.joint(k, State::<0>::wrench().amax() * at.scale.position.max(1.0))
     ),
-    tool_velocity: beside(at.numeric.jacobian(at.q) * at.qd, at.tip(k, at.qd.amax())),
+    tool_velocity: beside(at.tip_jacobian() * at.qd, at.tip(k, at.qd.amax())),
     tool_acceleration: beside(
-        at.numeric.jacobian(at.q) * at.qdd + at.numeric.jacobian_rate(at.q, at.qd) * at.qd,
+        at.tip_jacobian() * at.qdd + at.tip_jacobian_rate() * at.qd,
         at.tip(k, at.qdd.amax() + at.qd.amax() * at.qd.amax())
     ),
-    jacobian_rate: beside(at.numeric.jacobian_rate(at.q, at.qd), at.tip(k, at.qd.amax())),
+    jacobian_rate: beside(at.tip_jacobian_rate(), at.tip(k, at.qd.amax())),
     link_jacobians: beside(at.numeric.link_jacobians(at.q), at.jacobian(k)),
     center_of_mass: beside(at.numeric.center_of_mass(at.q), (at.scale.position, None)),
     center_of_mass_jacobian: beside(
@@ -117,6 +117,25 @@ table! { at, k;
     base_parameters: factor_of(regressor_form passivity_form energies_form, without regressor),
 }
 
+/// Calls `found` for the deviation of every value, in the order of the table: first those of the whole robot and of its
+/// tip, then those of each frame, with its name.
+pub(super) fn for_deviations<T: Measured>(
+    evaluation: &Evaluation<T>,
+    at: &mut At<'_>,
+    mut found: impl FnMut(Option<&str>, Deviation),
+) {
+    let whole = core::iter::once((None, None, evaluation));
+    let frames = evaluation.at_frames();
+    let frames = frames.map(|(name, frame, values)| (Some(name), Some(frame), values));
+    for (name, frame, values) in whole.chain(frames) {
+        at.frame = frame;
+        for deviation in deviations(values, at) {
+            found(name, deviation);
+        }
+    }
+    at.frame = None;
+}
+
 /// The deviation of every value, in the order of the table.
 pub(super) fn deviations<T: Measured>(evaluation: &Evaluation<T>, at: &At<'_>) -> Vec<Deviation> {
     let rows = Row::ALL.iter();
@@ -132,6 +151,10 @@ pub(super) fn reason(function: &str) -> String {
             rule: Rule::FactorOf(_, other),
             ..
         }) => format!("that takes `{other}` too"),
+        Some(Row {
+            rule: Rule::Beside(..),
+            ..
+        }) => "the table in numbers has room for 16 frames".to_owned(),
         _ => "the mass matrix is singular".to_owned(),
     }
 }
@@ -140,6 +163,7 @@ impl<T: Measured> Row<T> {
     /// The deviation; `None` if there is no value.
     fn deviation(&self, evaluation: &Evaluation<T>, at: &At<'_>) -> Option<Deviation> {
         let found = match evaluation.entries(self.name)? {
+            Ok(_) if !at.has_frame() => return Some(Deviation::not_compared(self.name)),
             Ok(found) => found,
             Err(error) => return Some(refused(self.name, &at.mass_matrix, error)),
         };

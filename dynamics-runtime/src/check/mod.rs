@@ -20,7 +20,8 @@ use crate::certified::accelerations_near;
 use crate::table::AsArm as _;
 use crate::{Certified, NumericArm, RuntimeTable, SizedState, State};
 use at::At;
-use functions::deviations;
+use functions::for_deviations;
+use report::Of;
 
 pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue, Numbers};
 pub use identification::{base_parameter_map, base_parameter_map_any};
@@ -184,9 +185,10 @@ impl Check {
                     energies.unwrap_or_default().1 - at.gravity_energy()
                 };
                 at.datum = *data.entry(method.map(String::from)).or_insert_with(open);
-                for deviation in deviations(&evaluation, &at) {
-                    report.record(method, &deviation, tolerance, label, state);
-                }
+                for_deviations(&evaluation, &mut at, |frame, deviation| {
+                    let of = Of { method, frame };
+                    report.record(of, &deviation, tolerance, label, state);
+                });
             };
             compare(None, robot.values(state, &tau));
             robot.values_of_parts(state, &tau, &mut |method, parts| {
@@ -194,9 +196,9 @@ impl Check {
             });
             if is_certified {
                 let certified = by_residuals(robot.certified_values(state, &tau), state, &tau);
-                for deviation in deviations(&certified, &at) {
-                    report.note_rounding(&deviation);
-                }
+                for_deviations(&certified, &mut at, |frame, deviation| {
+                    report.note_rounding(frame, &deviation);
+                });
             }
         }
         report

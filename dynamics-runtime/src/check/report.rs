@@ -41,6 +41,8 @@ pub struct Report {
 pub struct FunctionReport {
     /// Name of the function.
     pub function: &'static str,
+    /// The frame that it is about, by its name in methods; `None` for the tip, and for a function that is about no frame.
+    pub frame: Option<String>,
     /// The method that returned it with others; `None` where the function has a method of its own.
     pub method: Option<String>,
     /// Number of states at which it was compared.
@@ -70,13 +72,31 @@ impl FunctionReport {
         self.error <= self.tolerance
     }
 
-    /// The function, and the method that returned it where that is another.
+    /// The function with its frame, and the method that returned it where that is another.
     fn name(&self) -> String {
+        let frame = self.frame.as_ref();
+        let name = frame.map_or(self.function.into(), |frame| {
+            format!("{}_{frame}", self.function)
+        });
         match &self.method {
-            None => self.function.into(),
-            Some(method) => format!("{} of {method}", self.function),
+            None => name,
+            Some(method) => format!("{name} of {method}"),
         }
     }
+
+    fn is_of(&self, function: &str, of: Of<'_>) -> bool {
+        (self.function, self.frame.as_deref(), self.method.as_deref())
+            == (function, of.frame, of.method)
+    }
+}
+
+/// Where a function was found.
+#[derive(Clone, Copy)]
+pub(super) struct Of<'a> {
+    /// The method that returned it with others.
+    pub(super) method: Option<&'a str>,
+    /// The frame that it is about.
+    pub(super) frame: Option<&'a str>,
 }
 
 impl Report {
@@ -105,7 +125,7 @@ impl Report {
     /// Takes in what was found at one state, of a function or of a part of a method.
     pub(super) fn record(
         &mut self,
-        method: Option<&str>,
+        of: Of<'_>,
         deviation: &Deviation,
         tolerance: f64,
         label: &str,
@@ -115,7 +135,7 @@ impl Report {
             self.miss(deviation.function);
             return;
         };
-        let entry = self.entry(deviation.function, method, tolerance);
+        let entry = self.entry(deviation.function, of, tolerance);
         entry.states += 1;
         if entry.states == 1 || error > entry.error {
             entry.error = error;
@@ -127,8 +147,9 @@ impl Report {
     }
 
     /// Takes in what a function of its own method rounds at most at one state.
-    pub(super) fn note_rounding(&mut self, found: &Deviation) {
-        let is_it = |f: &&mut FunctionReport| f.function == found.function && f.method.is_none();
+    pub(super) fn note_rounding(&mut self, frame: Option<&str>, found: &Deviation) {
+        let method = None;
+        let is_it = |f: &&mut FunctionReport| f.is_of(found.function, Of { method, frame });
         let known = self.functions.iter_mut().find(is_it);
         if let (Some(entry), Some(_)) = (known, found.error) {
             let largest = entry.rounding.unwrap_or_default().max(found.rounding);
@@ -144,19 +165,14 @@ impl Report {
         }
     }
 
-    fn entry(
-        &mut self,
-        function: &'static str,
-        method: Option<&str>,
-        tolerance: f64,
-    ) -> &mut FunctionReport {
-        let is_known = |f: &FunctionReport| f.function == function && f.method.as_deref() == method;
-        let known = self.functions.iter().position(is_known);
+    fn entry(&mut self, function: &'static str, of: Of<'_>, tolerance: f64) -> &mut FunctionReport {
+        let known = self.functions.iter().position(|f| f.is_of(function, of));
         let index = known.unwrap_or_else(|| {
             self.not_compared.retain(|missed| *missed != function);
             self.functions.push(FunctionReport {
                 function,
-                method: method.map(String::from),
+                frame: of.frame.map(String::from),
+                method: of.method.map(String::from),
                 states: 0,
                 error: 0.0,
                 rounding: None,

@@ -1,6 +1,6 @@
 //! The check passes what is right and finds what is wrong.
 
-use nalgebra::{DMatrix, DVector, Dyn, Matrix2, SVector, Vector2};
+use nalgebra::{DMatrix, DVector, Dyn, Matrix2, SMatrix, SVector, Vector2};
 
 use super::accelerations::refused;
 use super::at::At;
@@ -13,7 +13,7 @@ use crate::{
     check::{Check, Evaluate, Evaluation, Report},
     check_against_rnea,
     simulation::{MAX_TAYLOR_ORDER, TaylorCoefficients},
-    table::{RuntimeTable, Table},
+    table::{FixedFrame, Frame, Frames, Placement, RuntimeTable, Table},
 };
 
 /// The textbook arm with some values of its evaluation changed.
@@ -221,6 +221,77 @@ fn every_entry_of_every_function_is_compared() {
             assert_eq!(wrong(&values), [row.name], "entry {k}");
         }
     }
+}
+
+/// An arm with a frame on its first link, and the values of two functions there.
+struct Framed {
+    /// What is added to the Jacobian.
+    damage: f64,
+    /// The place of the frame in the table, where there is one frame.
+    frame: usize,
+}
+
+impl Model<2> for Framed {
+    const JOINT_NAMES: [&'static str; 2] = CraigArm::JOINT_NAMES;
+
+    fn table(&self) -> Table<2> {
+        let place = Placement::of_frames(&[Frame {
+            xyz: [0.1, 0.2, 0.3],
+            rpy: [0.4, 0.5, 0.6],
+        }]);
+        let frames = Frames::new(&[FixedFrame::new(Some(0), place)]);
+        let frames = frames.expect("there is room for one");
+        Table {
+            frames,
+            ..CRAIG_ARM.table()
+        }
+    }
+}
+
+impl Evaluate<2> for Framed {
+    fn evaluate(&self, state: &State<2>, _: &SVector<f64, 2>) -> Evaluation {
+        let numeric = NewtonEuler::new(&self.table());
+        let mut evaluation = Evaluation::default();
+        let at_frame = evaluation.at_frame("elbow", self.frame);
+        let jacobian = numeric.frame_jacobian(0, &state.q);
+        at_frame.set("jacobian", jacobian.add_scalar(self.damage));
+        at_frame.set("forward_kinematics", numeric.frame_pose(0, &state.q));
+        evaluation
+    }
+}
+
+#[test]
+fn functions_are_compared_at_their_frames() {
+    let check = |damage, frame| Check::new().samples(5).run(&Framed { damage, frame });
+    let report = check(0.0, 0);
+    report.assert_ok();
+    let names: Vec<_> = report.functions.iter().map(ToString::to_string).collect();
+    assert!(
+        names[0].starts_with("forward_kinematics_elbow:"),
+        "{names:?}"
+    );
+    assert!(names[1].starts_with("jacobian_elbow:"), "{names:?}");
+    assert_eq!(wrong(&check(1e-9, 0)), ["jacobian"]);
+
+    let report = check(0.0, 1);
+    assert_eq!(report.not_compared, ["forward_kinematics", "jacobian"]);
+    assert!(
+        report.to_string().contains("room for 16 frames"),
+        "{report}"
+    );
+
+    let state = random_state(3);
+    let framed = Framed {
+        damage: 0.0,
+        frame: 0,
+    };
+    let values = framed.evaluate(&state, &Vector2::zeros());
+    let jacobian: SMatrix<f64, 6, 2> = values.get("jacobian_elbow").expect("it was set");
+    assert_eq!(
+        jacobian,
+        NewtonEuler::new(&framed.table()).frame_jacobian(0, &state.q)
+    );
+    assert_eq!(values.get::<SMatrix<f64, 6, 2>>("jacobian"), None);
 }
 
 /// C qd is V still: C' is no matrix of Christoffel symbols, though.

@@ -123,6 +123,8 @@ impl<const N: usize, T: Scalar> Arguments<N, T> {
 pub struct Evaluation<T: Scalar = f64> {
     /// The numbers of each value, matrices by columns, or why there is none.
     values: BTreeMap<&'static str, Result<Vec<T>, SingularMassMatrix>>,
+    /// The values of functions at frames, by the name of the frame in methods and its place in the table.
+    frames: BTreeMap<(String, usize), Evaluation<T>>,
 }
 
 /// The values that two functions make together.
@@ -138,6 +140,7 @@ impl<T: Scalar> Default for Evaluation<T> {
     fn default() -> Self {
         Evaluation {
             values: BTreeMap::new(),
+            frames: BTreeMap::new(),
         }
     }
 }
@@ -145,14 +148,15 @@ impl<T: Scalar> Default for Evaluation<T> {
 impl<T: Scalar> Evaluation<T> {
     /// The value of a function or a form, as its method returns it: a number, a matrix, an array or a tuple. `Vec`
     /// stands for an array or for columns whose number need not be known: the `regressor` is a `Vec<SVector<f64, N>>`
-    /// too. `None` if there is no value. A function that solves with M has a `Result`; without it, a refusal is `None`.
+    /// too. A function at a frame has the name of its method, `jacobian_left_hand`. `None` if there is no value. A function that solves with M has a `Result`; without it, a refusal is `None`.
     ///
     /// # Panics
     ///
     /// If no function has this name, or if its value has another number of entries.
     #[track_caller]
     pub fn get<V: FunctionValue<T>>(&self, name: &str) -> Option<V> {
-        let entries = match self.entries(known(name))? {
+        let found = self.of_frame(name);
+        let entries = match found.or_else(|| self.entries(known(name)))? {
             Ok(entries) => entries,
             Err(error) => return V::refused(*error),
         };
@@ -211,6 +215,26 @@ impl<T: Scalar> Evaluation<T> {
             }
         }
         self
+    }
+
+    /// The values at a frame: the name that it has in methods, and its place among the frames of the table.
+    #[doc(hidden)]
+    pub fn at_frame(&mut self, name: &str, frame: usize) -> &mut Self {
+        self.frames.entry((name.to_owned(), frame)).or_default()
+    }
+
+    /// The values at all frames, with the names and the places of these.
+    pub(crate) fn at_frames(&self) -> impl Iterator<Item = (&str, usize, &Self)> {
+        let frames = self.frames.iter();
+        frames.map(|((name, frame), values)| (name.as_str(), *frame, values))
+    }
+
+    /// The numbers of a function at a frame, by the name of its method.
+    fn of_frame(&self, method: &str) -> Option<&Result<Vec<T>, SingularMassMatrix>> {
+        self.at_frames().find_map(|(frame, _, values)| {
+            let function = method.strip_suffix(frame)?.strip_suffix('_')?;
+            values.values.get(function)
+        })
     }
 
     fn numbers(&self, name: &str) -> Option<&[T]> {

@@ -345,12 +345,17 @@ impl Tables {
             };
             row.at = (0..self.below(3)).map(|_| self.placement()).collect();
         }
-        robot.frames = (0..self.below(3)).map(|_| self.frame(count)).collect();
+        if robot.tip_row().is_none() {
+            robot.tool = None;
+        }
+        robot.frames = (1..=self.below(3))
+            .map(|number| self.frame(number, count))
+            .collect();
         robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
         robot
     }
 
-    fn frame(&mut self, rows: usize) -> Frame {
+    fn frame(&mut self, number: u64, rows: usize) -> Frame {
         let body = match self.bodies {
             Bodies::Any => Body {
                 mass: self.cell(),
@@ -364,7 +369,7 @@ impl Tables {
             },
         };
         Frame {
-            name: "frame".to_owned(),
+            name: format!("frame_{number}"),
             on: (self.below(rows as u64 + 1) as usize).checked_sub(1),
             places: (0..1 + self.below(2)).map(|_| self.placement()).collect(),
             body: (self.below(4) > 0).then_some(body),

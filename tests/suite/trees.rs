@@ -1,0 +1,110 @@
+//! A robot with branches and frames, from its call to its numbers.
+
+use robot_dynamics::nalgebra::{SMatrix, SVector, Vector6};
+use robot_dynamics::{DoubleDouble, check_against_rnea, robot_dynamics};
+use testkit::five::states;
+
+robot_dynamics! {
+    /// Two arms on a waist, and a lift beside them.
+    struct Torso { load: f64 }
+
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [
+        waist:          revolute { mass: 9, com: [0, 0, 0.2], inertia: cylinder(0.15, 0.4) },
+        left_shoulder:  revolute { on: waist, gamma: PI/2, b: 0.4, a: 0.2, alpha: PI/2, mass: 2 },
+        left_elbow:     revolute { a: 0.3, mass: 1, com: [0.1, 0, 0] },
+        right_shoulder: revolute { on: waist, gamma: -PI/2, b: 0.4, a: 0.2, alpha: PI/2, mass: 2 },
+        right_elbow:    revolute { a: 0.3, mass: 1, com: [0.1, 0, 0] },
+        lift:           prismatic { on: base, at: { xyz: [1, 0, 0], rpy: [0, 0, PI/2] }, mass: 3 },
+    ],
+    frames: {
+        left_hand: { on: left_elbow, xyz: [0.3, 0, 0], mass: load, com: [0, 0, 0.05], inertia: sphere(0.04) },
+        camera:    { on: waist, xyz: [0.1, 0, 0.5], rpy: [0, 0.3, 0] },
+        door:      { on: base, xyz: [2, 0, 1] },
+    },
+    functions: [
+        default, regressor, base_parameters, link_poses, link_jacobians, inverse_dynamics_derivatives,
+        forward_dynamics_derivatives, jacobian(left_hand), jacobian(camera), jacobian(door), jacobian_rate(left_hand),
+        wrench_torques(left_hand), tool_velocity(left_hand), tool_acceleration(left_hand),
+        operational_inertia_inverse(left_hand), forward_kinematics(camera), forward_kinematics(left_hand),
+        grasp = (mass_matrix, jacobian(left_hand), forward_kinematics(left_hand), forward_kinematics(camera)),
+    ],
+}
+
+const TORSO: Torso = Torso { load: 0.7 };
+
+#[test]
+fn functions_of_a_tree_agree_with_newton_euler() {
+    let report = check_against_rnea(&TORSO);
+    report.assert_ok();
+    assert!(report.not_compared.is_empty(), "{report}");
+    let of = |name: &str| {
+        let functions = report.functions.iter();
+        functions
+            .filter(|found| found.frame.as_deref() == Some(name))
+            .count()
+    };
+    // Alone, and in the tuple.
+    assert_eq!(
+        (of("left_hand"), of("camera"), of("door")),
+        (7 + 2, 2 + 1, 1)
+    );
+}
+
+/// The joints of one arm are no part of what the other does: these numbers are constants of the program.
+#[test]
+fn branches_know_nothing_of_each_other() {
+    for [q, qd, qdd] in states::<f64, 6>(24) {
+        let mass_matrix = TORSO.mass_matrix(&q);
+        for (row, column) in [(1, 3), (1, 4), (2, 3), (2, 4)] {
+            assert_eq!(mass_matrix[(row, column)].to_bits(), 0.0_f64.to_bits());
+        }
+        assert!((0..5).all(|joint| mass_matrix[(joint, 5)] == 0.0));
+        let [at_hand, at_camera] = [TORSO.jacobian_left_hand(&q), TORSO.jacobian_camera(&q)];
+        assert_eq!(at_hand.columns(3, 3).amax(), 0.0);
+        assert_eq!(at_camera.columns(1, 5).amax(), 0.0);
+        assert_eq!(TORSO.jacobian_door(&q).amax(), 0.0);
+        let wrench = Vector6::new(1.0, -2.0, 0.5, 0.3, -0.1, 0.7);
+        let torques = TORSO.wrench_torques_left_hand(&q, &wrench);
+        assert!((torques - at_hand.tr_mul(&wrench)).amax() < 1e-14);
+        let (matrix, jacobian, hand, camera) = TORSO.grasp(&q);
+        assert!((matrix - mass_matrix).amax() < 1e-13);
+        assert!((jacobian - at_hand).amax() < 1e-14);
+        assert!((hand - TORSO.forward_kinematics_left_hand(&q)).amax() < 1e-14);
+        assert!((camera - TORSO.forward_kinematics_camera(&q)).amax() < 1e-14);
+        let tau = TORSO.inverse_dynamics(&q, &qd, &qdd);
+        let found = TORSO.forward_dynamics(&q, &qd, &tau).expect("M is regular");
+        assert!((mass_matrix * (found - qdd)).amax() < 1e-15 * tau.amax());
+    }
+}
+
+/// In 31 digits, in doubles and in single precision.
+#[test]
+fn functions_of_frames_have_the_digits_of_their_numbers() {
+    fn largest<const R: usize, const C: usize>(
+        found: SMatrix<f64, R, C>,
+        exact: SMatrix<DoubleDouble, R, C>,
+    ) -> f64 {
+        let errors = found.zip_map(&exact, |found, exact| {
+            (exact - DoubleDouble::from(found)).high()
+        });
+        errors.amax() / exact.map(DoubleDouble::high).amax()
+    }
+    for [q, qd, _] in states::<f64, 6>(24) {
+        let exact = |x: &SVector<f64, 6>| x.map(DoubleDouble::from);
+        let exact = [
+            TORSO.jacobian_left_hand(&exact(&q)),
+            TORSO.jacobian_rate_left_hand(&exact(&q), &exact(&qd)),
+        ];
+        assert!(largest(TORSO.jacobian_left_hand(&q), exact[0]) < 1e-15);
+        assert!(largest(TORSO.jacobian_rate_left_hand(&q, &qd), exact[1]) < 1e-15);
+        let single = |x: &SVector<f64, 6>| x.map(|x| x as f32);
+        // The angles are rounded too.
+        let [q, qd] = [single(&q), single(&qd)];
+        let found = TORSO.jacobian_rate_left_hand(&q, &qd).map(f64::from);
+        let double = |x: &SVector<f32, 6>| x.map(f64::from);
+        let expected = TORSO.jacobian_rate_left_hand(&double(&q), &double(&qd));
+        assert!((found - expected).amax() < 1e-6 * expected.amax());
+    }
+}
