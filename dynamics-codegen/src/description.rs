@@ -133,8 +133,8 @@ pub enum Entry {
     Tests(Place, Option<bool>),
     /// `file: "robots/arm.urdf"`
     File(Option<FileName>),
-    /// `chain: ["base_link", "tool0"]`
-    Chain(Option<[Name; 2]>),
+    /// `chain: ["base_link", "tool0"]`: the link at which the robot begins, and its tips.
+    Chain(Option<Vec<Name>>),
     /// `ignore: [finger]`
     Ignore(Option<Vec<Name>>),
     /// `round_angles: 1e-4`
@@ -233,6 +233,8 @@ pub struct Frame {
     pub name: Option<Name>,
     /// The row whose link carries it, or `base`; in a URDF file a link.
     pub on: Given<Name>,
+    /// The index of the row whose link carries it, for a link of a file, which has no `on`; none for the base.
+    pub carrier: Option<usize>,
     /// The frame in that link frame.
     pub placement: Placement,
     /// Where a file has the frame in that link frame, before `placement`: each place in the one before it.
@@ -349,6 +351,8 @@ pub struct Row {
     pub velocity_limit: Given<Expr>,
     /// Whether the range is that of a `<limit>`.
     pub limits_of_urdf: bool,
+    /// The link that carries the joint in a file of links, which has no `on`.
+    pub carrier: robot::Carrier,
     /// Where a file begins the row on the link that carries it, each place in the one before it.
     pub places: Vec<robot::Placement>,
     /// The joint's axis, in a file that has no cells a, alpha, d and theta.

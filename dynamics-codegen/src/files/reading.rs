@@ -155,9 +155,12 @@ pub fn model_beside(
 /// Keys of entries that add to the same entries of a file.
 pub(super) const ADDING: [&str; 3] = ["lock", "couple", "allow"];
 
-/// Whether an entry has one of these keys.
+/// Whether an entry adds to those of a file: it has one of these keys, or frames besides the links.
 fn adds(entry: &Entry) -> bool {
-    matches!(entry, Entry::Lock(_) | Entry::Couple(_) | Entry::Allow(_))
+    matches!(
+        entry,
+        Entry::Lock(_) | Entry::Couple(_) | Entry::Allow(_) | Entry::Frames(..)
+    )
 }
 
 /// The table of a text with entries beside it. Where the text cannot be read, the entry for the file stands in place of
@@ -291,12 +294,6 @@ pub fn joint_names(text: &str, format: Format) -> Vec<String> {
         let names = table.rows().iter().filter_map(|row| row.name.as_ref());
         names.map(|name| name.plain().to_owned()).collect()
     })
-}
-
-/// The links of the text of a URDF file to which no joint leads, and those from which none does. There an arm may begin
-/// and end. None if it cannot be read.
-pub fn ends(text: &str) -> Option<[Vec<String>; 2]> {
-    Diagnostics::without(|diagnostics| urdf::ends(text, diagnostics))
 }
 
 /// The names in the values of the text of a table.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Carrier, JointType, Row, Spring, Stribeck, Value};
+use dynamics_symbolic::robot::{JointType, Row, Spring, Stribeck, Value};
 
 use super::body::body;
 use super::limits;
@@ -54,7 +54,7 @@ fn cells(row: &description::Row, scope: &mut Scope) -> Option<Row> {
     Some(Row {
         name: row.name.as_ref()?.plain().to_owned(),
         joint_type: row.joint_type?,
-        on: Carrier::Above,
+        on: row.carrier,
         at: row.places.clone(),
         a: a?,
         alpha: alpha?,
