@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use dynamics_codegen::Model;
-use dynamics_codegen::files::{Format, ends, joint_names, names_in_values};
+use dynamics_codegen::files::{Format, joint_names, names_in_values};
 use dynamics_evaluation::{FileError, ReadOptions, RuntimeRobot, read_file, read_text};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
@@ -188,7 +188,7 @@ fn options(
     };
     let mut ignore = words(given, "ignore");
     ignore.retain(|joint| is_meant(joint));
-    report_missing(given, path, chain)?;
+    report_missing(given, path)?;
     let mut options = ReadOptions::new().entries(&entries(given, is_meant)?);
     if let Some(links) = self::chain(given, chain)? {
         options = options.chain(links);
@@ -199,48 +199,18 @@ fn options(
     Ok(options.ignore(ignore))
 }
 
-/// Reports the missing options of a URDF file. A file without joints has a mistake of its own, which is reported when it
+/// Reports that a URDF file is without gravity. A file without joints has a mistake of its own, which is reported when it
 /// is read.
-fn report_missing(given: &ArgMatches, path: &Path, chain: &str) -> Result<(), Failure> {
-    let is_tree = Format::of(path) == Some(Format::Urdf) && !joints_of(path).is_empty();
-    let is_missing = |option: &str| is_tree && words(given, option).is_empty();
-    let chain = is_missing(chain).then(|| {
-        let ends = ends_of(path);
-        format!("expected `--{chain} BASE,TIP`, the first and the last link of the arm{ends}")
-    });
-    let gravity = is_missing("gravity").then(|| {
-        "expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link points up".to_owned()
-    });
-    let missing: Vec<String> = chain.into_iter().chain(gravity).collect();
-    if missing.is_empty() {
+fn report_missing(given: &ArgMatches, path: &Path) -> Result<(), Failure> {
+    let is_urdf = Format::of(path) == Some(Format::Urdf);
+    if !is_urdf || !words(given, "gravity").is_empty() || joints_of(path).is_empty() {
         return Ok(());
     }
     Err(Failure::of_the_command_line(format!(
-        "{} is a tree of links: {}",
-        path.display(),
-        missing.join("; ")
+        "{} is a tree of links: expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link \
+         points up",
+        path.display()
     )))
-}
-
-/// Most links that are listed.
-const LISTED: usize = 12;
-
-/// Where the tree of links in a file begins and ends.
-fn ends_of(path: &Path) -> String {
-    let text = read_text(path).unwrap_or_default();
-    let Some([first, last]) = ends(&text) else {
-        return String::new();
-    };
-    let listed = |links: &[String]| {
-        let quoted = links.iter().take(LISTED).map(|link| format!("`{link}`"));
-        let others = if links.len() > LISTED { ", ..." } else { "" };
-        quoted.collect::<Vec<_>>().join(", ") + others
-    };
-    format!(
-        " (the tree begins at {} and ends at {})",
-        listed(&first),
-        listed(&last)
-    )
 }
 
 /// The fields of `--field NAME=VALUE` with their values as numbers.
@@ -278,17 +248,14 @@ fn no_assignment((option, expected): Assigning, found: &str) -> Failure {
     Failure::of_the_command_line(format!("`--{option} {found}`: expected {expected}"))
 }
 
-/// The ends of the arm, which a URDF file needs.
-fn chain(given: &ArgMatches, option: &str) -> Result<Option<[String; 2]>, Failure> {
+/// The link at which the robot begins and its tips, where an option names them.
+fn chain(given: &ArgMatches, option: &str) -> Result<Option<Vec<String>>, Failure> {
     let links = words(given, option);
-    match <[String; 2]>::try_from(links) {
-        Ok(chain) => Ok(Some(chain)),
-        Err(none) if none.is_empty() => Ok(None),
-        Err(links) => {
-            let message = format!("`--{option} {}`: expected BASE,TIP", links.join(","));
-            Err(Failure::of_the_command_line(message))
-        }
+    if links.contains(&String::new()) {
+        let message = format!("`--{option} {}`: expected BASE,TIP", links.join(","));
+        return Err(Failure::of_the_command_line(message));
     }
+    Ok((!links.is_empty()).then_some(links))
 }
 
 /// The entries that take the place of those of the file, in its words.

@@ -65,14 +65,15 @@ impl Audience {
         }
     }
 
-    /// The first and the last link of an arm.
+    /// The link at which a robot begins, and its tips.
     #[cfg(feature = "files")]
-    pub(crate) fn chain(self, first: &str, last: &str) -> String {
-        let (first, last) = (shortened(first), shortened(last));
+    pub(crate) fn chain(self, links: &[&str]) -> String {
+        let quoted = |link: &&str| format!("\"{}\"", shortened(link));
+        let in_quotes = || links.iter().map(quoted).collect::<Vec<_>>().join(", ");
         match self {
-            Audience::Call => format!("`chain: [\"{first}\", \"{last}\"]`"),
-            Audience::File => format!("`chain` with `{first}` and `{last}`"),
-            Audience::Command => format!("`--chain {}`", argument(&format!("{first},{last}"))),
+            Audience::Call => format!("`chain: [{}]`", in_quotes()),
+            Audience::File => format!("`chain = [{}]`", in_quotes()),
+            Audience::Command => format!("`--chain {}`", argument(&links.join(","))),
         }
     }
 

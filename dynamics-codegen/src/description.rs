@@ -148,8 +148,8 @@ pub enum Entry {
     Tests(Place, Option<bool>),
     /// `file: "robots/arm.urdf"`
     File(Option<FileName>),
-    /// `chain: ["base_link", "tool0"]`
-    Chain(Option<[Name; 2]>),
+    /// `chain: ["base_link", "tool0"]`: the link at which the robot begins, and its tips.
+    Chain(Option<Vec<Name>>),
     /// `ignore: [finger]`
     Ignore(Option<Vec<Name>>),
     /// `round_angles: 1e-4`
@@ -286,6 +286,13 @@ pub struct Frame {
     pub body: Body,
     /// Whether it is a link of a file, which no function has to ask for.
     pub is_link: bool,
+}
+
+impl Frame {
+    /// The frame's name; empty if it could not be read.
+    pub(crate) fn word(&self) -> &str {
+        self.name.as_ref().map_or("", Name::plain)
+    }
 }
 
 /// The body of a link, of the tool or of a frame.

@@ -44,6 +44,10 @@ pub(crate) const MOST_BITS_IN_ALL: usize = 170_000;
 /// Joints of a robot, those that are locked or follow others included. The default set of functions of 64 joints, all cells full, takes ten seconds.
 pub(crate) const MOST_JOINTS: usize = 64;
 
+/// Fixed joints on the ways to all links of a file from those that move them: each is a place of a link's frame.
+#[cfg(feature = "files")]
+pub(crate) const MOST_PLACES: usize = 20_000;
+
 /// Joints that follow others, for which a table has room without an allocator.
 pub(crate) const MOST_FOLLOWERS: usize = 8;
 

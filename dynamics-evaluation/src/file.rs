@@ -95,7 +95,7 @@ impl core::error::Error for FileError {}
 pub struct ReadOptions {
     entries: String,
     functions: Option<Vec<String>>,
-    chain: Option<[String; 2]>,
+    chain: Option<Vec<String>>,
     ignore: Vec<String>,
     round_angles: Option<f64>,
     fields: Vec<String>,
@@ -133,9 +133,11 @@ impl ReadOptions {
         self
     }
 
-    /// The first and the last link of the arm, which a URDF file needs; passed over for a table.
-    pub fn chain(mut self, links: [impl Into<String>; 2]) -> Self {
-        self.chain = Some(links.map(Into::into));
+    /// The link of a URDF file at which the robot begins, and the tips to which its joints lead: an arm has one, and
+    /// without tips the robot is all that the link carries. The whole tree of the file is read if this is left out.
+    /// Passed over for a table.
+    pub fn chain(mut self, links: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.chain = Some(owned(links));
         self
     }
 
@@ -184,7 +186,7 @@ impl ReadOptions {
         let name = |name: &String| Name::new(name.as_str(), place);
         table.fields = self.fields.iter().map(name).collect();
         if let Some(links) = &self.chain {
-            let links = links.each_ref().map(name);
+            let links = links.iter().map(name).collect();
             table.entries.push(Entry::Chain(Some(links)));
         }
         let ignore = self.ignore.iter().map(name).collect();

@@ -38,7 +38,7 @@ fn finger_beside(file: &str, last: &str, lock: &[(&str, f64)], entry: Option<Ent
     });
     let gravity = [0.0, 0.0, -9.81].map(|g| Some(number(g)));
     let entries = [
-        Entry::Chain(Some(["palm", last].map(name))),
+        Entry::Chain(Some(["palm", last].map(name).to_vec())),
         Entry::Lock(Some(locked.collect())),
         Entry::Gravity(Some(gravity)),
     ];

@@ -296,12 +296,6 @@ pub fn joint_names(text: &str, format: Format) -> Vec<String> {
     })
 }
 
-/// The links of the text of a URDF file to which no joint leads, and those from which none does. There an arm may begin
-/// and end. None if it cannot be read.
-pub fn ends(text: &str) -> Option<[Vec<String>; 2]> {
-    Diagnostics::without(|diagnostics| urdf::ends(text, diagnostics))
-}
-
 /// The names in the values of the text of a table.
 pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
     let table = Diagnostics::without(|diagnostics| {

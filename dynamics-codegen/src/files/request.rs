@@ -16,7 +16,7 @@ pub enum Format {
     /// (xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`. Where the file names its
     /// `source`, tensors that no body can have are taken as they are.
     Json,
-    /// The Unified Robot Description Format: the chain of links that a [`Request`] names.
+    /// The Unified Robot Description Format: the tree of links, or the part of it that a [`Request`] names.
     Urdf,
 }
 
@@ -35,10 +35,11 @@ impl Format {
 /// A request to a URDF file.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
-    /// The first and the last link of the arm.
-    pub chain: Option<[Name; 2]>,
+    /// The link at which the robot begins, and the tips to which its joints lead; without tips all that the link carries.
+    /// The whole tree of the file, if it is left out.
+    pub chain: Option<Vec<Name>>,
     /// Joints that are left out, with all that hangs on them. `rest`, where no joint has that name, is all joints
-    /// beside the chain that are not named, here and in `lock`.
+    /// beside the way to the tips that are not named, here and in `lock`.
     pub ignore: Vec<Name>,
     /// Joints that stand still, and where, or `rest`; no position is one that is not known here.
     pub lock: Vec<(Name, Option<Value>)>,

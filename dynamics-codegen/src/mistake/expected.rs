@@ -93,7 +93,7 @@ expectations! {
     #[cfg(feature = "files")]
     end_of_text() "one value";
     file_name() "the path of a file, from the crate's Cargo.toml on: `\"robots/arm.urdf\"`";
-    chain() "the first and the last link: `[\"base_link\", \"tool0\"]`";
+    chain() "the link at which the robot begins, and its tips: `[\"base_link\", \"tool0\"]`";
     ignored() "`[joint, ...]`, or `rest`";
     ignored_joint() "the name of a joint";
 }

@@ -39,8 +39,10 @@ mistakes! {
     beside_a_file(word: &str) "`{word}` beside a file, which says it itself: remove `{word}`";
     /// `chain` and the like without a file, or beside a file of another format.
     only_with_urdf(word: &str) "`{word}` is about a URDF file: write it beside `file: \"robots/arm.urdf\"`";
-    /// Another number of links.
-    two_links() "a chain has two names, those of its first and its last link: `[\"base_link\", \"tool0\"]`";
+    /// `chain: []`
+    no_links()
+        "`chain` names no link: the link at which the robot begins stands in it, and the tips to which its joints lead, \
+         `[\"base_link\", \"tool0\"]` for example; without `chain` the whole tree of the file is read";
     /// `joint_1.0 = 0` in TOML, where a dot leads into a table.
     dotted_name(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
         "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`";
@@ -61,7 +63,7 @@ mistakes! {
         "expected the cells of a joint: a name with a dot stands in quotes, `[joints.\"{name}\"]`";
     /// A joint that has no row.
     not_of_the_arm(joint: &str => shortened)
-        "`{joint}` is none of the arm's joints, which are those of its chain that move: cells would do nothing there, \
+        "`{joint}` is none of the robot's joints, which are those of its tree that move: cells would do nothing there, \
          remove them";
     /// Cells of the joints of a file, where there is no file.
     without_a_file(is_of_file: bool)

@@ -1,6 +1,8 @@
 //! Calls that ask for too much: see [`limits`](crate::limits).
 
 use super::Mistake;
+#[cfg(feature = "files")]
+use crate::limits::MOST_PLACES;
 use crate::limits::{
     DEEPEST_DELIMITERS, DEEPEST_VALUE, MOST_JOINTS, MOST_LETTERS, MOST_PARTS, MOST_TERMS,
     MOST_TERMS_IN_ALL, MOST_TOKENS,
@@ -11,6 +13,11 @@ mistakes! {
     tokens() "more than {MOST_TOKENS} words, numbers and signs in one call";
     /// Delimiters inside of each other.
     delimiters(what: &str) "{what} nested more than {DEEPEST_DELIMITERS} deep";
+    /// Links of a file that are fixed to each other, many in a row.
+    #[cfg(feature = "files")]
+    places()
+        "more than {MOST_PLACES} fixed joints on the ways to all links from those that move them: join links that are \
+         fixed to each other";
     joints() "more than {MOST_JOINTS} joints";
     long_function(name: &str, most_joints: usize) "`{name}` of more than {most_joints} joints would be too long";
     /// A long function besides others.

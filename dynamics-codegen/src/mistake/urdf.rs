@@ -24,17 +24,34 @@ mistakes! {
     no_path(first: &str => shortened, last: &str => shortened, root: &str => shortened)
         "no joints lead from `{first}` outwards to `{last}`: seen from there inwards the first link is `{root}`";
     two_parents(link: &str => shortened) "the link `{link}` is the child of another joint already: a robot is a tree";
-    /// A chain that nothing moves.
-    nothing_moves(first: &str => shortened, last: &str => shortened)
-        "no joint between `{first}` and `{last}` moves: an arm has one at least";
-    unsupported(joint: &str => shortened, kind: &str)
-        "the joint `{joint}` is {kind}: an arm has revolute, continuous, prismatic and fixed joints";
+    /// A name that stands in `chain` twice.
+    link_twice(link: &str => shortened) "`{link}` stands in `chain` twice: remove one of the two";
+    /// A tip that the joints to another one pass.
+    on_the_way(link: &str => shortened, tip: &str => shortened)
+        "`{link}` is on the way to `{tip}`, and belongs to the robot without being named: remove it";
+    /// Joints of which each one hangs on the next.
+    circle_of_links(link: &str => shortened)
+        "the joints lead in a circle, from `{link}` outwards to `{link}` again: a robot is a tree, and no joint leads to \
+         the link at which it begins";
+    /// Several links to which no joint leads; `largest` carries the most joints.
+    several_trees(roots: &[&str] => all, largest: &str) [chain: chain(&[largest])]
+        "the file has several trees, which begin at {roots}: name the link at which the robot begins, {chain} for example";
+    /// A tree that nothing moves; `last` is one of its tips, if there are any.
+    nothing_moves(first: &str => shortened, last: Option<&str>)
+        {which: last.map_or(format!("that `{first}` carries"), |last| format!("between `{first}` and `{}`", shortened(last)))}
+        "no joint {which} moves: a robot has one at least";
+    /// A joint that has no position of one number. A robot may begin at the first of `links`, which are behind it, and
+    /// lead to the others. Where the joint `is_needed` it cannot be left out: it is on the way to a tip, or nothing else moves.
+    unsupported(joint: &str, kind: &str, links: &[&str], is_needed: bool) {name: shortened(joint)}
+        [way_out: without(joint, links, is_needed)]
+        "the joint `{name}` is {kind}: a robot of a file has revolute, continuous, prismatic and fixed joints{way_out}";
     /// Joints that follow one another and stand beside the chain.
     circle(joint: &str => shortened)
         "the joint `{joint}` follows itself, by way of others: one of them has to move by itself";
     /// `rest` in both lists.
     rest_twice() "`rest` is locked and ignored: remove one of the two";
-    ignored_on_chain(joint: &str => shortened) "`{joint}` is on the chain, and cannot be left out";
+    ignored_on_chain(joint: &str => shortened)
+        "`{joint}` is on the way to a tip that `chain` names, and cannot be left out";
     lock_with_names(joint: &str => shortened)
         "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without \
          fields and `let`";
@@ -53,11 +70,12 @@ mistakes! {
     unknown_link_of(joint: &str => shortened, link: &str => shortened, meant: Option<&str>)
         {hint: meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"))}
         "the joint `{joint}` names the link `{link}`, which is not there{hint}";
-    /// `chain` left out. `first` are the links to which no joint leads, and `last` those from which none does.
-    chain_missing(first: &[&str], last: &[&str])
+    /// `rest` without tips. `first` are the links to which no joint leads, and `last` those from which none does.
+    rest_of_nothing(first: &[&str], last: &[&str])
         {from: first.first().unwrap_or(&"base_link"), to: last.first().unwrap_or(&"tool0"), others: other_ends(last)}
-        [chain: chain(from, to)]
-        "missing `chain`, the arm's first and last link: write {chain}, for example{others}";
+        [chain: chain(&[from, to])]
+        "`rest` is all joints beside a chain, and nothing is beside a whole tree: name its first link and its tips, \
+         {chain} for example{others}, or the joints that are meant";
     /// `<mimic>` of a joint that cannot lead, and why it cannot.
     no_leader(joint: Still, is_beside: bool, leader: &str => shortened, why: &str)
         {name: shortened(joint.joint)} [lock: lock_still(joint), way_out: lock_or_leave_out(joint)]
@@ -76,7 +94,7 @@ mistakes! {
         "the joint `{name}` follows `{leader}` (`<mimic>`), which moves, and is not on the chain itself: {way_out}";
     /// A movable joint that is not on the chain.
     off_chain(joint: Still) {name: shortened(joint.joint)} [way_out: lock_or_leave_out(joint)]
-        "the joint `{name}` moves, and is not on the chain: {way_out}";
+        "the joint `{name}` moves, and is not on the chain: name a tip behind it in `chain`, {way_out}";
     /// A joint that stands still beside the chain, by its own lock, as one of the rest, or because it follows another one.
     still_out_of_limits(joint: Still, position: f64 => number, limits: [f64; 2])
         {name: shortened(joint.joint), lower: number(limits[0]), upper: number(limits[1])} [lock: lock_still(joint)]
@@ -120,6 +138,21 @@ impl Audience {
     fn lock_still(self, Still { joint, limits }: Still) -> String {
         let [lower, upper] = limits.unwrap_or([0.0, 0.0]);
         self.lock(joint, &number(0.0_f64.clamp(lower, upper)))
+    }
+
+    /// The ways out for a joint that no robot of a file has, behind the words of the message.
+    fn without(self, joint: &str, links: &[&str], is_needed: bool) -> String {
+        let begin = (!links.is_empty()).then(|| format!("begin behind it, {}", self.chain(links)));
+        let ignore = format!(
+            "leave it out with all that hangs on it, {}",
+            self.ignore(joint)
+        );
+        match (begin, is_needed) {
+            (Some(begin), true) => format!(": {begin}"),
+            (None, true) => String::new(),
+            (Some(begin), false) => format!(": {begin}, or {ignore}"),
+            (None, false) => format!(": {ignore}"),
+        }
     }
 
     /// The ways out for a joint beside the chain.

@@ -167,13 +167,14 @@ impl Reader<'_> {
     }
 
     /// `["base_link", "tool0"]`
-    fn chain(&mut self, node: &Node) -> Read<[Name; 2]> {
+    fn chain(&mut self, node: &Node) -> Read<Vec<Name>> {
         let names = self.list(node, &expected::chain(), |reader, node| {
             reader.name_of(node, &expected::chain())
         })?;
-        names
-            .try_into()
-            .map_err(|_| self.error(node.place, mistake::file::two_links()))
+        if names.is_empty() {
+            return Err(self.error(node.place, mistake::file::no_links()));
+        }
+        Ok(names)
     }
 
     /// `[finger_1, "finger-2"]`, or `rest`.

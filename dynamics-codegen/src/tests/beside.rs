@@ -156,7 +156,7 @@ fn allowances_of_a_joint_are_those_of_its_placement_and_its_bodies() {
         let mut beside =
             table("beside", &entries, Format::Toml, &Request::default()).expect("entries");
         let link = |name| Name::new(name, Place::File { line: 1, column: 1 });
-        let chain = Entry::Chain(Some([link("base"), link("arm")]));
+        let chain = Entry::Chain(Some(vec![link("base"), link("arm")]));
         beside.entries.push(chain);
         model_beside("r", text, Format::Urdf, beside)
     };
@@ -206,7 +206,7 @@ fn messages_of_chain(entries: &str) -> Vec<String> {
     let entries = format!("gravity = [0, 0, -9.81]\n{entries}");
     let mut beside = table("beside", &entries, Format::Toml, &Request::default()).expect("entries");
     let link = |name| Name::new(name, Place::File { line: 1, column: 1 });
-    let chain = Entry::Chain(Some([link("base"), link("tip")]));
+    let chain = Entry::Chain(Some(vec![link("base"), link("tip")]));
     beside.entries.push(chain);
     let errors = model_beside("r", &text, Format::Urdf, beside).expect_err("a mistake");
     errors.into_iter().map(|error| error.message).collect()

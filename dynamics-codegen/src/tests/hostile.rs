@@ -96,7 +96,7 @@ fn factors_that_multiply_beside_the_arm() {
     let text = format!("<robot name='arm'><link name='base'/>{joints}{last}</robot>");
     let name = |word: &str| Name::new(word, Place::File { line: 1, column: 1 });
     let request = Request {
-        chain: Some([name("base"), name("l0")]),
+        chain: Some(vec![name("base"), name("l0")]),
         lock: vec![(name("j100"), Some(Value::integer(1)))],
         ..Request::default()
     };

@@ -84,10 +84,11 @@ pub(super) fn frame(frame: &description::Frame, table: &Table, scope: &mut Scope
         let placement = placement(&frame.placement, scope);
         let has_body = frame.body.is_written();
         let (mass, com, inertia) = body(&frame.body, scope)?;
+        let (on, of_link) = on?;
         Some(Frame {
             name: name.plain().to_owned(),
-            on: on?,
-            places: placement.map(|place| [frame.places.clone(), vec![place]].concat())?,
+            on,
+            places: [of_link, &frame.places, &[placement?]].concat(),
             body: has_body.then_some(Body { mass, com, inertia }),
         })
     })

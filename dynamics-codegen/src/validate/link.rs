@@ -28,18 +28,27 @@ pub(super) fn of_row(index: usize, table: &Table, scope: &Scope) -> Option<Carri
     })
 }
 
-/// The row whose link carries a frame; `None` inside for the base. Outer `None`: in error.
-pub(super) fn of_frame(
+/// The row whose link carries a frame, `None` for the base, and where a file has the link's frame in that row's. Outer
+/// `None`: in error.
+pub(super) fn of_frame<'t>(
     frame: &Name,
     on: &Given<Link>,
-    table: &Table,
+    table: &'t Table,
     scope: &Scope,
-) -> Option<Option<usize>> {
+) -> Option<(Option<usize>, &'t [Placement])> {
     match on {
         Given::Absent => scope.refused(frame.into(), mistake::without_link(frame.plain())),
         Given::Unreadable => None,
-        Given::As(Link::Row(row)) => Some(*row),
-        Given::As(Link::Named(name)) => named(name, table.rows().len(), table, scope),
+        Given::As(Link::Row(row)) => Some((*row, &[])),
+        Given::As(Link::Named(name)) => {
+            let mut frames = table.frames();
+            let link = frames.find(|frame| frame.is_link && frame.word() == name.plain());
+            if let Some((Given::As(Link::Row(row)), places)) = link.map(|l| (&l.on, &l.places)) {
+                return Some((*row, places));
+            }
+            let row = named(name, table.rows().len(), table, scope)?;
+            Some((row, &[]))
+        }
     }
 }
 

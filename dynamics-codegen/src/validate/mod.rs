@@ -22,6 +22,8 @@ mod scope;
 mod solid;
 mod units;
 
+use std::collections::BTreeSet;
+
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::{Convention, Frame, Placement, Robot, Row, Tool, Value};
 
@@ -259,13 +261,18 @@ impl Parts {
     }
 
     fn model(self, table: &Table) -> Option<Model> {
+        let needed = functions::named(self.functions.as_deref().unwrap_or_default());
+        let needed = needed.filter_map(|wanted| wanted.frame.as_ref());
+        let needed: BTreeSet<&str> = needed.map(Name::plain).collect();
+        let mut frames: Vec<Frame> = self.frames.into_iter().collect::<Option<_>>()?;
+        frames.retain(|frame| frame.body.is_some() || needed.contains(frame.name.as_str()));
         let robot = Robot {
             name: table.name.as_ref()?.plain().to_owned(),
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: self.gravity??,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
-            frames: self.frames.into_iter().collect::<Option<_>>()?,
+            frames,
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,

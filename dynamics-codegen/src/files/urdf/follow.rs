@@ -1,12 +1,12 @@
 //! Joints that follow others: `<mimic>`.
 //!
-//! A joint that follows one on the chain is coupled to it, on either side of it. A joint that follows one which stands
-//! still beside the chain stands still itself.
+//! A joint of the tree that follows another one of it is coupled to it, on whatever branch it is. A joint that follows one which stands
+//! still beside the tree stands still itself.
 
 use dynamics_symbolic::exact::bit_length;
 use dynamics_symbolic::robot::Value;
 
-use super::chain::{Chain, expression};
+use super::assembly::{Assembly, expression};
 use super::document::{Joint, Kind, Mimic};
 use crate::description::{Expr, Name, Positioned};
 use crate::limits::MOST_BITS;
@@ -14,8 +14,8 @@ use crate::mistake::size;
 use crate::mistake::urdf::{self as mistake, Still};
 use crate::words;
 
-impl<'a> Chain<'a> {
-    /// Couples a joint on the chain to the one that it follows, where it does.
+impl<'a> Assembly<'a> {
+    /// Couples a joint of the tree to the one that it follows, where it does.
     pub(super) fn follow(&mut self, joint: &'a Joint) {
         let mimic = joint.mimic.as_ref();
         let Some(mimic) = mimic.filter(|_| self.lock_of(joint).is_none()) else {
@@ -25,7 +25,7 @@ impl<'a> Chain<'a> {
             return;
         };
         let name = Name::new(&joint.name, mimic.place);
-        if self.is_on_chain(leader) {
+        if self.is_on_tree(leader) {
             let factor = Expr::signed(mimic.multiplier.clone(), mimic.place);
             let offset = expression(&mimic.offset, mimic.place);
             let leader = Name::new(&leader.name, mimic.place);
@@ -40,8 +40,8 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Where a joint stands still that is locked, or follows one that is, and by which lock. What is wrong is reported,
-    /// of a joint off the chain that moves by itself too.
+    /// Where a joint stands still that is locked, or follows one that is, and by which lock. A joint off the tree that
+    /// moves by itself is reported, as any other mistake is.
     pub(super) fn position_beside(&mut self, joint: &'a Joint) -> Option<(Value, &'a Name)> {
         let (mut factor, mut offset) = (Value::integer(1), Value::zero());
         let mut at = joint;
@@ -51,7 +51,7 @@ impl<'a> Chain<'a> {
                 return Some((factor * position + offset, &lock.0));
             }
             let Some(mimic) = &at.mimic else {
-                let mistake = match (self.is_on_chain(at), core::ptr::eq(at, joint)) {
+                let mistake = match (self.is_on_tree(at), core::ptr::eq(at, joint)) {
                     (true, _) => mistake::follower_off_chain(Still::of(joint), &at.name),
                     (false, true) => mistake::off_chain(Still::of(joint)),
                     (false, false) => mistake::leader_off_chain(Still::of(joint), Still::of(at)),
@@ -101,9 +101,9 @@ impl<'a> Chain<'a> {
         })
     }
 
-    /// Whether a joint is beside the chain, and not left out by its name.
+    /// Whether a joint is beside the tree, and not left out by its name.
     fn is_beside(&self, joint: &Joint) -> bool {
-        !self.is_on_chain(joint) && !self.is_ignored_by_name(joint)
+        !self.is_on_tree(joint) && !self.is_ignored_by_name(joint)
     }
 
     /// Whether a joint follows one that stands still by its name or as one of the rest, and so is none of the rest.
@@ -116,7 +116,7 @@ impl<'a> Chain<'a> {
         })
     }
 
-    /// Reports a joint that stands still beside the chain, beyond its limits, where it is locked.
+    /// Reports a joint that stands still beside the tree, beyond its limits, where it is locked.
     pub(super) fn report_out_of_limits(&self, joint: &Joint, position: &Value, lock: &Name) {
         let (still, position) = (Still::of(joint), position.to_f64(&[]));
         let is_beyond = |[lower, upper]: &[f64; 2]| !(*lower..=*upper).contains(&position);
@@ -136,7 +136,7 @@ impl<'a> Chain<'a> {
                 mistake::unknown_leader(words::nearest(&mimic.joint, &known))
             }
         };
-        let is_beside = !self.is_on_chain(joint);
+        let is_beside = !self.is_on_tree(joint);
         let mistake = mistake::no_leader(Still::of(joint), is_beside, &mimic.joint, &why);
         self.error(mimic.place, mistake);
         None
@@ -151,9 +151,9 @@ impl<'a> Chain<'a> {
         self.tree.joints.iter().find(|joint| joint.name == name)
     }
 
-    pub(super) fn is_on_chain(&self, joint: &Joint) -> bool {
-        let mut on_chain = self.on_chain.iter();
-        on_chain.any(|&index| self.tree.joints[index].name == joint.name)
+    pub(super) fn is_on_tree(&self, joint: &Joint) -> bool {
+        let inward = self.inward.get(joint.child.as_str());
+        inward.is_some_and(|index| self.on_tree.contains(index))
     }
 
     /// The position of a joint that the call locks.
@@ -162,7 +162,7 @@ impl<'a> Chain<'a> {
         joint: &Joint,
         (name, position): &(Name, Option<Value>),
     ) -> Option<Value> {
-        if !self.is_on_chain(joint) {
+        if !self.is_on_tree(joint) {
             self.used.push(joint.name.clone());
         }
         // That of the rest is said once, with its name.
