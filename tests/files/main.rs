@@ -5,6 +5,7 @@ mod compiled;
 mod generated;
 mod mimic;
 mod tables;
+mod trees;
 mod urdf;
 
 use dynamics_codegen::description::{Entry, Expr, ExprKind, Place};

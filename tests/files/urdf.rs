@@ -41,7 +41,7 @@ impl Reference {
     fn request(&self) -> Request {
         let name = |name: &String| Name::new(name, Place::File { line: 1, column: 1 });
         Request {
-            chain: Some(self.chain.each_ref().map(name)),
+            chain: Some(self.chain.iter().map(name).collect()),
             ignore: self.ignore.iter().map(name).collect(),
             lock: self
                 .lock
