@@ -28,6 +28,9 @@ const CASES: [(&str, f64); 5] = [
 /// As [`CASES`], the longest chain that is promised to expand.
 const LONGEST: (usize, f64) = (30, 20.0);
 
+/// As [`CASES`], a tree of as many joints.
+const LARGEST_TREE: (&str, f64) = ("humanoid", 20.0);
+
 /// As [`CASES`], the PUMA 560 abbreviated: both models are derived.
 const ABBREVIATED: f64 = 4.0;
 
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
     }
     let mut robots: Vec<_> = CASES.map(|(name, limit)| (arms::robot(name), limit)).into();
     robots.push((arms::generic_chain(LONGEST.0), LONGEST.1));
+    robots.push((arms::tree(LARGEST_TREE.0), LARGEST_TREE.1));
     let mut abbreviated = neglect(&arms::robot("puma560"), 0.01).expect("a part of it");
     abbreviated.name = "puma560 at 1 %".to_owned();
     robots.push((abbreviated, ABBREVIATED));

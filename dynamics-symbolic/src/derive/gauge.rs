@@ -80,41 +80,55 @@ impl Gauge {
         if parts.is_empty() {
             return gauge;
         }
-        let most = MOST_NODES * parts.len() * arm.tree.tips();
+        // No choice in one group changes the work of the operations of another one.
+        for group in arm.groups() {
+            gauge.descend(&arm.only(&group), &parts, &group);
+        }
+        gauge
+    }
+
+    /// Reverses choices of a group of joints for as long as the work of the operations falls.
+    fn descend(&mut self, arm: &Mechanism, parts: &[Part], joints: &[usize]) {
+        let tips = arm.tree.tips().filter(|tip| joints.contains(tip)).count();
+        let most = MOST_NODES * parts.len() * tips;
         let mut trials = Trials {
             arm,
-            parts: &parts,
+            parts,
             known: HashMap::new(),
             nodes: 0,
         };
-        let mut cost = trials.cost(&gauge);
+        let mut cost = trials.cost(self);
         let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
-        let pivots = if parts.iter().any(has_pivot) { dof } else { 0 };
+        let pivots = if parts.iter().any(has_pivot) {
+            joints.len()
+        } else {
+            0
+        };
         loop {
             let before = cost;
-            for pivot in 0..pivots {
-                let known = gauge.pivot.replace(pivot);
-                let trial = trials.cost(&gauge);
+            for &pivot in &joints[..pivots] {
+                let known = self.pivot.replace(pivot);
+                let trial = trials.cost(self);
                 if trial < cost {
                     cost = trial;
                 } else {
-                    gauge.pivot = known;
+                    self.pivot = known;
                 }
             }
-            for step in steps(&arm.tree) {
+            for step in steps(&arm.tree, joints) {
                 if trials.nodes > most {
-                    return gauge;
+                    return;
                 }
-                gauge.reverse(&step);
-                let trial = trials.cost(&gauge);
+                self.reverse(&step);
+                let trial = trials.cost(self);
                 if trial < cost {
                     cost = trial;
                 } else {
-                    gauge.reverse(&step);
+                    self.reverse(&step);
                 }
             }
             if cost == before {
-                return gauge;
+                return;
             }
         }
     }
@@ -205,23 +219,23 @@ enum Choice {
 
 /// The steps of one round of the descent, the most promising first; neighbours are a joint and the one that carries
 /// it. Where all origins move at once, a long chain takes the step for which its nodes would not suffice one by one.
-fn steps(tree: &Tree) -> Vec<Vec<Choice>> {
+fn steps(tree: &Tree, joints: &[usize]) -> Vec<Vec<Choice>> {
     use Choice::{Keep, Origin, Stay};
-    let dof = tree.len();
-    let single = (0..dof)
+    let outward = || joints.iter().copied();
+    let single = outward()
         .rev()
         .map(|i| vec![Stay(i)])
-        .chain((0..dof).map(|i| vec![Origin(i)]));
-    let carried = (0..dof).rev().filter_map(|i| Some((tree.parent(i)?, i)));
+        .chain(outward().map(|i| vec![Origin(i)]));
+    let carried = outward().rev().filter_map(|i| Some((tree.parent(i)?, i)));
     let pairs = carried.flat_map(|(carrier, i)| {
         [
             vec![Stay(carrier), Stay(i)],
             vec![Origin(carrier), Origin(i)],
         ]
     });
-    let mixed = (0..dof).map(|i| vec![Stay(i), Origin(i)]);
-    let keep = (0..dof).map(|i| vec![Keep(i)]);
-    let all = core::iter::once((0..dof).map(Origin).collect());
+    let mixed = outward().map(|i| vec![Stay(i), Origin(i)]);
+    let keep = outward().map(|i| vec![Keep(i)]);
+    let all = core::iter::once(outward().map(Origin).collect());
     all.chain(single)
         .chain(pairs)
         .chain(mixed)

@@ -40,7 +40,7 @@ use crate::function::{self, Form, Function, Search, Trial};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
 use crate::robot::Robot;
-use crate::simplify::{Effort, Network, simplify};
+use crate::simplify::{Effort, Network, simplify, simplify_apart};
 use accuracy::Recursion;
 use functions::Part;
 use gauge::Gauge;
@@ -101,7 +101,7 @@ fn promising_forms(arm: &Mechanism, part: function::Part) -> Vec<Part> {
 
 /// The forms that may be the shortest. Articulated bodies are of joints that move by themselves.
 fn forms(arm: &Mechanism, function: Function) -> Vec<Form> {
-    let mut forms = function.forms(arm.dof());
+    let mut forms = function.forms(arm.most_in_line());
     forms.retain(|form| *form != Form::Articulated || !arm.is_coupled());
     forms
 }
@@ -204,16 +204,19 @@ fn simplified(arm: &Mechanism, written: &[Written], recursion: &Recursion) -> Pr
     let outputs = outputs(&mut symbols, written);
     let mut network = Network::new(&graph, &outputs);
     let mut judge = recursion.judge(arm, &symbols, &network);
-    simplify(&mut network, &mut judge, effort(written));
+    let groups = arm.groups().len();
+    let shorten = if groups > 1 { simplify_apart } else { simplify };
+    let branches = arm.tree.tips().count().div_ceil(groups.max(1));
+    shorten(&mut network, &mut judge, effort(written, branches.max(1)));
     network.program(symbols.meanings()).balanced()
 }
 
 /// The effort for one function, once for each; twice for torques along two velocities, of whose long programs
-/// pairs of nodes would be left out.
-fn effort(written: &[Written]) -> Effort {
+/// pairs of nodes would be left out. The work on a tree is that on an arm for each of its branches.
+fn effort(written: &[Written], branches: usize) -> Effort {
     let parts = || written.iter().flat_map(|written| &written.parts);
     let is_mixed = parts().any(|part| part.function == Function::PassivityTorque);
-    let times = if is_mixed { 2 } else { 1 };
+    let times = if is_mixed { 2 * branches } else { branches };
     Effort {
         lookups: times * parts().count() * Effort::DEFAULT.lookups,
         pairs: times * Effort::DEFAULT.pairs,

@@ -202,6 +202,21 @@ mod tests {
         assert_eq!(factors.solve(b), x);
     }
 
+    /// Joints 1 and 2 stand on link 0, joint 3 on link 2.
+    #[test]
+    fn nothing_is_filled_in_between_branches() {
+        let graph = Graph::new();
+        let mut m = symmetric(&graph);
+        for (i, j) in [(1, 2), (1, 3)] {
+            (m[i][j], m[j][i]) = (graph.zero(), graph.zero());
+        }
+        let outermost = vec![false, true, false, true];
+        let (factors, _) = Factors::new(&graph, outermost, m, vec![graph.one(); 4]);
+        let is_zero = |(i, j): &(usize, usize)| factors.upper[*i][*j].is_zero();
+        let above = (0..4).flat_map(|i| (i + 1..4).map(move |j| (i, j)));
+        assert_eq!(above.filter(is_zero).collect::<Vec<_>>(), [(1, 2), (1, 3)]);
+    }
+
     #[test]
     fn the_matrix_times_its_inverse_is_one() {
         let graph = Graph::new();

@@ -8,7 +8,7 @@ use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph};
 use crate::function::{Argument, Function};
 use crate::mechanism::{Frame, Mechanism};
-use crate::robot::{Carrier, Convention, JointType, Robot, Row, Value};
+use crate::robot::{Carrier, Convention, Coupling, JointType, Robot, Row, Value};
 
 fn number(thousandths: i64) -> Value {
     Value::Rational(Rational::from_parts_signed(
@@ -206,4 +206,61 @@ fn the_tip_on_a_branch_moves_by_its_jacobian() {
             assert_eq!(found, expected, "{}", function.name());
         }
     }
+}
+
+/// Joint 0 on the base, joints 1 and 2 on link 0, joint 3 on link 1 and joint 4 on link 2. Joint 0 is locked, and joint 4
+/// follows joint 3, where that is said.
+fn two_arms(is_locked: bool, is_coupled: bool) -> Mechanism {
+    let row = |on| Row {
+        on,
+        mass: number(1_000),
+        com: [number(100), number(0), number(50)],
+        a: number(300),
+        ..Row::new("joint", JointType::Revolute)
+    };
+    let carriers = [
+        Carrier::Base,
+        Carrier::Row(0),
+        Carrier::Row(0),
+        Carrier::Row(1),
+        Carrier::Row(2),
+    ];
+    let mut rows = carriers.map(row).to_vec();
+    rows[0].locked = is_locked.then(|| number(500));
+    rows[4].follows = is_coupled.then(|| Coupling {
+        leader: 3,
+        factor: number(-1_000),
+        offset: number(0),
+    });
+    Mechanism::from(&Robot {
+        name: "TwoArms".to_owned(),
+        fields: Vec::new(),
+        convention: Convention::Modified,
+        gravity: [number(0), number(-9_810), number(0)],
+        base: None,
+        rows,
+        tool: None,
+        frames: Vec::new(),
+        neglected: None,
+    })
+}
+
+#[test]
+fn arms_on_one_base_are_groups_unless_one_follows_the_other() {
+    assert_eq!(two_arms(false, false).groups(), [[0, 1, 2, 3, 4]]);
+    assert_eq!(two_arms(true, false).groups(), [vec![0, 1, 3], vec![2, 4]]);
+    assert_eq!(two_arms(true, true).groups(), [[0, 1, 2, 3, 4]]);
+}
+
+/// Half of two equal arms takes half the work.
+#[test]
+fn a_group_moves_as_if_it_were_alone() {
+    let whole = two_arms(true, false);
+    let part = whole.only(&[2, 4]);
+    assert_eq!((part.dof(), part.free().collect()), (2, vec![2, 4]));
+    let [both, one] = [&whole, &part].map(|arm| {
+        let part = Part::recursive(Function::InverseDynamics);
+        Gauge::plain(5).length(arm, &[part])
+    });
+    assert_eq!(both, 2 * one);
 }

@@ -159,7 +159,8 @@ fn constant_turn(row: &Row) -> Vec<Value> {
     }
 }
 
-fn forces(row: &Row) -> Forces {
+/// What acts at the joint of a row.
+pub(super) fn forces(row: &Row) -> Forces {
     Forces {
         motor_inertia: row.motor_inertia.clone(),
         gear_ratio: row.gear_ratio.clone(),

@@ -24,10 +24,9 @@ impl Tree {
         self.parents.len()
     }
 
-    /// How many links carry no other.
-    pub(crate) fn tips(&self) -> usize {
-        let is_tip = |&i: &usize| !self.parents.contains(&Some(i));
-        (0..self.len()).filter(is_tip).count()
+    /// The links that carry no other.
+    pub(crate) fn tips(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).filter(|&i| !self.parents.contains(&Some(i)))
     }
 
     /// The link that carries joint i; `None` for the base.
@@ -130,7 +129,7 @@ mod tests {
         assert_eq!(names, ["b0", "b01", "b02", "b023", "b4"]);
         let carriers: Vec<_> = branched().carriers(3).collect();
         assert_eq!(carriers, [3, 2, 0]);
-        assert_eq!(branched().tips(), 3);
+        assert_eq!(branched().tips().count(), 3);
     }
 
     #[test]

@@ -48,6 +48,15 @@ pub fn simplify<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, effort: Ef
     }
 }
 
+/// Shortens each group of outputs that have no variable in common with others by itself, each with that effort.
+pub fn simplify_apart<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, effort: Effort) {
+    let mut parts = network.apart();
+    for part in &mut parts {
+        simplify(part, judge, effort);
+    }
+    network.join(&parts);
+}
+
 fn shorten<'g>(network: &mut Network<'g>, judge: &mut Judge<'g>, left: &mut usize) {
     // Whatever changes a network makes it shorter: one of this cost was rescaled in vain.
     let mut scaled = None;

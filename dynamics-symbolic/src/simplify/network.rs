@@ -68,6 +68,50 @@ impl<'g> Network<'g> {
         network
     }
 
+    /// For each group of outputs that have no variable in common with others the network of these alone: the others are
+    /// zero there.
+    pub(super) fn apart(&self) -> Vec<Network<'g>> {
+        let mut groups: Vec<usize> = (0..self.len()).collect();
+        for id in self.order() {
+            let is_variable = |&id: &NodeId| self.graph.level_of(id) == Level::Variable;
+            for operand in self.definition(id).operands().filter(is_variable) {
+                let (a, b) = (
+                    group_of(&groups, id.index()),
+                    group_of(&groups, operand.index()),
+                );
+                groups[a.max(b)] = a.min(b);
+            }
+        }
+        let group = |output: &Edge| group_of(&groups, output.node().index());
+        let computed = self.outputs.iter().filter(|e| !self.is_free(e.node()));
+        let mut present: Vec<usize> = computed.map(group).collect();
+        present.sort_unstable();
+        present.dedup();
+        let of_group = |number: usize| {
+            let zero = NodeId::ZERO.edge(false);
+            let kept = |output: &Edge| {
+                if group(output) == number {
+                    *output
+                } else {
+                    zero
+                }
+            };
+            let outputs: Vec<_> = self.outputs.iter().map(kept).collect();
+            Network::new(self.graph, &outputs)
+        };
+        present.into_iter().map(of_group).collect()
+    }
+
+    /// Takes the definitions of some networks, for each node those of the first one in which it is active.
+    pub(super) fn join(&mut self, parts: &[Network<'g>]) {
+        let of_part = |part: &Network<'g>| -> Vec<_> {
+            let order = part.order().into_iter();
+            order.map(|id| (id, part.definition(id))).collect()
+        };
+        let definitions = parts.iter().flat_map(of_part).collect();
+        *self = Network::with_definitions(self.graph, &self.outputs, definitions, &[]);
+    }
+
     /// The program of the network; `meanings` is what the graph's symbols stand for.
     pub fn program(&self, meanings: &[Symbol]) -> Program {
         Program::new(self.graph, meanings, &self.outputs, &|id| {
@@ -254,4 +298,12 @@ impl<'g> Network<'g> {
     pub(super) fn len(&self) -> usize {
         self.definitions.len()
     }
+}
+
+/// The group of a node: the first of the nodes that it is connected with.
+fn group_of(groups: &[usize], mut node: usize) -> usize {
+    while groups[node] != node {
+        node = groups[node];
+    }
+    node
 }

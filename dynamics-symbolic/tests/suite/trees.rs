@@ -7,9 +7,10 @@ use dynamics_symbolic::function::Part;
 use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove, prove_together};
 use dynamics_symbolic::robot::{
-    Body, Carrier, Convention, Frame, Interpretation, JointType, Mount, Placement, Robot, Row,
-    Symbol, Value,
+    Body, Carrier, Convention, Coupling, Frame, Interpretation, JointType, Mount, Placement, Robot,
+    Row, Symbol, Value,
 };
+use expect_test::expect_file;
 
 fn ratio(a: i64, b: u64) -> Value {
     Value::Rational(Rational::from_parts_signed(a.into(), b.into()))
@@ -419,7 +420,12 @@ fn twice(robot: &Robot, xyz: [Value; 3]) -> Robot {
     both
 }
 
-/// What no joint of one arm does to the other costs nothing. The forward dynamics of two Pandas takes two additions more.
+fn counts(robot: &Robot, function: Function) -> [u32; 3] {
+    let count = crate::derive(robot, function).operations();
+    [count.multiplications, count.additions, count.divisions]
+}
+
+/// What no joint of one arm does to the other costs nothing, and each arm is searched as if it stood alone.
 #[test]
 fn two_arms_on_one_base_are_twice_one_arm() {
     let functions = [
@@ -428,22 +434,86 @@ fn two_arms_on_one_base_are_twice_one_arm() {
         Function::GravityVector,
         Function::InverseDynamics,
         Function::ForwardDynamics,
+        Function::InverseDynamicsDerivatives,
+        Function::Regressor,
     ];
-    for (name, functions) in [("puma560", &functions[..]), ("panda", &functions[..4])] {
+    for (name, functions) in [("puma560", &functions[..]), ("panda", &functions[..5])] {
         let one = crate::without_friction(name);
         let two = twice(&one, vector([2, 0, 0]));
         for &function in functions {
-            let count = |robot| {
-                let operations = crate::derive(robot, function).operations();
-                [
-                    operations.multiplications,
-                    operations.additions,
-                    operations.divisions,
-                ]
-            };
-            assert_eq!(count(&two), count(&one).map(|alone| 2 * alone), "{name}");
+            let expected = counts(&one, function).map(|alone| 2 * alone);
+            assert_eq!(counts(&two, function), expected, "{name} {function:?}");
+        }
+        // One addition joins the energies, of which a common factor may be taken out.
+        for function in [Function::KineticEnergy, Function::PotentialEnergy] {
+            let total = |robot: &Robot| counts(robot, function).iter().sum::<u32>();
+            assert!(total(&two) <= 2 * total(&one) + 1, "{name} {function:?}");
         }
     }
+}
+
+/// A follower on the other arm makes one mechanism of both.
+#[test]
+fn arms_that_are_coupled_are_no_longer_apart() {
+    let one = crate::without_friction("elbow_3r");
+    let mut two = twice(&one, vector([2, 0, 0]));
+    two.rows[5].follows = Some(Coupling {
+        leader: 2,
+        factor: Value::integer(-1),
+        offset: Value::zero(),
+    });
+    for function in [Function::MassMatrix, Function::ForwardDynamics] {
+        let program = crate::derive(&two, function);
+        assert_eq!(prove(&two, function, &program), Ok(()));
+    }
+    // The leader feels both arms. The two other joints of the one do not feel those of the other.
+    assert_eq!(upper_entries_of_m(&two), 15 - 4);
+}
+
+/// How many entries of M on its diagonal and above it are not zero.
+fn upper_entries_of_m(robot: &Robot) -> usize {
+    let program = crate::derive(robot, Function::MassMatrix);
+    let values = program.evaluate(&mut Assignment::new(robot, 5));
+    let n = robot.dof();
+    let upper = (0..n).flat_map(|i| (i..n).map(move |j| (i, j)));
+    let entries = upper.filter(|(i, j)| values[n * i + j] != Some(Number::ZERO));
+    entries.count()
+}
+
+/// The legs of HyQ on a trunk that stands feel nothing of each other, and every leg takes what one leg takes.
+#[test]
+fn legs_on_a_fixed_trunk_are_apart() {
+    let robot = arms::tree("hyq");
+    assert_eq!(upper_entries_of_m(&robot), 24);
+    let mut leg = robot.clone();
+    leg.rows.truncate(3);
+    for function in [
+        Function::MassMatrix,
+        Function::InverseDynamics,
+        Function::ForwardDynamics,
+        Function::InverseDynamicsDerivatives,
+    ] {
+        let expected = counts(&leg, function).map(|alone| 4 * alone);
+        assert_eq!(counts(&robot, function), expected, "{function:?}");
+    }
+}
+
+/// The operations of the robots with branches.
+#[test]
+fn snapshot_of_trees() {
+    let mut table = String::from(
+        "robot               function                        mul    add   div  total\n",
+    );
+    for name in arms::TREES {
+        let robot = arms::tree(name);
+        for function in Function::default_set(false) {
+            let [mul, add, div] = counts(&robot, function);
+            let total = mul + add + div;
+            let function = function.name();
+            table += &format!("{name:19} {function:28} {mul:6} {add:6} {div:5} {total:6}\n");
+        }
+    }
+    expect_file!["../golden/trees.txt"].assert_eq(&table);
 }
 
 /// A chain that is cut into a tree has no longer equations of motion.

@@ -6,10 +6,12 @@ mod files;
 mod generic_chain;
 mod near;
 mod random;
+mod trees;
 mod zeros;
 
 pub use files::{MOUNTED, NAMES, decimal, robot, with_inertial_fields};
 pub use generic_chain::generic_chain;
 pub use near::{Arm, Arms, printed};
 pub use random::{Bodies, Tables};
+pub use trees::{TREES, tree};
 pub use zeros::assert_zeros_are_constants;
