@@ -1,6 +1,6 @@
-//! Angles that are found from sines and cosines.
+//! Angles that are found from sines and cosines, and frames by their angles.
 
-use dynamics_codegen::geometry::{Matrix, Transform, polar_angle};
+use dynamics_codegen::geometry::{Matrix, Transform, Vector, polar_angle};
 use dynamics_symbolic::exact::{Rational, square_root};
 use dynamics_symbolic::robot::Value;
 
@@ -84,6 +84,27 @@ pub(super) fn roll_pitch_yaw(m: &Matrix) -> [Angle; 3] {
         Angle::of(&m[2][1], &m[2][2]),
         pitch,
         Angle::of(&m[1][0], &m[0][0]),
+    ]
+}
+
+/// A frame by xyz and rpy.
+pub(super) type Origin = (Vector, [Angle; 3]);
+
+/// A frame in as many places, each in the one before it, as it takes for angles to mean what they say.
+pub(super) fn origins(frame: &Transform) -> Vec<Origin> {
+    let [roll, pitch, yaw] = roll_pitch_yaw(&frame.rotation).map(Angle::split);
+    let xyz = frame.origin.clone();
+    if roll.0.is_none() && pitch.0.is_none() && yaw.0.is_none() {
+        return vec![(xyz, [roll.1, pitch.1, yaw.1])];
+    }
+    // Rz(whole) Rz(rest) Ry(whole) Ry(rest) Rx(whole) Rx(rest), for Rz Ry Rx is one place.
+    let whole = |(whole, _): &(Option<Angle>, Angle)| whole.clone().unwrap_or(Angle::ZERO);
+    let (zero, nowhere) = (|| Angle::ZERO, || [Rational::ZERO; 3]);
+    vec![
+        (xyz, [zero(), zero(), whole(&yaw)]),
+        (nowhere(), [zero(), whole(&pitch), yaw.1.clone()]),
+        (nowhere(), [whole(&roll), pitch.1.clone(), zero()]),
+        (nowhere(), [roll.1, zero(), zero()]),
     ]
 }
 

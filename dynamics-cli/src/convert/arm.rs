@@ -1,4 +1,4 @@
-//! An arm in space with all joints at zero: what a file describes, apart from its frames.
+//! A robot in space with all joints at zero: what a file describes, apart from its frames.
 
 use dynamics_codegen::geometry::{Mass, Transform, Vector, dot, number, tidy};
 use dynamics_symbolic::exact::{Rational, square_root};
@@ -6,25 +6,37 @@ use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Val
 
 use super::parameters;
 
-/// An arm whose joints have axes in space, and whose bodies are given in the frames of its joints.
+/// A robot whose joints have axes in space, and whose bodies are given in the frames of its joints.
 pub(super) struct Arm<'r> {
     pub(super) robot: &'r Robot,
     /// Acceleration of gravity in the axes of the world.
     pub(super) gravity: Vector,
-    /// From the base outwards; joints that are locked are parts of the links before them.
+    /// In the order of their rows; joints that are locked are parts of the links before them.
     pub(super) joints: Vec<Joint<'r>>,
-    /// The tip's frame in the world.
-    pub(super) tip: Transform,
+    /// The tip, if there is one.
+    pub(super) tip: Option<Place>,
+    /// The frames of the robot, in their order.
+    pub(super) frames: Vec<Place>,
 }
 
 /// A joint that moves, and the link behind it.
 pub(super) struct Joint<'r> {
     /// Its row, whose geometry and body are not read.
     pub(super) row: &'r Row,
+    /// The joint that carries it; none on the base.
+    pub(super) parent: Option<usize>,
     /// A frame in the world whose z axis is that of the joint.
     pub(super) frame: Transform,
     /// The link in that frame.
     pub(super) body: Mass,
+}
+
+/// A place that moves with a joint.
+pub(super) struct Place {
+    /// The joint; none of a place on the base.
+    pub(super) on: Option<usize>,
+    /// Its frame in the world.
+    pub(super) frame: Transform,
 }
 
 impl Joint<'_> {
@@ -36,19 +48,20 @@ impl Joint<'_> {
 impl Arm<'_> {
     /// The arm of a robot without fields; of one with fields there is none.
     pub(super) fn new(robot: &Robot) -> Option<Arm<'_>> {
-        let mut frame = match &robot.base {
+        let base = match &robot.base {
             Some(base) => placed(base)?,
             None => Transform::identity(),
         };
         let mut joints: Vec<Joint> = Vec::new();
-        // The tip behind the last row.
-        let mut last = frame.clone();
+        // The frames behind all rows, and those of their links.
+        let (mut frames, mut links): (Vec<Transform>, Vec<Place>) = Default::default();
         for (i, row) in robot.rows.iter().enumerate() {
-            let [mount, link_frame, tip] = robot.mounted(i);
-            let before = behind(&frame, &mount)?;
-            frame = before.then(&step(robot.convention, row)?).tidy();
+            let [mount, link_frame, _] = robot.mounted(i);
+            let parent = robot.parent(i);
+            let before = behind(parent.map_or(&base, |parent| &frames[parent]), &mount)?;
+            let frame = before.then(&step(robot.convention, row)?).tidy();
             let link = behind(&frame, &link_frame)?;
-            last = behind(&link, &tip)?;
+            let mut on = parent.and_then(|parent| links[parent].on);
             if row.locked.is_none() {
                 let axis = match robot.convention {
                     Convention::Standard => before,
@@ -56,41 +69,62 @@ impl Arm<'_> {
                 };
                 joints.push(Joint {
                     row,
+                    parent: on,
                     frame: axis,
                     body: Mass::none(),
                 });
+                on = Some(joints.len() - 1);
             }
             // Links before the first joint stand still.
-            if let Some(joint) = joints.last_mut() {
+            if let Some(joint) = on.map(|on| &mut joints[on]) {
                 let link = joint.frame.inverse().then(&link);
                 joint
                     .body
                     .add(&body(&row.mass, &row.com, &row.inertia, &link)?);
             }
+            frames.push(frame);
+            links.push(Place { on, frame: link });
         }
-        let tip = match &robot.tool {
-            Some(tool) => last.then(&placed(&tool.placement)?).tidy(),
-            None => last,
+        let place = |row: Option<usize>, places: &[Placement]| {
+            let link = row.map(|row| &links[row]);
+            let frame = behind(link.map_or(&base, |link| &link.frame), places)?;
+            let on = link.and_then(|link| link.on);
+            Some(Place { on, frame })
         };
-        let gravity = numbers(&robot.gravity)?;
+        let tip = robot.tip_row().map(|row| {
+            let [_, _, mut tip] = robot.mounted(row);
+            tip.extend(robot.tool.as_ref().map(|tool| tool.placement.clone()));
+            place(Some(row), &tip)
+        });
+        let named = robot.frames.iter();
+        let named = named.map(|frame| place(frame.on, &frame.places));
         Some(Arm {
             robot,
-            gravity,
+            gravity: numbers(&robot.gravity)?,
+            tip: tip.map_or(Some(None), |tip| tip.map(Some))?,
+            frames: named.collect::<Option<_>>()?,
             joints,
-            tip,
         })
     }
 
     /// A length that no distance in the arm exceeds by much.
     pub(super) fn size(&self) -> Rational {
-        let frames = self.joints.iter().map(|joint| &joint.frame);
-        let mut before = [Rational::ZERO; 3];
+        let joints = self.joints.iter().map(|joint| (joint.parent, &joint.frame));
+        let tip = self.tip.iter().map(|tip| (tip.on, &tip.frame));
         let mut size = Rational::ZERO;
-        for frame in frames.chain([&self.tip]) {
-            size += length(&between(&before, &frame.origin));
-            before = frame.origin.clone();
+        for (parent, frame) in joints.chain(tip) {
+            let from = parent.map_or([Rational::ZERO; 3], |parent| {
+                self.joints[parent].frame.origin.clone()
+            });
+            size += length(&between(&from, &frame.origin));
         }
         size
+    }
+
+    /// The joints that a joint carries; those on the base of none.
+    pub(super) fn children(&self, parent: Option<usize>) -> impl Iterator<Item = usize> {
+        let joints = 0..self.joints.len();
+        joints.filter(move |joint| self.joints[*joint].parent == parent)
     }
 }
 

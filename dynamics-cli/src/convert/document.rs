@@ -9,7 +9,8 @@ use dynamics_symbolic::Request;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::function::Part;
 use dynamics_symbolic::robot::{
-    Convention, Coupling, JointType, Placement, Robot, Row as Joint, Stribeck, Value,
+    Body as Fixed, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row as Joint,
+    Stribeck, Value,
 };
 
 use super::angle::{Angle, roll_pitch_yaw};
@@ -91,15 +92,17 @@ impl Language {
 /// Words with their values, in their order.
 pub(super) type Entries = Vec<(String, Node)>;
 
-/// Words that accept what the reader refuses: of a joint by its name, of the whole table without one.
+/// Words that accept what the reader refuses: of a joint or frame by its name, of the whole table without one.
 pub(super) type Allowed = BTreeMap<Option<String>, BTreeSet<&'static str>>;
 
-/// The entries of a table, without its joints, and those of its joints.
+/// The entries of a table, without its frames and joints, and those of its frames and joints.
 pub(super) struct Document {
     pub(super) entries: Entries,
+    /// Each with its name.
+    pub(super) frames: Entries,
     pub(super) joints: Vec<Entries>,
     /// The names of the joints.
-    pub(super) names: Vec<String>,
+    names: Vec<String>,
 }
 
 /// A row.
@@ -109,7 +112,9 @@ struct Line<'a> {
     joint: Option<&'a Joint>,
     /// Where the joint stands still.
     locked: Option<Node>,
-    /// The four parameters and the body, as far as they are not zero.
+    /// The link that carries it.
+    on: Carrier,
+    /// Where it begins, the four parameters and the body, as far as they are not zero.
     cells: Entries,
 }
 
@@ -121,12 +126,16 @@ impl Document {
         model: &Model,
         allowed: &Allowed,
     ) -> Document {
-        let named = table.rows.iter().zip(names(table));
-        let rows = named.map(|(row, name)| found(row, name)).collect();
+        let robot = &model.robot;
+        let named = table.rows.iter().zip(names(table, robot));
+        let rows = named.map(|(row, name)| found(table.convention, row, name));
         let place = |frame: &Option<Transform>| frame.as_ref().map(placement).unwrap_or_default();
-        let frames = [&table.base, &table.tool].map(place);
+        let ends = [&table.base, &table.tool].map(place);
+        let frames = table.frames.iter();
+        let frames = frames.map(|(row, frame)| (*row, placement(frame)));
         let head = (table.convention, list(gravity));
-        Document::new(head, frames, rows, (model, allowed))
+        let frames = frames.collect();
+        Document::new(head, ends, rows.collect(), frames, (model, allowed))
     }
 
     /// The table that was read, with the cells as they were written. Its rows have no mounts.
@@ -134,16 +143,21 @@ impl Document {
         let robot = &model.robot;
         let tool = robot.tool.as_ref().map(|tool| &tool.placement);
         let place = |frame: Option<_>| frame.map(placement_as_written).unwrap_or_default();
-        let frames = [robot.base.as_ref(), tool].map(place);
-        let rows = robot.rows.iter().map(line_as_written).collect();
+        let ends = [robot.base.as_ref(), tool].map(place);
+        let line = |row| line_as_written(robot.convention, row);
+        let frames = robot.frames.iter();
+        // The frame of a table is at one place.
+        let frames = frames.map(|frame| (frame.on, place(frame.places.first())));
         let head = (robot.convention, list(&robot.gravity));
-        Document::new(head, frames, rows, (model, allowed))
+        let rows = robot.rows.iter().map(line).collect();
+        Document::new(head, ends, rows, frames.collect(), (model, allowed))
     }
 
     fn new(
         (convention, gravity): (Convention, Node),
         [base, tool_frame]: [Entries; 2],
         rows: Vec<Line<'_>>,
+        frames: Vec<(Option<usize>, Entries)>,
         (model, allowed): (&Model, &Allowed),
     ) -> Document {
         let robot = &model.robot;
@@ -165,43 +179,102 @@ impl Document {
         entries.extend(unless_empty("base", base));
         entries.extend(tool(tool_frame, robot));
         let names: Vec<String> = rows.iter().map(|row| row.name.clone()).collect();
-        let joints = rows.into_iter().map(|row| {
+        let link = |row: Option<usize>| row.map_or("base", |row| &*names[row]);
+        let named = frame_names(robot).into_iter().zip(&robot.frames);
+        let frame = |((row, place), (name, frame)): ((_, Entries), (String, &Frame))| {
+            let mut cells = vec![entry("on", link(row))];
+            cells.extend(place.into_iter().filter(|(_, list)| !list.is_zero()));
+            cells.extend(frame.body.iter().flat_map(fixed));
+            cells.extend(allow(allowed.get(&Some(name.clone()))));
+            (name, Node::Table(cells))
+        };
+        let frames = frames.into_iter().zip(named).map(frame).collect();
+        let joints = rows.into_iter().enumerate().map(|(i, row)| {
             let allowed = allow(allowed.get(&Some(row.name.clone())));
-            let mut cells = cells(row);
+            let parent = row.on.parent(i);
+            let on = (parent != i.checked_sub(1)).then(|| link(parent));
+            let mut cells = cells(row, on);
             cells.extend(allowed);
             cells
         });
         Document {
             entries,
+            frames,
             joints: joints.collect(),
             names,
         }
     }
+
+    /// The names of the frames and joints, in the order in which they are written.
+    pub(super) fn parts(&self) -> impl Iterator<Item = &String> {
+        let frames = self.frames.iter().map(|(name, _)| name);
+        frames.chain(&self.names)
+    }
 }
 
 /// A row that was found.
-fn found<'a>(row: &Row<'a>, name: String) -> Line<'a> {
+fn found<'a>(convention: Convention, row: &Row<'a>, name: String) -> Line<'a> {
     let Parameters { a, alpha, d, theta } = &row.parameters;
     let parameters = [a.into(), alpha.into(), d.into(), theta.into()];
     let Body { mass, com, inertia } = &row.body;
     let joint = row.joint.map(|joint| joint.row);
+    let at = row.at.as_ref();
+    let mut cells = at.map_or(Entries::new(), |(xyz, rpy)| {
+        beginning(convention, nodes(xyz), nodes(rpy))
+    });
+    cells.extend(geometry(parameters, mass.into(), list(com), inertia));
     Line {
         name,
         joint,
         locked: joint.is_none().then_some(Node::Number(Rational::ZERO)),
-        cells: geometry(parameters, mass.into(), list(com), inertia),
+        on: row.on,
+        cells,
     }
 }
 
 /// A row that was read.
-fn line_as_written(row: &Joint) -> Line<'_> {
+fn line_as_written(convention: Convention, row: &Joint) -> Line<'_> {
     let parameters = [&row.a, &row.alpha, &row.d, &row.theta].map(Node::from);
+    // The row of a table begins at one place.
+    let at = row.at.first();
+    let mut cells = at.map_or(Entries::new(), |at| {
+        beginning(convention, nodes(&at.xyz), nodes(&at.rpy))
+    });
+    cells.extend(geometry(
+        parameters,
+        (&row.mass).into(),
+        list(&row.com),
+        &row.inertia,
+    ));
     Line {
         name: row.name.clone(),
         joint: Some(row),
         locked: row.locked.as_ref().map(Node::from),
-        cells: geometry(parameters, (&row.mass).into(), list(&row.com), &row.inertia),
+        on: row.on,
+        cells,
     }
+}
+
+/// Where a row begins on the link that carries it. On a modified table a turn about z and a step along z have cells of
+/// their own.
+fn beginning(convention: Convention, xyz: [Node; 3], rpy: [Node; 3]) -> Entries {
+    let others = [&xyz[0], &xyz[1], &rpy[0], &rpy[1]];
+    if convention == Convention::Modified && others.into_iter().all(Node::is_zero) {
+        let ([.., b], [.., gamma]) = (xyz, rpy);
+        return without_zeros(["gamma", "b"], [gamma, b]);
+    }
+    let place = without_zeros(
+        ["xyz", "rpy"],
+        [xyz, rpy].map(|list| Node::List(list.into())),
+    );
+    unless_empty("at", place).into_iter().collect()
+}
+
+/// The body of a frame.
+fn fixed(body: &Fixed) -> Entries {
+    let mut entries = vec![entry("mass", &body.mass), entry("com", list(&body.com))];
+    entries.extend(tensor(&body.inertia));
+    entries
 }
 
 /// The parameters and the body of a row, as far as they are not zero.
@@ -264,6 +337,13 @@ fn unless_empty(word: &str, entries: Entries) -> Option<(String, Node)> {
     (!entries.is_empty()).then(|| entry(word, entries))
 }
 
+fn nodes<'n, X>(values: &'n [X; 3]) -> [Node; 3]
+where
+    Node: From<&'n X>,
+{
+    values.each_ref().map(Node::from)
+}
+
 fn list<'n, X>(values: &'n [X]) -> Node
 where
     Node: From<&'n X>,
@@ -272,12 +352,13 @@ where
 }
 
 /// Names of all rows: those of the joints, and others for rows that stand still.
-fn names(table: &Table) -> Vec<String> {
+fn names(table: &Table, robot: &Robot) -> Vec<String> {
     let joints = table.rows.iter().filter_map(|row| row.joint);
-    let taken: BTreeSet<&str> = joints.map(|joint| joint.row.name.as_str()).collect();
+    let joints = joints.map(|joint| joint.row.name.clone());
+    let taken: BTreeSet<String> = joints.chain(frame_names(robot)).collect();
     let mut free = (1..)
         .map(|count| format!("fixed_{count}"))
-        .filter(|name| !taken.contains(name.as_str()));
+        .filter(|name| !taken.contains(name));
     let name = |row: &Row| match row.joint {
         Some(joint) => joint.row.name.clone(),
         None => free.next().unwrap_or_default(),
@@ -285,13 +366,29 @@ fn names(table: &Table) -> Vec<String> {
     table.rows.iter().map(name).collect()
 }
 
+/// The names of all frames. A file may name its links like its joints or `base`: on a table these names are not free.
+fn frame_names(robot: &Robot) -> Vec<String> {
+    let joints = robot.rows.iter().map(|row| &*row.name);
+    let joints: BTreeSet<&str> = joints.chain(["base"]).collect();
+    let frames: BTreeSet<&str> = robot.frames.iter().map(|frame| &*frame.name).collect();
+    let name = |frame: &Frame| {
+        let mut name = frame.name.clone();
+        while joints.contains(&*name) || (name != frame.name && frames.contains(&*name)) {
+            name.push_str("_link");
+        }
+        name
+    };
+    robot.frames.iter().map(name).collect()
+}
+
 /// The functions that were asked for by name.
 fn functions(model: &Model) -> Option<(String, Node)> {
     if model.requests.iter().all(|(_, place)| place.is_none()) {
         return None;
     }
-    let part = |part: &Part| match part.frame.and_then(|frame| model.robot.frames.get(frame)) {
-        Some(frame) => Node::Text(format!("{}({})", part.function.name(), frame.name)),
+    let frames = frame_names(&model.robot);
+    let part = |part: &Part| match part.frame.and_then(|frame| frames.get(frame)) {
+        Some(frame) => Node::Text(format!("{}({frame})", part.function.name())),
         None => part.function.name().into(),
     };
     let request = |(request, _): &(Request, _)| {
@@ -336,13 +433,14 @@ fn tool(mut entries: Entries, robot: &Robot) -> Option<(String, Node)> {
     unless_empty("tool", entries)
 }
 
-/// All cells of a row.
-fn cells(row: Line) -> Entries {
+/// All cells of a row. `on` is the link that carries it, where that is not the one above.
+fn cells(row: Line, on: Option<&str>) -> Entries {
     let joint_type = match row.joint.map(|joint| joint.joint_type) {
         Some(JointType::Prismatic) => "prismatic",
         _ => "revolute",
     };
     let mut cells = vec![entry("name", &*row.name), entry("type", joint_type)];
+    cells.extend(on.map(|on| entry("on", on)));
     cells.extend(row.cells);
     cells.extend(row.joint.into_iter().flat_map(of_joint));
     cells

@@ -13,6 +13,14 @@ pub(super) fn text(name: &str, document: &Document, remark: &str) -> String {
     for entry in head.iter().chain(&document.entries) {
         text.push_str(&format!("  {},\n", JSON.entry(entry)));
     }
+    if !document.frames.is_empty() {
+        let frame = |entry| format!("    {}", JSON.entry(entry));
+        let frames: Vec<_> = document.frames.iter().map(frame).collect();
+        text.push_str(&format!(
+            "  \"frames\": {{\n{}\n  }},\n",
+            frames.join(",\n")
+        ));
+    }
     let joints: Vec<_> = document.joints.iter().map(joint).collect();
     let joints = joints.join(",\n");
     text + &format!("  \"joints\": [\n{joints}\n  ]\n}}\n")
@@ -69,6 +77,10 @@ fn published(cells: &Entries) -> Vec<(String, String)> {
         let is_other = match word.as_str() {
             "friction" => stribeck.is_some(),
             word => [
+                "on",
+                "at",
+                "gamma",
+                "b",
                 "spring",
                 "limits",
                 "torque_limit",

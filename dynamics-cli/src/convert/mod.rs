@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
-use dynamics_symbolic::robot::{Convention, Robot, Row};
+use dynamics_symbolic::robot::Convention;
 
 use crate::failure::Failure;
 use crate::load::{file_of, read};
@@ -42,11 +42,6 @@ pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let model = read(path, given)?;
-    if !is_arm(&model.robot) {
-        let message = "expected a serial arm whose rows begin at the end of the link above, without bodies at frames: trees are \
-                       not converted";
-        return Err(Failure::of_file(path, message));
-    }
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };
@@ -56,13 +51,6 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         Format::Urdf => as_urdf(name, &arm, path, given),
         format => as_table(name, &arm, &model, (path, format), given),
     }
-}
-
-/// Whether rows without `on`, `at`, `gamma` and `b`, and without bodies at frames, say all of the robot.
-fn is_arm(robot: &Robot) -> bool {
-    let is_placed = |row: &Row| row.mount.is_none() && !row.at.is_empty();
-    let has_bodies = robot.frames.iter().any(|frame| frame.body.is_some());
-    robot.is_serial() && !has_bodies && !robot.rows.iter().any(is_placed)
 }
 
 /// The format that is asked for: by name, by that of the file that is written, or the other one.
@@ -173,11 +161,12 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
         return Err(Failure::of_file(path, message));
     }
     let mut remarks = remarks(path, true, &[]);
-    let [base, tip] = urdf::CHAIN;
     let gravity = arm.gravity.each_ref().map(number::decimal).join(", ");
     remarks.push(format!(
-        "The arm is the chain from {base} to {tip}; gravity, of which URDF does not tell, is [{gravity}] m/s^2."
+        "{}; gravity, of which URDF does not tell, is [{gravity}] m/s^2.",
+        urdf::extent(arm)
     ));
+    remarks.extend(urdf::order(arm));
     for (_, what) in &without_words {
         remarks.push(format!("Left out: {what}."));
     }

@@ -89,7 +89,7 @@ impl Parameters {
     }
 
     /// The parameters of a step to the same frame.
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         Parameters {
             a: Rational::ZERO,
             alpha: Angle::ZERO,

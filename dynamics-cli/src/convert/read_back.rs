@@ -15,17 +15,17 @@ pub(super) fn refusals(name: &str, text: &str, format: Format) -> Vec<Error> {
     }
 }
 
-/// The words by which a table accepts what was refused, as the refusals name them, each with the joint in
-/// whose row it goes; without one it is for the whole table.
+/// The words by which a table accepts what was refused, as the refusals name them, each with the joint or frame whose
+/// entries it goes into; without one it is for the whole table.
 pub(super) fn refused_words(
     text: &str,
     format: Format,
     document: &Document,
     refusals: &[Error],
 ) -> Vec<(Option<String>, &'static str)> {
-    let head = match format {
-        Format::Json => "    {",
-        _ => "[[joint]]",
+    let is_head = |line: &&str| match format {
+        Format::Json => *line == "    {" || line.starts_with("    \""),
+        _ => *line == "[[joint]]" || line.starts_with("[frame."),
     };
     let word_of = |error: &Error| {
         let word = Allow::WORDS
@@ -36,9 +36,11 @@ pub(super) fn refused_words(
         let Place::File { line, .. } = error.place else {
             return Some((None, word));
         };
-        let rows = text.lines().take(line).filter(|line| *line == head).count();
-        let joint = rows.checked_sub(1).and_then(|row| document.names.get(row));
-        Some((joint.filter(|_| !is_of_table).cloned(), word))
+        let parts = text.lines().take(line).filter(is_head).count();
+        let part = parts
+            .checked_sub(1)
+            .and_then(|part| document.parts().nth(part));
+        Some((part.filter(|_| !is_of_table).cloned(), word))
     };
     refusals.iter().filter_map(word_of).collect()
 }

@@ -1,4 +1,4 @@
-//! The Denavit-Hartenberg table of an arm in space.
+//! The Denavit-Hartenberg table of a robot in space.
 //!
 //! The z axes of a table's frames are the axes of the joints, in their directions, so that positions keep their signs and
 //! zeros; the x axes are along the common normals of neighbours. A modified table puts frame i at the foot of the normal
@@ -11,9 +11,9 @@
 
 use dynamics_codegen::geometry::{Body, Mass, Matrix, Transform, Vector, cross, dot, tidy};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::Convention;
+use dynamics_symbolic::robot::{Carrier, Convention};
 
-use super::angle::{is_same, is_zero, roll_pitch_yaw};
+use super::angle::{Origin, is_same, is_zero, origins, roll_pitch_yaw};
 use super::arm::{Arm, Joint, between, length};
 use super::normal::{Axis, Normal, across, common_normal};
 use super::parameters::Parameters;
@@ -29,12 +29,18 @@ pub(super) struct Table<'a> {
     pub(super) rows: Vec<Row<'a>>,
     /// The tip in the last frame, where they are not the same.
     pub(super) tool: Option<Transform>,
+    /// The frames of the robot: the index of the row that carries each, none of the base, and the frame on it.
+    pub(super) frames: Vec<(Option<usize>, Transform)>,
 }
 
 /// A row.
 pub(super) struct Row<'a> {
     /// The joint; none of a row that stands still.
     pub(super) joint: Option<&'a Joint<'a>>,
+    /// The link that carries the row.
+    pub(super) on: Carrier,
+    /// Where the row begins on that link, if it is not at the link's frame.
+    pub(super) at: Option<Origin>,
     pub(super) parameters: Parameters,
     /// The link in its frame.
     pub(super) body: Body,
@@ -77,48 +83,184 @@ impl<'a> Table<'a> {
     }
 
     fn with(arm: &'a Arm<'a>, convention: Convention, ends: Ends) -> Option<Table<'a>> {
-        let first = arm.joints.first()?;
-        let mut axis = Axis::of(&first.frame);
-        if first.slides() {
+        let mut axis = Axis::of(&arm.joints.first()?.frame);
+        if arm.joints[0].slides() {
             // A joint that slides may have its axis anywhere.
             axis.point = [Rational::ZERO; 3];
         }
-        let mut start = start(convention, &axis);
-        let mut lines = Lines::new(arm);
-        if ends.base {
-            let rpy = roll_pitch_yaw(&start.rotation).map(|angle| {
+        let world = start(convention, &Transform::identity(), &axis);
+        let base = if ends.base {
+            let rpy = roll_pitch_yaw(&world.rotation).map(|angle| {
                 let (whole, rest) = angle.split();
                 whole.unwrap_or(rest).value()
             });
-            start = Transform::new(&start.origin, &rpy)?;
-            lines.start(&start, Axis::of(&start), None);
-            lines.lead_to(axis, Some(first));
+            Transform::new(&world.origin, &rpy)?
         } else {
-            lines.start(&start, axis, Some(first));
+            world
+        };
+        let mut branches = Branches {
+            arm,
+            convention,
+            rows: arm.joints.iter().map(|_| Vec::new()).collect(),
+            links: vec![Transform::identity(); arm.joints.len()],
+        };
+        let mut lines = Lines::new(arm);
+        if ends.base {
+            lines.start(&base, Axis::of(&base), None);
+            lines.lead_to(axis, Some(&arm.joints[0]));
+        } else {
+            lines.start(&base, axis, Some(&arm.joints[0]));
         }
-        for joint in arm.joints.iter().skip(1) {
-            lines.lead_to(Axis::of(&joint.frame), Some(joint));
+        branches.follow(lines, &base, 0, ends.tool)?;
+        for first in 1..arm.joints.len() {
+            let parent = arm.joints[first].parent;
+            if arm.children(parent).next() != Some(first) {
+                branches.branch_off(&base, first)?;
+            }
         }
-        if ends.tool {
-            lines.lead_to(Axis::of(&arm.tip), None);
+        Some(branches.table(base))
+    }
+}
+
+/// The rows of each joint, with those that stand still before it.
+struct Branches<'a> {
+    arm: &'a Arm<'a>,
+    convention: Convention,
+    rows: Vec<Vec<Row<'a>>>,
+    /// The frames behind them in the world.
+    links: Vec<Transform>,
+}
+
+impl<'a> Branches<'a> {
+    /// The rows of a joint that is not the first one on its link, and of the joints behind it.
+    fn branch_off(&mut self, base: &Transform, first: usize) -> Option<()> {
+        let joint = &self.arm.joints[first];
+        let carrier = joint.parent.map_or(base, |parent| &self.links[parent]);
+        let mut axis = Axis::of(&joint.frame);
+        let mut lines = Lines::new(self.arm);
+        let beginning = match self.convention {
+            Convention::Modified => {
+                lines.start(carrier, Axis::of(carrier), None);
+                lines.lead_to(axis, Some(joint));
+                lines.without_first()
+            }
+            Convention::Standard => {
+                if joint.slides() {
+                    axis.point = carrier.origin.clone();
+                }
+                let beginning = start(self.convention, carrier, &axis);
+                lines.start(&beginning, axis, Some(joint));
+                beginning
+            }
+        };
+        let at = carrier.inverse().then(&beginning).tidy();
+        self.follow(lines, &beginning, first, false)?;
+        if !is_same(&at, &Transform::identity()) {
+            self.begin(first, &at);
+        }
+        Some(())
+    }
+
+    /// The rows of a joint, to which `lines` lead from a frame, and of the first joint on each link behind it.
+    fn follow(
+        &mut self,
+        mut lines: Lines<'a>,
+        start: &Transform,
+        first: usize,
+        has_end: bool,
+    ) -> Option<()> {
+        let arm = self.arm;
+        let mut joints = vec![first];
+        while let Some(next) = arm.children(joints.last().copied()).next() {
+            lines.lead_to(Axis::of(&arm.joints[next].frame), Some(&arm.joints[next]));
+            joints.push(next);
+        }
+        let last = joints[joints.len() - 1];
+        let tip = arm.tip.as_ref().filter(|tip| tip.on == Some(last));
+        let tip = tip.map(|tip| &tip.frame);
+        if let Some(tip) = tip.filter(|_| has_end) {
+            lines.lead_to(Axis::of(tip), None);
         }
         let Lines { lines, normals, .. } = lines;
-        let frames = frames(convention, &lines, &normals, &start, &arm.tip);
-        let mut rows = Vec::with_capacity(lines.len());
+        let frames = frames(self.convention, &lines, &normals, start, tip);
+        // Rows that stand still belong to the joint behind them, and at the end to the last one.
+        let (mut joints, mut still) = (joints.into_iter(), Vec::new());
         for (line, pair) in lines.iter().zip(frames.windows(2)) {
-            rows.extend(rows_between(convention, &pair[0], &pair[1], line.joint)?);
+            still.extend(rows_between(
+                self.convention,
+                &pair[0],
+                &pair[1],
+                line.joint,
+            )?);
+            let owner = line.joint.and_then(|_| joints.next());
+            if let Some(joint) = owner {
+                self.rows[joint].append(&mut still);
+                self.links[joint] = pair[1].clone();
+            }
         }
-        let unless_same = |frame: Transform| {
-            let is_identity = is_same(&frame, &Transform::identity());
-            (!is_identity).then_some(frame)
+        self.rows[last].append(&mut still);
+        self.links[last] = frames.last()?.clone();
+        Some(())
+    }
+
+    /// Lets the rows of a joint begin at a place. Rows that stand still take up what one place cannot say.
+    fn begin(&mut self, joint: usize, at: &Transform) {
+        let mut origins = origins(at);
+        let last = origins.pop();
+        let rows = &mut self.rows[joint];
+        rows[0].at = last;
+        let row = |origin| Row {
+            at: Some(origin),
+            ..Row::still(Parameters::none())
         };
-        let last = frames.last()?;
-        Some(Table {
-            convention,
-            base: unless_same(frames[0].clone()),
+        rows.splice(0..0, origins.into_iter().map(row));
+    }
+
+    /// The table of all rows, in the order of the joints.
+    fn table(self, base: Transform) -> Table<'a> {
+        let (arm, mut rows) = (self.arm, Vec::new());
+        let mut ends = Vec::with_capacity(arm.joints.len());
+        for (joint, mut of_joint) in arm.joints.iter().zip(self.rows) {
+            let above = rows.len().checked_sub(1);
+            let parent = joint.parent.map(|parent| ends[parent]);
+            if parent != above {
+                of_joint[0].on = parent.map_or(Carrier::Base, Carrier::Row);
+            }
+            rows.append(&mut of_joint);
+            ends.push(rows.len() - 1);
+        }
+        let behind = |on: Option<usize>, frame: &Transform| {
+            let link = on.map_or(&base, |joint| &self.links[joint]);
+            link.inverse().then(frame).tidy()
+        };
+        let unless_same =
+            |frame: Transform| (!is_same(&frame, &Transform::identity())).then_some(frame);
+        let frames = arm.frames.iter();
+        let frames = frames.map(|place| {
+            let row = place.on.map(|joint| ends[joint]);
+            (row, behind(place.on, &place.frame))
+        });
+        let tip = arm.tip.as_ref();
+        Table {
+            convention: self.convention,
+            frames: frames.collect(),
+            tool: tip.and_then(|tip| unless_same(behind(tip.on, &tip.frame))),
+            base: unless_same(base.clone()),
             rows,
-            tool: unless_same(last.inverse().then(&arm.tip).tidy()),
-        })
+        }
+    }
+}
+
+impl Row<'_> {
+    /// A row that stands still, without a body.
+    fn still(parameters: Parameters) -> Self {
+        Row {
+            joint: None,
+            on: Carrier::Above,
+            at: None,
+            parameters,
+            body: Mass::none().body(),
+        }
     }
 }
 
@@ -144,14 +286,15 @@ fn rows_between<'a>(
         joint.body.seen_from(&frame)
     });
     let last = steps.len() - 1;
-    let row = |(index, (parameters, moves))| Row {
-        joint: joint.filter(|_| moves),
-        parameters,
-        body: if index == last {
-            body.body()
-        } else {
-            Mass::none().body()
-        },
+    let row = |(index, (parameters, moves))| {
+        let mut row = Row {
+            joint: joint.filter(|_| moves),
+            ..Row::still(parameters)
+        };
+        if index == last {
+            row.body = body.body();
+        }
+        row
     };
     Some(steps.into_iter().enumerate().map(row).collect())
 }
@@ -168,18 +311,17 @@ fn frame(x: &Vector, z: &Vector, origin: &Vector) -> Transform {
     .tidy()
 }
 
-/// Frame 0: that of the world where four numbers lead from it to the first axis, or else one on that axis. Its
-/// x axis is a direction across the first axis, and meets it.
-fn start(convention: Convention, first: &Axis) -> Transform {
-    let world = Transform::identity();
+/// The frame in which a chain begins: `from`, that of the world or of a link, where four numbers lead from it to the first
+/// axis, or else one on that axis. Its x axis is a direction across the first axis, and meets it.
+fn start(convention: Convention, from: &Transform, first: &Axis) -> Transform {
     let is_reached = match convention {
-        Convention::Modified => meeting(&world, first).is_some(),
-        Convention::Standard => is_along(&world, first),
+        Convention::Modified => meeting(from, first).is_some(),
+        Convention::Standard => is_along(from, first),
     };
     if is_reached {
-        return world;
+        return from.clone();
     }
-    let [x, y, z] = [0, 1, 2].map(|axis| world.axis(axis));
+    let [x, y, z] = [0, 1, 2].map(|axis| from.axis(axis));
     let is_across = |axis: &Vector| is_zero(&dot(axis, &first.direction));
     let across_both = cross(&z, &first.direction);
     let x = match (is_across(&x), is_across(&y)) {
@@ -259,6 +401,13 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// Leaves out the first axis. Returns the frame on it at the foot of the normal that leads from it to the next one.
+    fn without_first(&mut self) -> Transform {
+        let axis = self.lines.remove(0).axis;
+        let normal = self.normals.remove(0);
+        frame(&normal.direction, &axis.direction, &normal.from)
+    }
+
     fn add(&mut self, axis: Axis, joint: Option<&'a Joint<'a>>, normal: Normal) {
         self.like = normal.direction.clone();
         self.near = normal.to.clone();
@@ -278,13 +427,13 @@ fn leading(from: &Vector, to: &Axis, like: &Vector) -> Axis {
     }
 }
 
-/// Frame 0 and those of all rows.
+/// The frame in which a chain begins, and those of all its rows.
 fn frames(
     convention: Convention,
     lines: &[Line],
     normals: &[Normal],
     start: &Transform,
-    tip: &Transform,
+    tip: Option<&Transform>,
 ) -> Vec<Transform> {
     let mut frames = vec![start.clone()];
     for (index, normal) in normals.iter().enumerate() {
@@ -296,17 +445,20 @@ fn frames(
     }
     let before = &frames[frames.len() - 1];
     let last = &lines[lines.len() - 1].axis;
-    let end = match convention {
-        Convention::Modified if is_along(tip, last) => tip.clone(),
-        Convention::Modified => {
+    let is_end = |tip: &&Transform| match convention {
+        Convention::Modified => is_along(tip, last),
+        Convention::Standard => meeting(tip, last).is_some(),
+    };
+    let end = match (tip.filter(is_end), convention) {
+        (Some(tip), _) => tip.clone(),
+        (None, Convention::Standard) => before.clone(),
+        (None, Convention::Modified) => {
             let origin = match normals.last() {
                 Some(normal) => normal.to.clone(),
                 None => meeting(start, last).unwrap_or_else(|| last.point.clone()),
             };
             frame(&before.axis(0), &last.direction, &origin)
         }
-        Convention::Standard if meeting(tip, last).is_some() => tip.clone(),
-        Convention::Standard => before.clone(),
     };
     frames.push(end);
     frames

@@ -15,8 +15,11 @@ pub(super) fn text(document: &Document, remarks: &[String]) -> String {
     for line in lines {
         text.push_str(&format!("{}\n", TOML.entry(line)));
     }
-    for (word, node) in tables {
-        text.push_str(&format!("\n[{}]\n", key(word)));
+    let tables = tables.into_iter().map(|(word, node)| (key(word), node));
+    let frames = document.frames.iter();
+    let frames = frames.map(|(name, node)| (format!("frame.{}", key(name)), node));
+    for (head, node) in tables.chain(frames) {
+        text.push_str(&format!("\n[{head}]\n"));
         if let Node::Table(entries) = node {
             text.push_str(&each_on_a_line(entries));
         }

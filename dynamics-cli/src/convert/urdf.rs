@@ -1,17 +1,19 @@
-//! An arm as URDF: a link behind each joint, whose frame has the joint's axis as z, and a last one at the tip.
+//! A robot as URDF: a link behind each joint, whose frame has the joint's axis as z, one at each frame, and a last one at
+//! the tip if there is a tip.
 
 use std::collections::BTreeSet;
+use std::slice::from_ref;
 
-use dynamics_codegen::geometry::{Body, Transform, Vector, number};
+use dynamics_codegen::geometry::{Body, Transform, number};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Row, Value};
 
-use super::angle::{Angle, roll_pitch_yaw};
-use super::arm::{Arm, Joint};
+use super::angle::{Angle, Origin, origins};
+use super::arm::{Arm, Joint, Place};
 use super::number::{decimal, radians};
 
-/// The first and the last link.
-pub(super) const CHAIN: [&str; 2] = ["base", "tip"];
+/// The first link and the one at the tip, if no frame has the name.
+const CHAIN: [&str; 2] = ["base", "tip"];
 
 /// The options for parts of an arm that URDF has no words for.
 pub(super) const WITHOUT: [&str; 3] = ["motor", "spring", "friction"];
@@ -40,12 +42,43 @@ pub(super) fn without_words(arm: &Arm) -> Vec<(&'static str, String)> {
     parts
 }
 
+/// Where the robot begins and ends, as a sentence without its end.
+pub(super) fn extent(arm: &Arm) -> String {
+    let mut names = Names::new(arm);
+    let [base, tip] = CHAIN.map(|link| names.link(link));
+    match arm.tip {
+        Some(_) => format!("The arm is the chain from {base} to {tip}"),
+        None => format!("The robot is all that {base} carries"),
+    }
+}
+
+/// A sentence on the order of the joints, where the file has another one: it is read depth first.
+pub(super) fn order(arm: &Arm) -> Option<String> {
+    let mut order: Vec<usize> = Vec::new();
+    let mut open: Vec<usize> = arm.children(None).collect();
+    open.reverse();
+    while let Some(joint) = open.pop() {
+        order.push(joint);
+        let mut children: Vec<usize> = arm.children(Some(joint)).collect();
+        children.reverse();
+        open.append(&mut children);
+    }
+    let names = order.iter().map(|joint| &*arm.joints[*joint].row.name);
+    let names: Vec<&str> = names.collect();
+    let sentence = format!(
+        "The joints of a file are read depth first: {}.",
+        names.join(", ")
+    );
+    (!order.is_sorted()).then_some(sentence)
+}
+
 /// The text of an arm, without the parts that it has no words for.
 pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
-    let names = arm.joints.iter().map(|joint| joint.row.name.clone());
+    let mut names = Names::new(arm);
+    let [base, tip] = CHAIN.map(|link| names.link(link));
     let mut writer = Writer {
         text: String::new(),
-        names: names.collect(),
+        names,
     };
     writer.line(0, "<?xml version=\"1.0\"?>");
     for remark in remarks {
@@ -53,46 +86,84 @@ pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
         writer.line(0, &format!("<!-- {} -->", remark.replace("--", "- -")));
     }
     writer.line(0, &format!("<robot name={}>", quoted(name)));
-    writer.line(1, &format!("<link name={}/>", quoted(CHAIN[0])));
-    let mut parent = (CHAIN[0].to_owned(), Transform::identity());
+    writer.link(&base, None);
+    let mut links: Vec<String> = Vec::new();
+    let on = |place: Option<usize>, frame: &Transform, links: &[String]| match place {
+        None => (base.clone(), frame.clone()),
+        Some(joint) => {
+            let inverse = arm.joints[joint].frame.inverse();
+            (links[joint].clone(), inverse.then(frame).tidy())
+        }
+    };
     for joint in &arm.joints {
-        let link = format!("{}_link", joint.row.name);
-        let origin = parent.1.inverse().then(&joint.frame).tidy();
-        writer.joint(joint, [&parent.0, &link], &origin, arm);
+        let (parent, origin) = on(joint.parent, &joint.frame, &links);
+        let link = writer.names.link(&format!("{}_link", joint.row.name));
+        writer.joint(joint, [&parent, &link], &origin, arm);
         writer.link(&link, Some(&joint.body.body()));
-        parent = (link, joint.frame.clone());
+        links.push(link);
     }
-    let origin = parent.1.inverse().then(&arm.tip).tidy();
-    writer.tip(&parent.0, &origin, arm);
+    let mut end = |name: &str, place: &Place, body: Option<[&[Value]; 3]>| {
+        let (parent, origin) = on(place.on, &place.frame, &links);
+        writer.end(name, &parent, &origin, body.map(of_values).as_ref());
+    };
+    for (place, frame) in arm.frames.iter().zip(&arm.robot.frames) {
+        let body = frame.body.as_ref();
+        let body = body.map(|body| [from_ref(&body.mass), &body.com, &body.inertia]);
+        end(&frame.name, place, body);
+    }
+    if let Some(place) = &arm.tip {
+        let tool = arm.robot.tool.as_ref().filter(|tool| tool.has_body());
+        let body = tool.map(|tool| [from_ref(&tool.mass), &tool.com, &tool.inertia]);
+        end(&tip, place, body);
+    }
     writer.line(0, "</robot>");
     writer.text
 }
 
-/// A frame by xyz and rpy.
-type Place = (Vector, [Angle; 3]);
+/// Names that are taken.
+struct Names {
+    joints: BTreeSet<String>,
+    links: BTreeSet<String>,
+}
 
-/// A frame in as many places, each in the one before it, as it takes for angles to mean what they say.
-fn places(frame: &Transform) -> Vec<Place> {
-    let [roll, pitch, yaw] = roll_pitch_yaw(&frame.rotation).map(Angle::split);
-    let xyz = frame.origin.clone();
-    if roll.0.is_none() && pitch.0.is_none() && yaw.0.is_none() {
-        return vec![(xyz, [roll.1, pitch.1, yaw.1])];
+impl Names {
+    /// Those of the joints, and those of the frames, each of which is a link.
+    fn new(arm: &Arm) -> Self {
+        let joints = arm.joints.iter().map(|joint| joint.row.name.clone());
+        let frames = arm.robot.frames.iter().map(|frame| frame.name.clone());
+        Names {
+            joints: joints.collect(),
+            links: frames.collect(),
+        }
     }
-    // Rz(whole) Rz(rest) Ry(whole) Ry(rest) Rx(whole) Rx(rest), for Rz Ry Rx is one place.
-    let whole = |(whole, _): &(Option<Angle>, Angle)| whole.clone().unwrap_or(Angle::ZERO);
-    let (zero, nowhere) = (|| Angle::ZERO, || [Rational::ZERO; 3]);
-    vec![
-        (xyz, [zero(), zero(), whole(&yaw)]),
-        (nowhere(), [zero(), whole(&pitch), yaw.1.clone()]),
-        (nowhere(), [whole(&roll), pitch.1.clone(), zero()]),
-        (nowhere(), [roll.1, zero(), zero()]),
-    ]
+
+    /// A free name of a link.
+    fn link(&mut self, name: &str) -> String {
+        free(name.to_owned(), &mut self.links)
+    }
+}
+
+/// A name like the given one, which is then taken.
+fn free(mut name: String, taken: &mut BTreeSet<String>) -> String {
+    while !taken.insert(name.clone()) {
+        name.push('_');
+    }
+    name
+}
+
+/// A body by its mass, its centre of mass and its tensor.
+fn of_values([mass, com, inertia]: [&[Value]; 3]) -> Body {
+    let of = |value: &Value| number(value).unwrap_or(Rational::ZERO);
+    Body {
+        mass: of(&mass[0]),
+        com: [0, 1, 2].map(|k| of(&com[k])),
+        inertia: [0, 1, 2, 3, 4, 5].map(|k| of(&inertia[k])),
+    }
 }
 
 struct Writer {
     text: String,
-    /// Names of joints that are taken.
-    names: BTreeSet<String>,
+    names: Names,
 }
 
 impl Writer {
@@ -120,7 +191,7 @@ impl Writer {
     }
 
     /// The links that a joint joins, and where it is.
-    fn ends(&mut self, [parent, child]: [&str; 2], (xyz, rpy): &Place) {
+    fn ends(&mut self, [parent, child]: [&str; 2], (xyz, rpy): &Origin) {
         self.line(2, &format!("<parent link={}/>", quoted(parent)));
         self.line(2, &format!("<child link={}/>", quoted(child)));
         let rpy = rpy.each_ref().map(radians).join(" ");
@@ -130,12 +201,12 @@ impl Writer {
 
     /// Leads from a link to the last of some places, by links without bodies: that place, and the link that it
     /// is in.
-    fn lead(&mut self, parent: &str, joint: &str, origin: &Transform) -> (String, Place) {
+    fn lead(&mut self, parent: &str, joint: &str, origin: &Transform) -> (String, Origin) {
         let mut parent = parent.to_owned();
-        let mut places = places(origin);
+        let mut places = origins(origin);
         let last = places.pop();
         for (index, place) in places.iter().enumerate() {
-            let link = format!("{joint}_place_{}", index + 1);
+            let link = self.names.link(&format!("{joint}_place_{}", index + 1));
             self.fixed(&link, [&parent, &link], place);
             self.link(&link, None);
             parent = link;
@@ -145,11 +216,8 @@ impl Writer {
     }
 
     /// A joint that does not move; its name is free.
-    fn fixed(&mut self, name: &str, links: [&str; 2], place: &Place) {
-        let mut name = format!("{name}_joint");
-        while !self.names.insert(name.clone()) {
-            name.push('_');
-        }
+    fn fixed(&mut self, name: &str, links: [&str; 2], place: &Origin) {
+        let name = free(format!("{name}_joint"), &mut self.names.joints);
         self.line(1, &format!("<joint name={} type=\"fixed\">", quoted(&name)));
         self.ends(links, place);
         self.line(1, "</joint>");
@@ -217,19 +285,11 @@ impl Writer {
         }
     }
 
-    fn tip(&mut self, parent: &str, origin: &Transform, arm: &Arm) {
-        let (parent, place) = self.lead(parent, CHAIN[1], origin);
-        self.fixed(CHAIN[1], [&parent, CHAIN[1]], &place);
-        let tool = arm.robot.tool.as_ref().filter(|tool| tool.has_body());
-        let body = tool.map(|tool| {
-            let of = |value: &Value| number(value).unwrap_or(Rational::ZERO);
-            Body {
-                mass: of(&tool.mass),
-                com: tool.com.each_ref().map(of),
-                inertia: tool.inertia.each_ref().map(of),
-            }
-        });
-        self.link(CHAIN[1], body.as_ref());
+    /// A link that is fixed to another one.
+    fn end(&mut self, name: &str, parent: &str, origin: &Transform, body: Option<&Body>) {
+        let (parent, place) = self.lead(parent, name, origin);
+        self.fixed(name, [&parent, name], &place);
+        self.link(name, body);
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Robot, Row, Value};
+use dynamics_symbolic::robot::{
+    Body, Convention, Frame, JointType, Mount, Placement, Robot, Row, Value,
+};
 
 use crate::csv::shortest;
 
@@ -20,45 +22,87 @@ pub(super) fn table(robot: &Robot) -> String {
     };
     let (name, gravity) = (&robot.name, numbers(&robot.gravity));
     let mut text = format!("{name}: {joints}, {how}, gravity {gravity} m/s^2\n\n");
-    let widest = robot.rows.iter().map(|row| row.name.chars().count()).max();
+    let joints = robot.rows.iter().map(|row| &row.name);
+    let names = joints.chain(robot.frames.iter().map(|frame| &frame.name));
+    let widest = names.map(|name| name.chars().count()).max();
     let width = widest.unwrap_or(0).max(5) + 2;
     if is_placed {
         text.push_str(
-            "xyz and rpy are in the link frame before, com and inertia (xx, yy, zz, xy, yz, xz, about the centre of mass) \
-             in\nthat of the link. `robot-dynamics convert` writes a Denavit-Hartenberg table.\n\n",
+            "xyz and rpy are in the frame of the link that carries the joint, com and inertia (xx, yy, zz, xy, yz, xz, \
+             about the\ncentre of mass) in that of the link behind it. `robot-dynamics convert` writes a \
+             Denavit-Hartenberg table.\n\n",
         );
     } else {
+        let on = carrier(robot, "on", width);
         let _ = writeln!(
             text,
-            "{:<width$}{:<11}{:>10}{:>10}{:>10}{:>10}{:>10}  com",
+            "{:<width$}{:<11}{on}{:>10}{:>10}{:>10}{:>10}{:>10}  com",
             "joint", "type", "a", "alpha", "d", "theta", "mass"
         );
     }
     if let Some(base) = &robot.base {
         let _ = writeln!(text, "{:<width$}{}", "base", place(base));
     }
-    for row in &robot.rows {
+    for (i, row) in robot.rows.iter().enumerate() {
+        let on = carrier(robot, link(robot, robot.parent(i)), width);
+        let (name, kind) = (&row.name, joint_type(row));
+        let _ = write!(text, "{name:<width$}{kind:<11}{on}");
         text.push_str(&match &row.mount {
             Some(mount) => placed(robot, row, mount, width),
-            None => cells(robot, row, width),
+            None => cells(robot, row),
         });
     }
-    let mount = robot.rows.last().and_then(|row| row.mount.as_ref());
-    if let Some(mount) = mount.filter(|mount| !mount.tip.is_empty()) {
+    let mounts = robot.rows.iter().filter_map(|row| row.mount.as_ref());
+    for mount in mounts.filter(|mount| !mount.tip.is_empty()) {
         let tip = places(&mount.tip);
         let _ = writeln!(text, "{:<width$}{:<11}{tip}", "tip", "fixed");
     }
     if let Some(tool) = &robot.tool {
-        let (place, mass) = (place(&tool.placement), number(&tool.mass));
-        let [com, inertia] = [numbers(&tool.com), numbers(&tool.inertia)];
-        let body = format!("mass {mass}  com {com}  inertia {inertia}");
-        let _ = writeln!(text, "{:<width$}{place}  {body}", "tool");
+        let body = body(&tool.mass, &tool.com, &tool.inertia);
+        let _ = writeln!(text, "{:<width$}{}{body}", "tool", place(&tool.placement));
+    }
+    if !robot.frames.is_empty() {
+        text.push('\n');
+    }
+    for frame in &robot.frames {
+        text.push_str(&of_frame(robot, frame, width));
     }
     text
 }
 
-/// A row of a Denavit-Hartenberg table.
-fn cells(robot: &Robot, row: &Row, width: usize) -> String {
+/// The link behind a row, by the name of its joint.
+fn link(robot: &Robot, row: Option<usize>) -> &str {
+    row.map_or("base", |row| &robot.rows[row].name)
+}
+
+/// A cell of the column of a tree that says which link carries a joint. A serial arm has no such column.
+fn carrier(robot: &Robot, on: &str, width: usize) -> String {
+    if robot.is_serial() {
+        String::new()
+    } else {
+        format!("{on:<width$}")
+    }
+}
+
+/// A frame, and the body that is fixed there.
+fn of_frame(robot: &Robot, frame: &Frame, width: usize) -> String {
+    let (name, on) = (&frame.name, link(robot, frame.on));
+    let places = places(&frame.places);
+    let fixed = match &frame.body {
+        Some(Body { mass, com, inertia }) => body(mass, com, inertia),
+        None => String::new(),
+    };
+    format!("{name:<width$}{:<11}on {on}  {places}{fixed}\n", "frame")
+}
+
+/// A body at a place.
+fn body(mass: &Value, com: &[Value; 3], inertia: &[Value; 6]) -> String {
+    let (mass, com, inertia) = (number(mass), numbers(com), numbers(inertia));
+    format!("  mass {mass}  com {com}  inertia {inertia}")
+}
+
+/// The cells of a row of a Denavit-Hartenberg table.
+fn cells(robot: &Robot, row: &Row) -> String {
     let cell = |value: &Value| match value.to_f64(&[]) {
         x if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) => format!("{x:.2e}"),
         x => format!("{x:.6}")
@@ -68,14 +112,16 @@ fn cells(robot: &Robot, row: &Row, width: usize) -> String {
     };
     let columns = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
     let columns = columns.map(|value| format!("{:>10}", cell(value))).concat();
-    let (name, com, further) = (&row.name, numbers(&row.com), further(robot, row));
-    format!(
-        "{name:<width$}{:<11}{columns}  {com}{further}\n",
-        joint_type(row)
-    )
+    let (com, further) = (numbers(&row.com), further(robot, row));
+    let at = if row.at.is_empty() {
+        String::new()
+    } else {
+        format!("  at {}", places(&row.at))
+    };
+    format!("{columns}  {com}{at}{further}\n")
 }
 
-/// A joint of a URDF file with its link.
+/// Where a joint of a URDF file is, and its link.
 fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
     let places = places(&row.at);
     let [azimuth, polar] = mount.axis.each_ref().map(|angle| angle.to_f64(&[]));
@@ -87,10 +133,10 @@ fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
     // The sine of pi is 1.2e-16 in doubles.
     let axis = axis.map(|x| shortest(if x.abs() < 1e-15 { 0.0 } else { x }));
     let axis = axis.join(", ");
-    let (name, kind, further) = (&row.name, joint_type(row), further(robot, row));
     let (mass, com) = (number(&row.mass), numbers(&row.com));
+    let further = further(robot, row);
     format!(
-        "{name:<width$}{kind:<11}{places}  axis [{axis}]\n{:width$}mass {mass}  com {com}{further}\n",
+        "{places}  axis [{axis}]\n{:width$}mass {mass}  com {com}{further}\n",
         ""
     )
 }

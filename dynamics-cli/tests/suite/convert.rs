@@ -9,7 +9,7 @@ use dynamics_runtime::NewtonEuler;
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_symbolic::robot::{Convention, Robot};
 
-use super::calls::{PENDULUM, data, errors, file, folder, output};
+use super::calls::{data, errors, file, folder, output};
 
 /// An arm in a URDF file of `tests/data/urdf`.
 struct Arm {
@@ -101,13 +101,18 @@ fn arm(path: &Path) -> Arm {
     }
 }
 
-fn read(path: &str, besides: &ReadOptions) -> Robot {
+pub(super) fn read(path: &str, besides: &ReadOptions) -> Robot {
     let model = read_file(Path::new(path), besides);
     model.unwrap_or_else(|error| panic!("{error}")).robot
 }
 
 /// Calls `convert`, and reads what it wrote to that file.
-fn converted(file: &str, options: &[&str], name: &str, besides: &ReadOptions) -> (String, Robot) {
+pub(super) fn converted(
+    file: &str,
+    options: &[&str],
+    name: &str,
+    besides: &ReadOptions,
+) -> (String, Robot) {
     let path = folder("converted").join(name);
     let path = path.to_string_lossy().into_owned();
     output(&[&["convert", file, "--out", &path][..], options].concat());
@@ -120,7 +125,7 @@ fn difference(one: &Robot, other: &Robot) -> f64 {
     largest(differences(one, other))
 }
 
-fn largest(differences: impl IntoIterator<Item = f64>) -> f64 {
+pub(super) fn largest(differences: impl IntoIterator<Item = f64>) -> f64 {
     let worse = |worst, x: f64| if x > worst || x.is_nan() { x } else { worst };
     differences.into_iter().fold(0.0, worse)
 }
@@ -547,7 +552,7 @@ fn check_compares_a_table_with_its_file() {
 }
 
 /// Numbers that are the same each time.
-struct Draws(u64);
+pub(super) struct Draws(pub(super) u64);
 
 impl Draws {
     /// A number between 0 and 1.
@@ -559,12 +564,12 @@ impl Draws {
         (*state >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn of<T: Copy>(&mut self, choices: &[T]) -> T {
+    pub(super) fn of<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[(self.next() * choices.len() as f64) as usize]
     }
 
     /// One of the numbers, or any, in two cases of three with noise from 10^smallest to 1e-7 beside it.
-    fn noisy(&mut self, smallest: f64, numbers: &[f64]) -> String {
+    pub(super) fn noisy(&mut self, smallest: f64, numbers: &[f64]) -> String {
         let (any, one) = (2.0 * self.next() - 1.0, self.of(numbers));
         let number = self.of(&[one, one, any]);
         let noise = 10_f64.powf(smallest + self.next() * (-7.0 - smallest));
@@ -577,7 +582,7 @@ impl Draws {
     }
 }
 
-const TURNS: [f64; 4] = [
+pub(super) const TURNS: [f64; 4] = [
     0.0,
     0.0,
     core::f64::consts::FRAC_PI_2,
@@ -693,21 +698,4 @@ fn axes_with_noise_have_a_table_without_it() {
         written.contains("alpha = \"PI/2\"") && !written.contains("fixed_1"),
         "{written}"
     );
-}
-
-/// Rows of a serial arm cannot say a tree, another beginning of a row or the body of a frame.
-#[test]
-fn trees_are_not_converted() {
-    let arm = format!("{PENDULUM}[[joint]]\nname = \"hand\"\ntype = \"revolute\"\nmass = 1\n");
-    let frame = |body: &str| format!("[frame.tip]\non = \"knee\"\n{body}");
-    output(&["convert", &file("plain.toml", arm.clone() + &frame(""))]);
-    for cells in [
-        "on = \"pivot\"\n",
-        "at = { xyz = [0, 0, 1] }\n",
-        "b = 0.1\n",
-        &frame("mass = 1"),
-    ] {
-        let message = errors(&["convert", &file("tree.toml", arm.clone() + cells)], 1);
-        assert!(message.contains("expected a serial arm"), "{message}");
-    }
 }

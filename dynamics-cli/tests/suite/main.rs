@@ -8,4 +8,5 @@ mod help;
 mod long_arms;
 mod refusals;
 mod rust;
+mod trees;
 mod urdf;

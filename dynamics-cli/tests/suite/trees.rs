@@ -1,0 +1,373 @@
+//! Robots with branches and frames.
+
+use dynamics_evaluation::{ReadOptions, RuntimeRobot};
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, Request};
+
+use super::calls::{file, output};
+use super::convert::{Draws, TURNS, converted, largest, read};
+
+/// Two arms on a waist and a lift beside it, with a body in one hand.
+pub(crate) const TORSO: &str = r#"
+convention = "modified"
+gravity = [0, 0, -9.81]
+[frame.left_hand]
+on = "left_elbow"
+xyz = [0.3, 0, 0]
+mass = 1.5
+com = [0, 0, 0.05]
+inertia = { xx = 0.04, yy = 0.04, zz = 0.04 }
+[frame."the camera"]
+on = "waist"
+xyz = [0.1, 0, 0.5]
+rpy = [0, 0.3, 0]
+[frame.corner]
+on = "base"
+xyz = [2, 0, 0]
+[[joint]]
+name = "waist"
+type = "revolute"
+mass = 9
+com = [0, 0, 0.2]
+inertia = { xx = 0.1, yy = 0.1, zz = 0.1 }
+[[joint]]
+name = "left_shoulder"
+type = "revolute"
+on = "waist"
+gamma = "PI/2"
+b = 0.4
+a = 0.2
+alpha = "PI/2"
+mass = 2
+[[joint]]
+name = "left_elbow"
+type = "revolute"
+a = 0.3
+mass = 1
+com = [0.1, 0, 0]
+[[joint]]
+name = "right_shoulder"
+type = "revolute"
+on = "waist"
+gamma = "-PI/2"
+b = 0.4
+a = 0.2
+alpha = "PI/2"
+mass = 2
+com = [0.1, 0, 0]
+[[joint]]
+name = "right_elbow"
+type = "revolute"
+a = 0.3
+mass = 1
+com = [0.1, 0.02, 0]
+[[joint]]
+name = "lift"
+type = "prismatic"
+on = "base"
+at = { xyz = [1, 0, 0], rpy = [0, 0, "PI/2"] }
+mass = 3
+"#;
+
+#[test]
+fn show_names_carriers_and_frames() {
+    let torso = file("shown_torso.toml", TORSO);
+    let text = output(&["show", &torso, "--functions", "mass_matrix"]);
+    for expected in [
+        "shown_torso: 6 joints that move",
+        "joint           type       on                       a",
+        "waist           revolute   base                     0",
+        "left_shoulder   revolute   waist                  0.2  1.570796",
+        "  at xyz [0, 0, 0.4]  rpy [0, 0, 1.5707963267948966]\n",
+        "right_elbow     revolute   right_shoulder         0.3",
+        "lift            prismatic  base                     0",
+        "left_hand       frame      on left_elbow  xyz [0.3, 0, 0]  rpy [0, 0, 0]  mass 1.5  com [0, 0, 0.05]",
+        "the camera      frame      on waist  xyz [0.1, 0, 0.5]  rpy [0, 0.3, 0]\n",
+        "corner          frame      on base  xyz [2, 0, 0]",
+        "M14, M15, M16, M24, M25, M26, M34, M35, M36, M46, M56 are zero",
+    ] {
+        assert!(text.contains(expected), "{expected}: {text}");
+    }
+    let asked = "mass_matrix,jacobian(left_hand)";
+    let formulas = output(&["show", &torso, "--functions", asked, "--format", "text"]);
+    assert!(formulas.contains("jacobian_left_hand\n"), "{formulas}");
+}
+
+/// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are
+/// parallel, on a base that stands askew. The rows are not in the order of a walk along the branches.
+const WORKSHOP: &str = r#"
+convention = "standard"
+gravity = [0.5, 0, -9.8]
+lock = { turret = 0.4 }
+couple = { right_finger = "-1 * left_finger + 0.02" }
+base = { xyz = [0.1, 0.2, 0.8], rpy = [0.3, -0.2, "PI/2"] }
+frame.tool = { on = "right_finger", xyz = [0, 0.1, 0.2], rpy = [0.1, "PI/2", 0.3] }
+frame.camera = { on = "turret", xyz = [0, 0.1, 0.2], mass = 0.4, com = [0, 0.01, 0.02] }
+frame."base plate" = { on = "base", xyz = [0.5, 0, 0], mass = 30 }
+[[joint]]
+name = "shoulder"
+type = "revolute"
+a = 0.1
+alpha = "PI/2"
+d = 0.3
+mass = 4
+com = [0, 0.1, 0]
+motor = { inertia = 0.0002, gear_ratio = 100 }
+limits = [-2, 2]
+[[joint]]
+name = "table"
+type = "prismatic"
+on = "base"
+at = { xyz = [0, 1, 0], rpy = [0.2, 0, 0] }
+mass = 5
+friction = { viscous = 0.1, coulomb = 0.2 }
+[[joint]]
+name = "elbow"
+type = "revolute"
+on = "shoulder"
+a = 0.4
+mass = 2
+com = [-0.2, 0, 0.01]
+inertia = { xx = 0.01, yy = 0.02, zz = 0.03, xy = 0.001 }
+[[joint]]
+name = "turret"
+type = "revolute"
+on = "table"
+a = 0.2
+alpha = 0.5
+d = 0.1
+mass = 1
+[[joint]]
+name = "left_finger"
+type = "prismatic"
+on = "elbow"
+at = { xyz = [0, 0, 0.05], rpy = ["PI/2", 0, 0] }
+mass = 0.1
+limits = [0, 0.04]
+[[joint]]
+name = "right_finger"
+type = "prismatic"
+on = "elbow"
+at = { xyz = [0, 0, 0.05], rpy = ["PI/2", 0, 0] }
+mass = 0.1
+[[joint]]
+name = "lid"
+type = "revolute"
+on = "turret"
+d = 0.3
+a = 0.1
+mass = 0.5
+com = [0.1, 0, 0]
+[[joint]]
+name = "handle"
+type = "revolute"
+on = "elbow"
+at = { xyz = [0, 0, -0.1] }
+alpha = "-PI/2"
+mass = 0.3
+com = [0.05, 0, 0.1]
+"#;
+
+/// Four fingers of two parallel joints on a palm.
+fn hand() -> String {
+    let row = |name: String, cells: &str| {
+        format!(
+            "[[joint]]\nname = \"{name}\"\ntype = \"revolute\"\nmass = 0.1\ncom = [0.02, 0.001, 0]\n{cells}"
+        )
+    };
+    let mut text = "convention = \"modified\"\ngravity = [0, 0, -9.81]\n".to_owned()
+        + &row("palm".to_owned(), "");
+    for finger in 1..=4 {
+        let on = format!(
+            "on = \"palm\"\ngamma = 0.{finger}\nb = 0.0{finger}\na = 0.09\nalpha = \"PI/2\"\n"
+        );
+        text += &row(format!("knuckle_{finger}"), &on);
+        text += &row(format!("tip_{finger}"), "a = 0.04\n");
+    }
+    text
+}
+
+/// A tree with noise in the places and the angles of its rows.
+fn noisy_tree(draws: &mut Draws, joints: usize, convention: &str) -> String {
+    let mut text = format!(
+        "convention = \"{convention}\"\ngravity = [0, 0, -9.81]\nallow = [\"odd_angle\"]\n"
+    );
+    for index in 0..joints {
+        let kind = draws.of(&["revolute", "revolute", "prismatic"]);
+        let [a, d, b] = [(); 3].map(|()| draws.noisy(-40.0, &[0.0, 0.3]));
+        let [alpha, theta, gamma] = [(); 3].map(|()| draws.noisy(-40.0, &TURNS));
+        let carriers: Vec<_> = (0..index).collect();
+        let on = match index {
+            0 => "base".to_owned(),
+            _ => format!("j{}", draws.of(&carriers)),
+        };
+        let at = match convention {
+            "modified" => format!("gamma = {gamma}\nb = {b}"),
+            _ => format!("at = {{ xyz = [{a}, {b}, 0.1], rpy = [{gamma}, 0, {alpha}] }}"),
+        };
+        text += &format!(
+            "[[joint]]\nname = \"j{index}\"\ntype = \"{kind}\"\non = \"{on}\"\n{at}\na = {a}\nd = {d}\nalpha = {alpha}\n\
+             theta = {theta}\nmass = 1\ncom = [0.02, 0.01, 0.03]\ninertia = {{ xx = 0.1, yy = 0.15, zz = 0.2 }}\n\
+             allow = [\"odd_com\"]\n"
+        );
+    }
+    text
+}
+
+/// The names of the joints that move by themselves.
+fn names(robot: &Robot) -> Vec<&str> {
+    robot.joints().map(|row| row.name.as_str()).collect()
+}
+
+/// M, tau and the poses of some frames at random states of the joints in the order of some names.
+fn values(robot: &Robot, order: &[&str], frames: &[&str]) -> [Vec<f64>; 3] {
+    let found = |frame: &&str| robot.frames.iter().position(|known| known.name == *frame);
+    let poses = frames.iter().map(|name| {
+        let frame = found(name).unwrap_or_else(|| panic!("{name}"));
+        Request::of_frame(Function::ForwardKinematics, frame, name)
+    });
+    let poses: Vec<Request> = poses.collect();
+    let functions = [Function::MassMatrix, Function::InverseDynamics];
+    let requests: Vec<Request> = functions
+        .map(Request::from)
+        .into_iter()
+        .chain(poses.clone())
+        .collect();
+    let arm = RuntimeRobot::new(robot.clone(), requests).expect("functions");
+    let here = names(robot);
+    let place = |name: &str| order.iter().position(|known| *known == name).expect(name);
+    let places: Vec<usize> = here.iter().map(|name| place(name)).collect();
+    let mut values: [Vec<f64>; 3] = Default::default();
+    for state in 0..12 {
+        let vector = |seed: usize, range: f64| -> Vec<f64> {
+            let entry = |i: &usize| range * ((1 + 31 * state + 7 * seed + 13 * i) as f64).sin();
+            places.iter().map(entry).collect()
+        };
+        let (q, qd, qdd) = (vector(0, 3.0), vector(1, 3.0), vector(2, 10.0));
+        let of = |name: &str, arguments: &[&[f64]]| -> Vec<f64> {
+            arm.evaluate_in(name, arguments).expect("values")
+        };
+        let (mass, tau) = (
+            of("mass_matrix", &[&q]),
+            of("inverse_dynamics", &[&q, &qd, &qdd]),
+        );
+        let row = |name: &&str| {
+            here.iter()
+                .position(|known| known == name)
+                .expect("a joint")
+        };
+        for i in order.iter().map(row) {
+            let entries = order.iter().map(row).map(|j| mass[i * here.len() + j]);
+            values[0].extend(entries);
+            values[1].push(tau[i]);
+        }
+        values[2].extend(poses.iter().flat_map(|pose| of(pose.name(), &[&q])));
+    }
+    values
+}
+
+/// The largest difference of M, tau and the poses of a robot's frames, relative to the largest entry.
+fn difference(source: &Robot, other: &Robot) -> f64 {
+    let order = names(source);
+    assert_eq!(order.len(), other.dof());
+    let frames: Vec<&str> = source.frames.iter().map(|frame| &*frame.name).collect();
+    let [one, other] = [source, other].map(|robot| values(robot, &order, &frames));
+    let relative = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+        assert_eq!(a.len(), b.len());
+        let size = a.iter().fold(1e-300_f64, |size, x| size.max(x.abs()));
+        largest(a.iter().zip(b).map(|(a, b)| (a - b).abs())) / size
+    };
+    largest(one.iter().zip(&other).map(relative))
+}
+
+/// All trees that are written here, and as many with noise.
+fn trees(noisy: usize) -> Vec<(String, String)> {
+    let mut trees = vec![
+        ("torso".to_owned(), TORSO.to_owned()),
+        ("workshop".to_owned(), WORKSHOP.to_owned()),
+        ("hand".to_owned(), hand()),
+    ];
+    for case in 0..noisy {
+        let mut draws = Draws(0x9e37_79b9_7f4a_7c15_u64.wrapping_mul(1 + case as u64));
+        let convention = ["standard", "modified"][case % 2];
+        let text = noisy_tree(&mut draws, 3 + case % 3, convention);
+        trees.push((format!("noisy_tree_{case}"), text));
+    }
+    trees
+}
+
+/// Converts trees to both conventions, from one to the other, and compares what is read of them.
+fn convert_trees(noisy: usize) {
+    let none = ReadOptions::new();
+    for (name, text) in trees(noisy) {
+        let mut path = file(&format!("{name}.toml"), text);
+        let source = read(&path, &none);
+        for (step, convention) in ["modified", "standard", "modified"].into_iter().enumerate() {
+            let to = ["--convention", convention, "--to"];
+            let to = match step {
+                1 => [&to[..], &["json"]].concat(),
+                _ => [&to[..], &["toml"]].concat(),
+            };
+            let file = format!("{name}_{step}.{}", to[3]);
+            let (next, table) = converted(&path, &to, &file, &none);
+            assert_eq!(names(&table), names(&source), "{name} {convention}");
+            let difference = difference(&source, &table);
+            println!("{name:<20} {convention:<10} {difference:.1e}");
+            assert!(difference < 1e-12, "{name} {convention}: {difference:e}");
+            path = next;
+        }
+    }
+}
+
+/// The tables of trees in both conventions are those of the same robot.
+#[test]
+fn trees_are_the_same_in_both_conventions() {
+    convert_trees(4);
+}
+
+#[test]
+#[ignore = "a minute: many trees"]
+fn many_trees_are_the_same_in_both_conventions() {
+    convert_trees(100);
+}
+
+/// A table that stays in its convention keeps its rows, frames and functions; a modified one has `gamma` and `b`.
+#[test]
+fn the_cells_of_a_tree_are_kept() {
+    let none = ReadOptions::new();
+    let asked = "functions = [\"mass_matrix\", \"jacobian(left_hand)\", { seen = [\"forward_kinematics('the camera')\"] }]\n";
+    for (name, text) in [
+        ("kept_torso", asked.to_owned() + TORSO),
+        ("kept_workshop", WORKSHOP.to_owned()),
+    ] {
+        let path = file(&format!("{name}.toml"), text);
+        let source = read(&path, &none);
+        for format in ["toml", "json"] {
+            let to = format!("{name}.{format}");
+            let (_, same) = converted(&path, &["--to", format], &to, &none);
+            assert_eq!(same.rows, source.rows, "{to}");
+            assert_eq!(same.frames, source.frames, "{to}");
+        }
+    }
+    let torso = file("kept_torso.toml", asked.to_owned() + TORSO);
+    let standard = output(&[
+        "convert",
+        &torso,
+        "--to",
+        "toml",
+        "--convention",
+        "standard",
+    ]);
+    let standard = file("standard_torso.toml", standard);
+    for path in [&torso, &standard] {
+        let text = output(&["convert", path, "--to", "toml", "--convention", "modified"]);
+        for expected in [
+            "functions = [\"mass_matrix\", \"jacobian(left_hand)\", { seen = [\"forward_kinematics(the camera)\"] }]",
+            "\n[frame.left_hand]\non = \"left_elbow\"\nxyz = [0.3, 0, 0]\nmass = 1.5\n",
+            "\n[frame.\"the camera\"]\non = \"waist\"\n",
+            "name = \"right_shoulder\"\ntype = \"revolute\"\non = \"waist\"\ngamma = ",
+        ] {
+            assert!(text.contains(expected), "{expected}: {text}");
+        }
+    }
+}
