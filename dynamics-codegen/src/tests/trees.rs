@@ -115,8 +115,8 @@ fn a_tree_says_the_same_in_all_languages() {
     let zero = Value::zero;
     let half = Value::Pi.checked_div(Value::integer(2)).unwrap();
     let on: Vec<_> = robot.rows.iter().map(|row| row.on).collect();
-    let (row, base) = (Carrier::Row, Carrier::Base);
-    assert_eq!(on, [Carrier::Above, row(0), Carrier::Above, row(0), base]);
+    let (above, base) = (Carrier::Above, Carrier::Base);
+    assert_eq!(on, [above, above, above, Carrier::Row(0), base]);
     let width = || Value::field(1);
     let at = |x, z, yaw| Placement {
         xyz: [x, zero(), z],

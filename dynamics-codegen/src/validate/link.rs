@@ -10,22 +10,32 @@ use crate::words;
 /// The word for the base.
 pub(super) const BASE: &str = "base";
 
-/// The link that carries the joint of a row; `None` where it is in error.
+/// The link that carries the joint of a row; `None` where it is in error. The row above, and the base for the first row,
+/// are the same whether they are named or not.
 pub(super) fn of_row(index: usize, table: &Table, scope: &Scope) -> Option<Carrier> {
-    let rows = table.rows();
-    rows[index].on.read(Carrier::Above, |link| {
-        let name = match link {
-            Link::Row(row) => return Some(row.map_or(Carrier::Base, Carrier::Row)),
-            Link::Named(name) => name,
-        };
-        let mistake = match named(name, index, table, scope)? {
-            None => return Some(Carrier::Base),
-            Some(row) if row < index => return Some(Carrier::Row(row)),
-            Some(row) if row == index => mistake::on_itself(name.plain()),
-            Some(_) => mistake::on_a_row_below(name.plain(), rows[index].word()),
-        };
-        scope.refused(name.into(), mistake)
+    let above = index.checked_sub(1);
+    let parent = table.rows()[index].on.read(above, |link| match link {
+        Link::Row(row) => Some(*row),
+        Link::Named(name) => carrier(name, index, table, scope),
+    })?;
+    Some(match parent {
+        parent if parent == above => Carrier::Above,
+        None => Carrier::Base,
+        Some(row) => Carrier::Row(row),
     })
+}
+
+/// The row of that name, which stands above row `index`; `None` inside for the base.
+fn carrier(name: &Name, index: usize, table: &Table, scope: &Scope) -> Option<Option<usize>> {
+    let row = named(name, index, table, scope)?;
+    let mistake = match row {
+        Some(row) if row == index => mistake::on_itself(name.plain()),
+        Some(row) if row > index => {
+            mistake::on_a_row_below(name.plain(), table.rows()[index].word())
+        }
+        _ => return Some(row),
+    };
+    scope.refused(name.into(), mistake)
 }
 
 /// The row whose link carries a frame, `None` for the base, and where a file has the link's frame in that row's. Outer

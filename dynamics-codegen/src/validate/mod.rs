@@ -261,18 +261,20 @@ impl Parts {
     }
 
     fn model(self, table: &Table) -> Option<Model> {
-        let needed = functions::named(self.functions.as_deref().unwrap_or_default());
-        let needed = needed.filter_map(|wanted| wanted.frame.as_ref());
-        let needed: BTreeSet<&str> = needed.map(Name::plain).collect();
-        let mut frames: Vec<Frame> = self.frames.into_iter().collect::<Option<_>>()?;
-        frames.retain(|frame| frame.body.is_some() || needed.contains(frame.name.as_str()));
+        let asked = functions::named(self.functions.as_deref().unwrap_or_default());
+        let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
+        let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
+        let is_needed = |frame: &description::Frame| !frame.is_link || asked.contains(frame.word());
+        let frames = self.frames.into_iter().zip(table.frames());
+        let frames = frames.filter(|(_, written)| is_needed(written));
+        let frames: Option<Vec<Frame>> = frames.map(|(frame, _)| frame).collect();
         let robot = Robot {
             name: table.name.as_ref()?.plain().to_owned(),
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: self.gravity??,
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
-            frames,
+            frames: frames?,
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,
