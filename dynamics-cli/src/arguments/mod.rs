@@ -10,11 +10,11 @@ use clap_complete::Shell;
 pub(crate) fn command() -> Command {
     Command::new("robot-dynamics")
         .version(env!("CARGO_PKG_VERSION"))
-        .about("Equations of motion of a robot arm: shown, checked, generated and run")
+        .about("Equations of motion of a robot: shown, checked, generated and run")
         .long_about(
-            "Equations of motion of a robot arm: shown, checked, generated and run.\n\n\
+            "Equations of motion of a robot: shown, checked, generated and run.\n\n\
              A robot FILE is a Denavit-Hartenberg table in TOML, in the words of the macro `robot_dynamics!`, or in \
-             JSON; or a URDF file, of which --chain names the first and the last link of the arm. Its functions are \
+             JSON; or a URDF file, the whole of it or the arm between two links that --chain names. Its functions are \
              derived and proven equal to the textbook Lagrangian each time. SI units, radians.\n\n\
              Mistakes in a file are told on standard error as FILE:LINE:COLUMN: what is wrong, what was expected. The \
              exit status is 0, 1 where something is wrong with the file or the robot, 2 where the command line is.",

@@ -17,7 +17,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .value_name("FILE"),
         )
         .next_help_heading(OF_THE_FILE)
-        .arg(words("chain", "BASE,TIP").help("The first and the last link of the arm in a URDF file"))
+        .arg(words("chain", "BASE,TIP").help("The link of a URDF file at which the robot begins, and its tips; without tips all that the link carries. The whole tree of the file where this is left out"))
         .arg(
             words("gravity", "X,Y,Z")
                 .allow_hyphen_values(true)

@@ -55,7 +55,7 @@ fn check() -> Command {
         .arg(
             words("against-chain", "BASE,TIP")
                 .requires("against")
-                .help("The first and the last link of the arm in the other file, where they have other names there"),
+                .help("The link at which the robot begins in the other file, and its tips, where they have other names there"),
         )
         .arg(count("samples", "100", 1, 1_000_000, "Random states"))
         .arg(
