@@ -34,6 +34,18 @@ fn output(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
+/// The functions that pages show, besides poses.
+const FUNCTIONS: [&str; 8] = [
+    "mass_matrix",
+    "coriolis_vector",
+    "gravity_vector",
+    "friction_vector",
+    "spring_vector",
+    "inverse_dynamics",
+    "kinetic_energy",
+    "potential_energy",
+];
+
 /// An arm whose page is looked at.
 struct Arm {
     name: &'static str,
@@ -42,28 +54,29 @@ struct Arm {
     besides: ReadOptions,
     /// The fields, with the values that they have at first.
     fields: Vec<(&'static str, f64)>,
+    /// The method of the pose that the page shows at first.
+    tip: &'static str,
 }
 
 impl Arm {
     fn new(name: &'static str, file: &str) -> Arm {
-        let functions = [
-            "mass_matrix",
-            "coriolis_vector",
-            "gravity_vector",
-            "friction_vector",
-            "spring_vector",
-            "inverse_dynamics",
-            "kinetic_energy",
-            "potential_energy",
-            "forward_kinematics",
-        ];
+        let tip = "forward_kinematics";
+        let functions = FUNCTIONS.into_iter().chain([tip]);
         Arm {
             name,
             file: data(file),
             options: Vec::new(),
             besides: ReadOptions::new().functions(functions),
             fields: Vec::new(),
+            tip,
         }
+    }
+
+    /// A robot with branches, whose page shows that frame at first.
+    fn with_frame(mut self, function: &str, method: &'static str) -> Arm {
+        let functions = FUNCTIONS.into_iter().chain([function]);
+        (self.besides, self.tip) = (self.besides.functions(functions), method);
+        self
     }
 
     fn with_fields(mut self, fields: &[(&'static str, f64)]) -> Arm {
@@ -124,7 +137,24 @@ fn arms() -> Vec<Arm> {
         Arm::new("aristo", "robots/aristo.json"),
         Arm::new("cell", "files/cell.toml").with_fields(&[("load", 1.0), ("tilt", 0.2)]),
         panda,
+        Arm::new("torso", "files/torso.toml")
+            .with_frame(
+                "forward_kinematics(left_hand)",
+                "forward_kinematics_left_hand",
+            )
+            .with_fields(&[("load", 1.0)]),
+        gripper(),
     ]
+}
+
+/// One of its fingers follows the other one.
+fn gripper() -> Arm {
+    let finger = "forward_kinematics_panda_leftfinger";
+    let mut gripper = Arm::new("gripper", "urdf/trees/panda_erd.urdf")
+        .with_frame("forward_kinematics(panda_leftfinger)", finger);
+    gripper.options = vec!["--gravity", "0,0,-9.81"];
+    gripper.besides = gripper.besides.entries("gravity = [0, 0, \"-9.81\"]");
+    gripper
 }
 
 /// One file below a megabyte that loads nothing, with the licences of what is in it.
@@ -249,8 +279,8 @@ fn share(joint: usize, state: usize) -> f64 {
     0.5 + 0.45 * ((3 * joint + 5 * state + 1) as f64).sin()
 }
 
-/// Entries of M, V, G, tau, of the tip and of energies at a state.
-fn expected(arm: &RuntimeRobot, q: &[f64], qd: &[f64], qdd: &[f64]) -> Numbers {
+/// Entries of M, V, G, tau, of the tip and of energies at a state. `tip` is the method of its pose.
+fn expected(arm: &RuntimeRobot, tip: &str, q: &[f64], qd: &[f64], qdd: &[f64]) -> Numbers {
     let evaluate = |function: &str, arguments: &[&[f64]]| -> Vec<f64> {
         match arm.evaluate(function, arguments).expect("a value") {
             Value::Number(x) => vec![x],
@@ -278,7 +308,7 @@ fn expected(arm: &RuntimeRobot, q: &[f64], qd: &[f64], qdd: &[f64]) -> Numbers {
         }
     }
     found.extend(indexed("tau", &evaluate("inverse_dynamics", &[q, qd, qdd])));
-    let tip = evaluate("forward_kinematics", &[q]);
+    let tip = evaluate(tip, &[q]);
     found.extend((0..3).map(|k| (format!("tip-{k}-3"), tip[4 * k + 3])));
     found.extend(matrix("T", 4, tip));
     let (kinetic, potential) = (
@@ -310,7 +340,7 @@ fn states(arm: &Arm) -> String {
             robot.set_field(name, value).expect("a field");
             set.push((format!("field-{name}"), value));
         }
-        let expected = expected(&robot, &q, &qd, &qdd);
+        let expected = expected(&robot, arm.tip, &q, &qd, &qdd);
         let entries = [
             ("set", numbers(&set)),
             ("expected", numbers(&expected)),

@@ -58,10 +58,10 @@ export function solids(room, table, size) {
       corners: [0, 1].map(() => added(sphere(steel))),
     };
   });
-  const tool = { rod: added(cylinder(steel)), ball: added(sphere(dark)), stub: added(cylinder(steel)) };
+  const tools = table.tips.map(() => ({ rod: added(cylinder(steel)), ball: added(sphere(dark)), stub: added(cylinder(steel)) }));
 
   const frames = added(new Group());
-  const triads = [...links, "base", "world", "tip"].map(() => {
+  const triads = [...links, "base", "world", ...table.tips].map(() => {
     const made = triad();
     frames.add(made.group);
     return made;
@@ -78,7 +78,7 @@ export function solids(room, table, size) {
 
   const masses = added(new Group());
   const ball = massMaterial();
-  const balls = [...table.rows, "tool"].map(() => added(sphere(ball), masses));
+  const balls = [...table.rows, ...table.tips].map(() => added(sphere(ball), masses));
   const whole = added(sphere(material("#f08c00")), masses);
 
   /** The rods of a link: from its frame before to its own, along the steps of the table. */
@@ -137,23 +137,27 @@ export function solids(room, table, size) {
       const stand = at.base.o;
       center(base.disc, subtract(stand, scaled(at.base.z, 1.75 * r)), at.base.z, 0.9 * r, 1.9 * r);
       center(base.post, subtract(stand, scaled(at.base.z, 1.1 * r)), at.base.z, 0.6 * r, 1.25 * r);
-      let from = stand;
-      links.forEach((_, k) => (from = put(at, k, from)));
+      // Where the rods of every link end.
+      const ends = new Map([[null, stand]]);
+      links.forEach(({ row, index }, k) => ends.set(index, put(at, k, ends.get(row.on) ?? stand)));
       const last = radius(links.length);
-      span(tool.rod, from, at.tip.o, 0.45 * last);
-      tool.ball.position.set(...at.tip.o);
-      tool.ball.scale.setScalar(0.62 * last);
-      // Behind the last joint of a modified table a link has no step of the table: it is drawn to its mass.
-      const end = at.rows.length > 0 ? at.rows[at.rows.length - 1].link : at.base;
-      const com = now.rows.length > 0 ? now.rows[now.rows.length - 1].com : [0, 0, 0];
-      const isBare = now.convention === "modified" && distance(from, at.tip.o) < 0.01 * size;
-      span(tool.stub, end.o, isBare ? point(end, com) : end.o, 0.45 * last);
+      tools.forEach((tool, k) => {
+        const { on } = now.tips[k];
+        const [from, tip] = [ends.get(on) ?? stand, at.tips[k].o];
+        span(tool.rod, from, tip, 0.45 * last);
+        tool.ball.position.set(...tip);
+        tool.ball.scale.setScalar(0.62 * last);
+        // Behind the last joint of a modified table a link has no step of the table: it is drawn to its mass.
+        const end = on === null ? at.base : at.rows[on].link;
+        const isBare = on !== null && now.convention === "modified" && distance(from, tip) < 0.01 * size;
+        span(tool.stub, end.o, isBare ? point(end, now.rows[on].com) : end.o, 0.45 * last);
+      });
 
       const length = 0.13 * size;
       links.forEach(({ index }, k) => triads[k].put(at.rows[index].link, length));
       triads[links.length].put(at.base, 1.15 * length);
       triads[links.length + 1].put({ x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], o: [0, 0, 0] }, 1.5 * length);
-      triads[links.length + 2].put(at.tip, length);
+      at.tips.forEach((tip, k) => triads[links.length + 2 + k].put(tip, length));
 
       links.forEach(({ row, index }, k) => {
         if (row.isPlace) return;
@@ -164,10 +168,11 @@ export function solids(room, table, size) {
 
       let [total, moment] = [0, [0, 0, 0]];
       const bodies = now.rows.map((row, i) => ({ ...row, frame: at.rows[i].link }));
-      if (now.tool) bodies.push({ ...now.tool, frame: at.tip });
+      // A body on a base that stands counts nowhere.
+      now.tips.forEach(({ on, body }, k) => bodies.push({ ...(on === null ? null : body), frame: at.tips[k] }));
       balls.forEach((mesh, i) => {
         const body = bodies[i];
-        mesh.visible = body !== undefined && body.mass > 0;
+        mesh.visible = body.mass > 0;
         if (!mesh.visible) return;
         const place = point(body.frame, body.com);
         mesh.position.set(...place);
@@ -175,7 +180,7 @@ export function solids(room, table, size) {
         moment = add(moment, scaled(place, body.mass));
       });
       // Volumes are as masses.
-      const heaviest = Math.max(...bodies.map((body) => body.mass));
+      const heaviest = Math.max(...bodies.map((body) => body.mass ?? 0));
       balls.forEach((mesh, i) => {
         if (mesh.visible) mesh.scale.setScalar(0.034 * size * Math.cbrt(bodies[i].mass / heaviest));
       });
@@ -189,14 +194,13 @@ export function solids(room, table, size) {
 
 /** Points that a picture of the arm should hold. */
 export function corners(table, at, size) {
-  const seen = [at.base.o, at.tip.o];
+  const seen = [at.base.o, ...at.tips.map((tip) => tip.o)];
   for (const { index } of drawn(table)) {
     const { middle, link } = at.rows[index];
     seen.push(link.o);
     if (!table.isMounted) seen.push(middle.o);
   }
-  const last = at.rows[at.rows.length - 1];
-  if (last) seen.push(point(last.link, table.rows[at.rows.length - 1].com));
+  for (const { on } of table.tips) if (on !== null) seen.push(point(at.rows[on].link, table.rows[on].com));
   const wide = 0.05 * size;
   return seen.flatMap((p) => [
     p,

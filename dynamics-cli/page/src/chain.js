@@ -18,46 +18,45 @@ export function positions(table, q) {
 export function chain(table, q) {
   const base = table.base ? placed(WORLD, table.base) : WORLD;
   const at = positions(table, q);
-  let before = base;
-  const rows = table.rows.map((row, i) => {
-    // A file may place a joint anywhere: what the cells do not say comes before them.
-    if (row.mount) before = row.mount.step.reduce(placed, before);
+  const rows = [];
+  table.rows.forEach((row, i) => {
+    const carrier = row.on === null ? base : rows[row.on].frame;
+    // A row may begin anywhere on the link that carries it: what the cells do not say comes before them.
+    const before = row.step.reduce(placed, carrier);
     const isPrismatic = row.type === "prismatic";
     const theta = row.theta + (isPrismatic ? 0 : at[i]);
     const d = row.d + (isPrismatic ? at[i] : 0);
     const placed_ = (middle, frame, joint) => {
       const link = row.mount ? row.mount.frame.reduce(placed, frame) : frame;
-      const found = { before, middle, frame, link, theta, d, origin: joint.o, axis: joint.z };
-      before = frame;
-      return found;
+      rows.push({ before, middle, frame, link, theta, d, origin: joint.o, axis: joint.z });
     };
     if (table.convention === "standard") {
       const middle = screwZ(before, d, theta);
-      return placed_(middle, screwX(middle, row.a, row.alpha), before);
+      placed_(middle, screwX(middle, row.a, row.alpha), before);
+      return;
     }
     const middle = screwX(before, row.a, row.alpha);
-    return placed_(middle, screwZ(middle, d, theta), middle);
+    placed_(middle, screwZ(middle, d, theta), middle);
   });
-  const last = rows.length > 0 ? rows[rows.length - 1].link : base;
-  const tip = table.tool ? placed(last, table.tool) : last;
-  return { base, rows, tip };
+  const tips = table.tips.map(({ on, places }) => places.reduce(placed, on === null ? base : rows[on].link));
+  return { base, rows, tips };
 }
 
-/** The length of the arm stretched out, with the way of its prismatic joints. */
+/** The length of the longest branch stretched out, with the way of all prismatic joints. */
 export function reach(table, slides) {
   const zero = new Array(table.dof).fill(0);
-  const { base, rows, tip } = chain(table, zero);
-  let sum = 0;
-  let from = base.o;
+  const { base, rows, tips } = chain(table, zero);
+  // The way to the end of every link, and where that is.
+  const ends = [];
+  const endOf = (on) => (on === null ? { way: 0, at: base.o } : ends[on]);
+  const then = ({ way, at }, to) => ({ way: way + distance(at, to), at: to });
   rows.forEach(({ middle, frame, link }, i) => {
-    if (table.isMounted && table.rows[i].isPlace) return;
-    const points = table.isMounted ? [link.o] : [middle.o, frame.o];
-    for (const to of points) {
-      sum += distance(from, to);
-      from = to;
-    }
+    const { on, isPlace } = table.rows[i];
+    const points = table.isMounted ? (isPlace ? [] : [link.o]) : [middle.o, frame.o];
+    ends.push(points.reduce(then, endOf(on)));
   });
-  sum += distance(from, tip.o) + slides;
+  const ways = table.tips.map(({ on }, k) => then(endOf(on), tips[k].o).way);
+  const sum = Math.max(0, ...ends.map(({ way }) => way), ...ways) + slides;
   // The bodies of an arm without lengths are somewhere.
   const bodies = table.rows.map((row) => Math.hypot(...row.com));
   return Math.max(sum, ...bodies) || 1;

@@ -136,6 +136,13 @@ function choice({ about, key, options, get, set }) {
   return element("label", { class: "choice" }, element("span", {}, about), select);
 }
 
+/** The heading above a joint with which a branch begins: on which link it stands. */
+function branchOf({ rows }, index) {
+  const { on } = rows[index];
+  const isFork = rows.filter((row) => !row.isPlace && row.on === on).length > 1;
+  return isFork || (on ?? -1) !== index - 1 ? `on ${on === null ? "the base" : rows[on].name}` : null;
+}
+
 /** The panel of all that can be set. */
 export function controls(model) {
   const { state, joints, first } = model;
@@ -211,7 +218,7 @@ export function controls(model) {
     settings.replaceChildren(...asked);
     sliders.length = 0;
     rows.replaceChildren(
-      ...joints.map((row, joint) => {
+      ...joints.flatMap((row, joint) => {
         const made = jointSliders(model, joint).map(slider);
         sliders.push(...made);
         const index = model.table.rows.findIndex((other) => other.joint === joint);
@@ -222,7 +229,8 @@ export function controls(model) {
         const head = element("div", { class: "head" }, name, kind, limits);
         const group = element("div", { class: "joint", "data-joint": joint }, head, made.map((one) => one.row));
         group.addEventListener("focusin", () => model.select(index));
-        return group;
+        const branch = branchOf(model.table, index);
+        return branch === null ? group : [element("h3", { class: "branch" }, branch), group];
       }),
     );
     mark();

@@ -8,8 +8,8 @@ export function bind(module, fields) {
   return Object.fromEntries(names.map((name) => [name, bound(name)]));
 }
 
-/** What the page shows of a state: all terms of M qdd + V + G + K + F = tau, the tip, and the energies. */
-export function evaluate(equations, { q, qd, qdd, tau }) {
+/** What the page shows of a state: all terms of M qdd + V + G + K + F = tau, a tip by its function, and the energies. */
+export function evaluate(equations, { q, qd, qdd, tau }, { key }) {
   const gravity = equations.gravity_vector(q);
   const friction = equations.friction_vector(qd);
   const spring = equations.spring_vector(q);
@@ -25,7 +25,7 @@ export function evaluate(equations, { q, qd, qdd, tau }) {
     gravity,
     friction,
     spring,
-    tip: equations.forward_kinematics(q),
+    tip: equations[key](q),
     kinetic: equations.kinetic_energy(q, qd),
     potential: equations.potential_energy(q),
   };

@@ -64,6 +64,7 @@ export function createModel(make, module, first) {
     isRepeated: false,
     speed: 1,
     selected: table.rows.indexOf(joints[0]),
+    tip: 0,
     show: { parameters: "selected", frames: false, axes: false, masses: false, trace: true, names: false },
   };
 
@@ -89,7 +90,9 @@ export function createModel(make, module, first) {
       }
       return model.trajectory.at(state.t);
     },
-    evaluated: () => evaluate(equations, model.now()),
+    /** The tip, or the frame, whose way is shown. */
+    tip: () => table.tips[state.tip],
+    evaluated: () => evaluate(equations, model.now(), model.tip()),
     frames: () => chain(model.table, model.now().q),
 
     setTime(t) {
@@ -145,6 +148,12 @@ export function createModel(make, module, first) {
       tell("selection");
     },
 
+    setTip(tip) {
+      state.tip = tip;
+      model.recompute();
+      tell("tip");
+    },
+
     setShown(changes) {
       Object.assign(state.show, changes);
       tell("show");
@@ -154,12 +163,13 @@ export function createModel(make, module, first) {
       const begin = performance.now();
       const { q, qd, end, torque, profile, law, hasFriction, duration } = state;
       const { table: current } = model;
+      const { key } = model.tip();
       model.trajectory =
         state.mode === "motion"
-          ? prescribedTrajectory(equations, { from: [...q], to: [...end], duration, profile })
+          ? prescribedTrajectory(equations, { from: [...q], to: [...end], duration, profile, key })
           : state.mode === "free"
             ? freeTrajectory(equations, {
-                ...{ table: current, law, hasFriction, duration },
+                ...{ table: current, law, hasFriction, duration, key },
                 ...{ q: [...q], qd: [...qd], torque: [...torque] },
               })
             : null;

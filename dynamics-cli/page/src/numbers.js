@@ -62,10 +62,11 @@ export function numbers(model) {
     element("tbody", {}, joints.map((_, i) => element("tr", {}, joints.map((__, j) => cell(`mass-${i}-${j}`))))),
   );
 
+  const tipName = element("span", {}, "Tip");
   const pose = element(
     "table",
     { class: "numbers" },
-    element("caption", {}, "Tip in the world"),
+    element("caption", {}, tipName, " in the world"),
     element(
       "tbody",
       {},
@@ -115,6 +116,7 @@ export function numbers(model) {
   function update() {
     const { units } = model;
     const found = model.evaluated();
+    if (table.tips.length > 1) tipName.textContent = model.tip().name;
     joints.forEach((row, i) => {
       columns.forEach(({ key, isAngle }) => put(`${key}-${i}`, found[key][i], isAngle ? units.factor(row.type) : 1));
     });
@@ -143,7 +145,7 @@ export function numbers(model) {
     update();
   }
   model.on("units", label);
-  model.on("time", update);
+  model.on("time tip", update);
   label();
   return element(
     "section",

@@ -17,6 +17,7 @@ export const colorOf = (name) => getComputedStyle(document.documentElement).getP
  */
 function plotsOf(model) {
   const { joints, units, trajectory } = model;
+  const { name: tip } = model.tip();
   const ofJoints = (key, title, unit, isAngle) => ({
     key,
     title,
@@ -48,7 +49,7 @@ function plotsOf(model) {
     },
     {
       key: "tip",
-      title: ["p", "tip"],
+      title: ["p", tip],
       curves: [0, 1, 2].map((k) => single("xyz"[k], "xyz"[k], axis(k), "m", ["--axis-x", "--axis-y", "--axis-z"][k], ({ tip }) => tip[k][3])),
     },
   ];

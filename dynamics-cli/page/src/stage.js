@@ -121,6 +121,12 @@ export function stage(model) {
               kind: "frame",
               color: "var(--ink)",
             })),
+            ...(table.tips.length > 1 ? table.tips : []).map(({ name }, k) => ({
+              at: at.tips[k].o,
+              content: name,
+              kind: "frame",
+              color: "var(--ink)",
+            })),
           ]
         : [];
       const parameters = texts.map(({ at: place, name, sign, index, text }) => ({
@@ -130,8 +136,8 @@ export function stage(model) {
         color: COLORS[name],
       }));
       marks.put([...named, ...parameters]);
-      const [x, y, z] = at.tip.o.map((value) => (Math.abs(value) < 5e-7 ? 0 : value).toFixed(4));
-      readout.textContent = `tip  x ${x}  y ${y}  z ${z} m`;
+      const [x, y, z] = at.tips[state.tip].o.map((value) => (Math.abs(value) < 5e-7 ? 0 : value).toFixed(4));
+      readout.textContent = `${model.tip().name}  x ${x}  y ${y}  z ${z} m`;
       traced();
     }
 
@@ -165,7 +171,7 @@ export function stage(model) {
       ground();
     }
 
-    model.on("time fields units selection", put);
+    model.on("time fields units selection tip", put);
     model.on("trajectory", retrace);
     model.on("show", () => {
       arm.show(state.show);
@@ -190,6 +196,11 @@ export function stage(model) {
   parameters.addEventListener("change", () => model.setShown({ parameters: parameters.value }));
   const named = table.isMounted ? "placement" : "D-H parameters";
   shown.append(element("label", { class: "choice" }, element("span", {}, named), parameters));
+  if (table.tips.length > 1) {
+    const tips = element("select", { "data-key": "tip" }, table.tips.map(({ name }, value) => element("option", { value }, name)));
+    tips.addEventListener("change", () => model.setTip(Number(tips.value)));
+    shown.append(element("label", { class: "choice" }, element("span", {}, "frame"), tips));
+  }
   const checks = { frames: "frames", axes: "axes", masses: "masses", trace: "trace" };
   for (const [key, text] of Object.entries(checks)) {
     const check = element("input", { type: "checkbox", checked: state.show[key], "data-key": `show-${key}` });

@@ -100,6 +100,8 @@ export function tablePanel(model) {
       .join(", ");
   }
 
+  const carrier = (on) => (on === null ? "the base" : table.rows[on].name);
+
   /** What a joint is; in a table without joint variables, where it is held and what it follows too. */
   function kind(row, now) {
     if (row.follows) return table.isMounted ? ["follows ", variable(now)] : "follows";
@@ -118,6 +120,7 @@ export function tablePanel(model) {
       const button = element("button", { type: "button", class: "name", onclick: () => model.select(index) });
       button.append(element("span", { class: "dot" }), row.name || "fixed", " ");
       button.append(element("span", { class: "kind" }, kind(row, now)));
+      if ((row.on ?? -1) !== index - 1) button.append(element("span", { class: "kind" }, ` on ${carrier(row.on)}`));
       name.append(button);
     }
     name.style.setProperty("--color", color === undefined ? "var(--muted)" : `var(--joint-${color % 8})`);
@@ -151,6 +154,9 @@ export function tablePanel(model) {
     const rows = links.map(rowOf);
     if (base) rows.unshift(placedRow("base", base, ""));
     if (tool) rows.push(placedRow("tool", tool, short(tool.mass)));
+    for (const { name, on, places, body: fixed } of model.table.tips.filter((tip) => tip.isFrame && tip.places.length === 1)) {
+      rows.push(placedRow(`${name} on ${carrier(on)}`, { ...places[0], com: fixed?.com }, fixed ? short(fixed.mass) : ""));
+    }
     body.replaceChildren(...rows);
     caption.textContent = table.isMounted
       ? "Joints as the file places them"

@@ -22,7 +22,7 @@ export function prescribedTrajectory(equations, given) {
   const states = t.map(at);
   const column = (name) => states.map((state) => state[name]);
   const found = { t, q: column("q"), qd: column("qd"), qdd: column("qdd"), tau: column("tau") };
-  return measured(equations, { ...found, at, ended: null, duration: given.duration });
+  return measured(equations, { ...found, at, ended: null, duration: given.duration }, given);
 }
 
 /** The motion under given torques: forward dynamics. */
@@ -30,7 +30,7 @@ export function freeTrajectory(equations, given) {
   const found = freeMotion({ ...given, equations, samples: samplesOf(given.duration) });
   if (found.t.length === 0) stay(found, given);
   const duration = found.t.length > 0 ? found.t[found.t.length - 1] : 0;
-  const trajectory = measured(equations, { ...found, duration, at: (t) => between(found, t) });
+  const trajectory = measured(equations, { ...found, duration, at: (t) => between(found, t) }, given);
   // E - E(0) is what torques have brought and friction has taken, but for the errors of the steps.
   const { total, kinetic, potential } = trajectory;
   const drift = total.map((energy, k) => Math.abs(energy - total[0] - found.work[k]));
@@ -48,13 +48,13 @@ function stay(found, { q, qd }) {
   }
 }
 
-/** With energies and the way of the tip. */
-function measured(equations, trajectory) {
+/** With energies and the way of the tip that the function `key` places. */
+function measured(equations, trajectory, { key }) {
   const { q, qd } = trajectory;
   const kinetic = q.map((at, k) => equations.kinetic_energy(at, qd[k]));
   const potential = q.map((at) => equations.potential_energy(at));
   const total = kinetic.map((energy, k) => energy + potential[k]);
-  const tip = q.map((at) => equations.forward_kinematics(at).slice(0, 3).map((row) => row[3]));
+  const tip = q.map((at) => equations[key](at).slice(0, 3).map((row) => row[3]));
   return { ...trajectory, kinetic, potential, total, tip };
 }
 

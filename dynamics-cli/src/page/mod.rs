@@ -10,7 +10,7 @@ use std::io::Write as _;
 
 use clap::ArgMatches;
 use dynamics_symbolic::emit::javascript_module;
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Frame, Robot};
 use dynamics_symbolic::{Function, Request};
 
 use crate::failure::Failure;
@@ -19,8 +19,8 @@ use crate::simulate::positions;
 use html::html;
 use literal::module_with_a_global;
 
-/// The functions that the page evaluates.
-const FUNCTIONS: [Function; 9] = [
+/// The functions that the page evaluates, besides the poses of the tip and of frames.
+const FUNCTIONS: [Function; 8] = [
     Function::MassMatrix,
     Function::GravityVector,
     Function::FrictionVector,
@@ -29,25 +29,59 @@ const FUNCTIONS: [Function; 9] = [
     Function::ForwardDynamics,
     Function::KineticEnergy,
     Function::PotentialEnergy,
-    Function::ForwardKinematics,
 ];
 
 /// The page.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
+    let mut robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
+    let poses = poses(&mut robot);
     let start = Start::read(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
     read(path, given)?;
-    let programs = programs(path, &robot, &FUNCTIONS.map(Request::from))?;
+    let requests = FUNCTIONS.map(Request::from).into_iter();
+    let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
+    let programs = programs(path, &robot, &requests)?;
     let module = javascript_module(&robot, &programs);
     let equations = module_with_a_global(&module, "robotEquations");
-    let table = table::script(&robot, &fields(given)?, &start);
+    let tips: Vec<_> = poses.iter().map(|request| request.parts()[0]).collect();
+    let table = table::script(&robot, &tips, &fields(given)?, &start);
     let html = html(&robot.name, &equations, &table);
     if let Some(remark) = remark(html.len(), equations.len(), robot.dof()) {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(html)
+}
+
+/// The poses that the page shows: of the tip, if there is one, and of all frames. Where there is no tip, each link that
+/// carries no other becomes a frame of the robot, unless one stands on it.
+fn poses(robot: &mut Robot) -> Vec<Request> {
+    let of_tip = robot.tip_row().map(|_| Function::ForwardKinematics.into());
+    if of_tip.is_none() {
+        let is_end = |row: &usize| {
+            let carries = (0..robot.rows.len()).any(|other| robot.parent(other) == Some(*row));
+            !carries && robot.frames.iter().all(|frame| frame.on != Some(*row))
+        };
+        let ends = (0..robot.rows.len()).filter(is_end);
+        let ends = ends.map(|row| Frame {
+            name: robot.rows[row].name.clone(),
+            on: Some(row),
+            places: Vec::new(),
+            body: None,
+        });
+        let ends: Vec<_> = ends.collect();
+        robot.frames.extend(ends);
+    }
+    let frames = robot.frames.iter().enumerate();
+    let mut poses: Vec<Request> = of_tip.into_iter().collect();
+    for (index, frame) in frames {
+        let pose = Request::of_frame(Function::ForwardKinematics, index, &frame.name);
+        // Frames whose names differ in signs alone would be one method.
+        if poses.iter().all(|other| other.name() != pose.name()) {
+            poses.push(pose);
+        }
+    }
+    poses
 }
 
 /// Bytes up to which a page opens at once on a phone.

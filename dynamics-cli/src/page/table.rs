@@ -1,13 +1,22 @@
 //! The table as JavaScript: everything that the page shows of the robot besides its functions.
 
-use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::function::Part;
+use dynamics_symbolic::robot::{
+    Body, Convention, JointType, Mount, Placement, Robot, Row, Tool, Value,
+};
 
 use super::Start;
 use super::cells::{code, text, unit};
 use super::literal::{array, number, object, option, string};
 
-/// The script that puts the table into a global variable: a function of the fields' values.
-pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> String {
+/// The script that puts the table into a global variable: a function of the fields' values. `tips` are the functions that
+/// place the tip and the frames.
+pub(super) fn script(
+    robot: &Robot,
+    tips: &[Part],
+    fields: &[(String, f64)],
+    start: &Start,
+) -> String {
     let writer = Writer(robot);
     let fields = fields.iter().enumerate().map(|(i, (name, value))| {
         object([
@@ -19,7 +28,7 @@ pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> 
     let numbers = |values: &Vec<f64>| array(values.iter().copied().map(number));
     let rows =
         (0..robot.rows.len()).map(|i| writer.row(Some(i), &robot.rows[i], &robot.mounted(i)));
-    let rows = rows.chain(writer.tip());
+    let rows = rows.chain(writer.place_of_tip());
     let entries = [
         ("name", string(&robot.name)),
         ("version", string(env!("CARGO_PKG_VERSION"))),
@@ -45,6 +54,7 @@ pub(super) fn script(robot: &Robot, fields: &[(String, f64)], start: &Start) -> 
             option(robot.tool.as_ref().map(|tool| writer.tool(tool))),
         ),
         ("rows", array(rows.map(|row| format!("\n  {row}")))),
+        ("tips", array(tips.iter().map(|tip| writer.tip(*tip)))),
     ];
     let first = [
         ("fields", array(fields)),
@@ -90,10 +100,50 @@ impl Writer<'_> {
         object(self.place(&tool.placement).into_iter().chain(body))
     }
 
-    /// What is behind the last link frame of a file, as a place in the list of joints.
-    fn tip(&self) -> Option<String> {
-        let mount = self.0.rows.last()?.mount.as_ref()?;
-        let [_, link_frame, tip] = self.0.mounted(self.0.rows.len() - 1);
+    /// The tip or a frame that a function places: the row whose link carries it, where it is in that link frame, and its
+    /// body.
+    fn tip(&self, part: Part) -> String {
+        let robot = self.0;
+        let frame = part.frame.map(|frame| &robot.frames[frame]);
+        let (name, on, places, body) = match frame {
+            Some(frame) => {
+                let places = frame.places.iter().map(|place| self.placement(place));
+                let body = frame.body.as_ref().map(|body| self.body(body));
+                (frame.name.as_str(), frame.on, places.collect(), body)
+            }
+            None => {
+                let tool = robot.tool.as_ref();
+                let places: Vec<_> = tool.iter().map(|t| self.placement(&t.placement)).collect();
+                let last = robot.rows.len() + usize::from(self.place_of_tip().is_some());
+                let body = tool
+                    .filter(|tool| tool.has_body())
+                    .map(|tool| self.tool(tool));
+                ("tip", last.checked_sub(1), places, body)
+            }
+        };
+        object([
+            ("name", string(name)),
+            ("key", string(&robot.name_of(part))),
+            ("isFrame", frame.is_some().to_string()),
+            ("on", option(on.map(|row| row.to_string()))),
+            ("places", array(places)),
+            ("body", option(body)),
+        ])
+    }
+
+    fn body(&self, body: &Body) -> String {
+        object([
+            ("mass", self.cell(&body.mass)),
+            ("com", self.vector(&body.com)),
+            ("inertia", self.vector(&body.inertia)),
+        ])
+    }
+
+    /// What is behind the last link frame of a file with a tip, as a place in the list of joints.
+    fn place_of_tip(&self) -> Option<String> {
+        let last = self.0.tip_row()?;
+        let mount = self.0.rows[last].mount.as_ref()?;
+        let [_, link_frame, tip] = self.0.mounted(last);
         let row = Row {
             locked: Some(Value::zero()),
             at: tip.clone(),
@@ -132,10 +182,14 @@ impl Writer<'_> {
         index: Option<usize>,
         row: &Row,
         [step, link_frame, _]: &[Vec<Placement>; 3],
-    ) -> [(&'static str, String); 8] {
+    ) -> [(&'static str, String); 10] {
         let joint_type = match row.joint_type {
             JointType::Revolute => "revolute",
             JointType::Prismatic => "prismatic",
+        };
+        let on = match index {
+            Some(index) => self.0.parent(index),
+            None => self.0.tip_row(),
         };
         let joint = index.filter(|_| row.is_free());
         let joint = joint.map(|index| self.0.joint_of(index).to_string());
@@ -153,7 +207,6 @@ impl Writer<'_> {
             object([
                 ("places", placements(&row.at)),
                 ("axis", self.vector(&mount.axis)),
-                ("step", placements(step)),
                 ("frame", placements(link_frame)),
             ])
         });
@@ -162,6 +215,8 @@ impl Writer<'_> {
             ("type", string(joint_type)),
             ("joint", option(joint)),
             ("isPlace", index.is_none().to_string()),
+            ("on", option(on.map(|row| row.to_string()))),
+            ("step", placements(step)),
             ("locked", option(locked)),
             ("follows", option(follows)),
             ("limits", option(limits)),
