@@ -100,6 +100,7 @@ export function tablePanel(model) {
       .join(", ");
   }
 
+  const placeText = ({ xyz, rpy }) => `xyz ${vector(xyz)} m, rpy ${rpy.map(model.units.cell).join(", ")} ${model.units.angleUnit}`;
   const carrier = (on) => (on === null ? "the base" : table.rows[on].name);
 
   /** What a joint is; in a table without joint variables, where it is held and what it follows too. */
@@ -121,6 +122,8 @@ export function tablePanel(model) {
       button.append(element("span", { class: "dot" }), row.name || "fixed", " ");
       button.append(element("span", { class: "kind" }, kind(row, now)));
       if ((row.on ?? -1) !== index - 1) button.append(element("span", { class: "kind" }, ` on ${carrier(row.on)}`));
+      const steps = table.isMounted ? [] : now.step.map((place) => `, at ${placeText(place)}`);
+      button.append(element("span", { class: "kind" }, ...steps));
       name.append(button);
     }
     name.style.setProperty("--color", color === undefined ? "var(--muted)" : `var(--joint-${color % 8})`);
@@ -142,8 +145,7 @@ export function tablePanel(model) {
 
   /** A row of what is fixed before the first joint or behind the last one. */
   function placedRow(name, place, mass) {
-    const text = `xyz ${vector(place.xyz)} m, rpy ${place.rpy.map(model.units.cell).join(", ")} ${model.units.angleUnit}`;
-    const cells = [element("td", { colSpan: columns.length + (hasLimits ? 1 : 0) }, text), element("td", {}, mass)];
+    const cells = [element("td", { colSpan: columns.length + (hasLimits ? 1 : 0) }, placeText(place)), element("td", {}, mass)];
     if (bodies.checked) cells.push(element("td", { colSpan: 4 }, place.com ? vector(place.com) : ""));
     return element("tr", { class: "placed" }, element("th", { scope: "row" }, name), cells);
   }
