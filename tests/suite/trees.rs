@@ -1,7 +1,7 @@
 //! A robot with branches and frames, from its call to its numbers.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector, Vector6};
-use robot_dynamics::{DoubleDouble, check_against_rnea, robot_dynamics};
+use robot_dynamics::{DoubleDouble, Simulation, check_against_rnea, robot_dynamics};
 use testkit::five::states;
 
 robot_dynamics! {
@@ -13,9 +13,9 @@ robot_dynamics! {
     joints: [
         waist:          revolute { mass: 9, com: [0, 0, 0.2], inertia: cylinder(0.15, 0.4) },
         left_shoulder:  revolute { on: waist, gamma: PI/2, b: 0.4, a: 0.2, alpha: PI/2, mass: 2 },
-        left_elbow:     revolute { a: 0.3, mass: 1, com: [0.1, 0, 0] },
+        left_elbow:     revolute { a: 0.3, mass: 1, com: [0.1, 0, 0], inertia: rod(0.2) },
         right_shoulder: revolute { on: waist, gamma: -PI/2, b: 0.4, a: 0.2, alpha: PI/2, mass: 2 },
-        right_elbow:    revolute { a: 0.3, mass: 1, com: [0.1, 0, 0] },
+        right_elbow:    revolute { a: 0.3, mass: 1, com: [0.1, 0, 0], inertia: rod(0.2) },
         lift:           prismatic { on: base, at: { xyz: [1, 0, 0], rpy: [0, 0, PI/2] }, mass: 3 },
     ],
     frames: {
@@ -107,4 +107,48 @@ fn functions_of_frames_have_the_digits_of_their_numbers() {
         let expected = TORSO.jacobian_rate_left_hand(&double(&q), &double(&qd));
         assert!((found - expected).amax() < 1e-6 * expected.amax());
     }
+}
+
+/// Forces at two frames are torques J' w, also beside sampled torques.
+#[test]
+fn forces_at_frames_move_a_tree() {
+    let wrench = |t: f64| Vector6::new(2.0 * t, -1.0, 0.5, 0.1, 0.2, -0.1);
+    let start = SVector::from([0.1, 0.4, -0.6, -0.5, 0.8, 0.1]);
+    let begun = || {
+        let simulation = Simulation::new(&TORSO).initial(start, SVector::zeros());
+        simulation.duration(0.3).samples(4)
+    };
+    let at_frames = begun()
+        .wrench_at(
+            |torso, q| {
+                (
+                    torso.forward_kinematics_left_hand(q),
+                    torso.jacobian_left_hand(q),
+                )
+            },
+            |t, _, _| wrench(t),
+        )
+        .wrench_at(
+            |torso, q| (torso.forward_kinematics_camera(q), torso.jacobian_camera(q)),
+            |_, _, twist| -3.0 * twist,
+        );
+    let torque = |t: f64, q: &SVector<f64, 6>, qd: &SVector<f64, 6>| {
+        let camera = TORSO.jacobian_camera(q);
+        TORSO.jacobian_left_hand(q).tr_mul(&wrench(t)) - camera.tr_mul(&(camera * qd)) * 3.0
+    };
+    let as_torques = begun().torque(torque).run().expect("a motion");
+    let found = at_frames.run().expect("a motion");
+    assert!(
+        (found.q[3] - as_torques.q[3]).amax() < 1e-9,
+        "{}",
+        found.q[3] - as_torques.q[3]
+    );
+    let damped = begun().control_period(0.01).torque(|_, _, qd| -qd);
+    let camera = |torso: &Torso, q: &SVector<f64, 6>| {
+        (torso.forward_kinematics_camera(q), torso.jacobian_camera(q))
+    };
+    let not_finite = damped
+        .wrench_at(camera, |_, _, _| Vector6::repeat(f64::NAN))
+        .run();
+    assert!(not_finite.unwrap_err().to_string().contains("at a frame"));
 }

@@ -153,7 +153,7 @@ fn a_force_that_is_not_finite_is_named() {
         assert!(
             error
                 .to_string()
-                .contains("nx of the force at the tool is not finite")
+                .contains("nx of the force at the tool or at a frame is not finite")
         );
         assert_eq!(error.trajectory.t.len(), 5, "{method:?}");
         assert!(error.time <= 0.46);

@@ -46,7 +46,7 @@ pub enum Cause {
         /// The joint, counted from 0.
         joint: usize,
     },
-    /// The law of the force at the tool returned one that is not finite.
+    /// A law of the force at the tool or at a frame returned one that is not finite.
     NonFiniteToolWrench {
         /// The component of (fx fy fz nx ny nz), counted from 0.
         component: usize,
@@ -258,7 +258,7 @@ impl fmt::Display for Cause {
             Cause::NonFiniteState { joint } => not_finite("state", joint),
             Cause::NonFiniteToolWrench { component } => {
                 let name = ["fx", "fy", "fz", "nx", "ny", "nz"][component % 6];
-                write!(f, "{name} of the force at the tool is not finite")
+                write!(f, "{name} of the force at the tool or at a frame is not finite")
             }
             Cause::StepTooSmall => f.write_str(
                 "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time",

@@ -49,7 +49,7 @@ pub use method::Method;
 pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
 pub use taylor::{HeldTorque, TaylorSimulation};
-pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench};
+pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench, WrenchAt};
 pub use torque::NoTorque;
 pub use trajectory::{Sample, SizedTrajectory, Trajectory, Work};
 
@@ -208,6 +208,8 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((motion.qd[2][0] + 1.0).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    ///
+    /// It takes the place of forces that were given before; [`wrench_at`](Simulation::wrench_at) adds others.
     pub fn tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
     where
         R: SizedKinematics<D>,
@@ -245,6 +247,47 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
 }
 
 impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
+    /// A force of the surroundings at a frame, besides those that were given before, at the tool or at other frames.
+    /// `place` returns the pose and the Jacobian of the frame; `law` the wrench (fx fy fz nx ny nz), N and N m, at the
+    /// frame's origin in the axes of the world, as a function of t in s, that pose and the frame's twist.
+    ///
+    /// ```
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::{Vector2, Vector6};
+    /// use robot_dynamics::{Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// Two fingers on one rail, with pads of rubber.
+    ///     struct Fingers;
+    ///     convention: modified,
+    ///     gravity: [0, -9.81, 0],
+    ///     joints: [left: prismatic { mass: 1 }, right: prismatic { on: base, mass: 1 }],
+    ///     frames: { left_pad: { on: left, xyz: [0, 0, 0.1] }, right_pad: { on: right, xyz: [0, 0, -0.1] } },
+    ///     functions: [
+    ///         default,
+    ///         left = (forward_kinematics(left_pad), jacobian(left_pad)),
+    ///         right = (forward_kinematics(right_pad), jacobian(right_pad)),
+    ///     ],
+    /// }
+    ///
+    /// let along = |force| Vector6::new(0.0, 0.0, force, 0.0, 0.0, 0.0);
+    /// let motion = Simulation::new(&Fingers)
+    ///     .initial(Vector2::new(0.0, 0.5), Vector2::zeros())
+    ///     .wrench_at(|fingers, q| fingers.left(q), |_t, _pose, _twist| along(2.0))
+    ///     .wrench_at(|fingers, q| fingers.right(q), |_t, _pose, _twist| along(-1.0))
+    ///     .run()?;
+    /// let [left, right] = [motion.q[100][0], motion.q[100][1]];
+    /// assert!((left - 1.0).abs() < 1e-9 && right.abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn wrench_at<P, F>(self, place: P, law: F) -> Simulation<'a, R, L, D, WrenchAt<W, P, F>, S>
+    where
+        P: Fn(&R, &D::Vector) -> (Matrix4<f64>, D::Columns<6>),
+        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+    {
+        self.with_laws(|torque, others, asked| (torque, WrenchAt { others, place, law }, asked))
+    }
+
     /// The same with other laws.
     fn with_laws<L2, W2, S2>(
         self,

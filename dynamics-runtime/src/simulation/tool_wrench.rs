@@ -1,4 +1,4 @@
-//! The force of the surroundings at the tool.
+//! The forces of the surroundings at the tool and at frames.
 
 use nalgebra::{Matrix4, Vector6};
 
@@ -81,6 +81,36 @@ where
         let twist = twist::<D>(&robot.tip_jacobian(q), qd);
         self.wrench = finite((self.law)(t, &robot.tip_pose(q), &twist))?;
         Ok(())
+    }
+}
+
+/// A force at a frame, besides the forces at others.
+#[derive(Clone, Copy, Debug)]
+pub struct WrenchAt<W, P, F> {
+    pub(super) others: W,
+    /// The frame's pose and Jacobian.
+    pub(super) place: P,
+    pub(super) law: F,
+}
+
+impl<W: ContinuousWrench, P, F> ContinuousWrench for WrenchAt<W, P, F> {}
+
+impl<R, W, P, F, D: Size> ToolWrench<R, D> for WrenchAt<W, P, F>
+where
+    W: ToolWrench<R, D>,
+    P: Fn(&R, &D::Vector) -> (Matrix4<f64>, D::Columns<6>),
+    F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+{
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause> {
+        let (t, q, qd) = at;
+        let (pose, jacobian) = (self.place)(robot, q);
+        let wrench = finite((self.law)(t, &pose, &twist::<D>(&jacobian, qd)))?;
+        let tau = self.others.added_to(tau, robot, at)?;
+        Ok(tau + torques::<D>(&jacobian, &wrench, q))
+    }
+
+    fn sample(&mut self, robot: &R, at: At<'_, D>) -> Result<(), Cause> {
+        self.others.sample(robot, at)
     }
 }
 

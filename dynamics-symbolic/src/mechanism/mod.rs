@@ -4,13 +4,14 @@
 //! know nothing else of an arm. The proof reads the table by itself.
 
 mod aligned;
+mod groups;
 mod read;
 mod walk;
 
 pub(crate) use aligned::Aligned;
 pub(crate) use walk::Tree;
 
-use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Row, Spring, Stribeck, Value};
+use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Spring, Stribeck, Value};
 
 /// A robot as the derivations know it. Joints and the links that they move are counted from the base outwards.
 #[derive(Clone, Debug)]
@@ -213,50 +214,6 @@ impl Mechanism {
         free
     }
 
-    /// Joints that have nothing but the base in common with others, by groups: the joints of a group stand on each other's
-    /// links or follow each other. Joints of the base are in the first group.
-    pub(crate) fn groups(&self) -> Vec<Vec<usize>> {
-        let joints = 0..self.joints.len();
-        let first = joints.clone().find(|&i| !self.is_of_base(i)).unwrap_or(0);
-        let own = |i: usize| if self.is_of_base(i) { first } else { i };
-        let mut names: Vec<usize> = joints.clone().map(own).collect();
-        for i in joints.clone() {
-            let carrier = self.tree.parent(i).filter(|&other| !self.is_of_base(other));
-            let leader = match &self.joints[i].law {
-                Law::Following { coupling, .. } => Some(coupling.leader),
-                Law::Free { .. } | Law::Standing { .. } => None,
-            };
-            for other in carrier.into_iter().chain(leader) {
-                let (old, new) = (names[i], names[other]);
-                let renamed = names.iter_mut().filter(|name| **name == old);
-                renamed.for_each(|name| *name = new);
-            }
-        }
-        let members = |name: usize| joints.clone().filter(|&i| names[i] == name).collect();
-        let groups = joints.clone().map(members);
-        groups.filter(|group: &Vec<_>| !group.is_empty()).collect()
-    }
-
-    /// The mechanism in which joints of other groups stand still, without a place and a motor of their own. The joints
-    /// keep their indices.
-    pub(crate) fn only(&self, group: &[usize]) -> Mechanism {
-        let mut part = self.clone();
-        let mut numbers = [0, self.dof()];
-        for (i, joint) in part.joints.iter_mut().enumerate() {
-            if !group.contains(&i) && !self.is_of_base(i) {
-                joint.stand();
-            }
-            let (number, kind) = match &mut joint.law {
-                Law::Free { number } => (number, 0),
-                Law::Following { number, .. } => (number, 1),
-                Law::Standing { .. } => continue,
-            };
-            *number = numbers[kind];
-            numbers[kind] += 1;
-        }
-        part
-    }
-
     /// The joint behind the index of a [`Symbol`](crate::robot::Symbol).
     pub(crate) fn joint_of_symbol(&self, index: usize) -> &Joint {
         let mut joints = self.free().chain(self.following());
@@ -277,19 +234,6 @@ impl Mechanism {
 impl Joint {
     pub(crate) fn stands(&self) -> bool {
         matches!(self.law, Law::Standing { .. })
-    }
-
-    /// Makes it stand still where its carrier is.
-    fn stand(&mut self) {
-        let zero = Value::zero;
-        self.law = Law::Standing { at: zero() };
-        self.forces = read::forces(&Row::new("", self.joint_type));
-        self.aligned = Aligned {
-            before: Vec::new(),
-            turn: vec![zero()],
-            d: zero(),
-            own: Vec::new(),
-        };
     }
 
     /// Whether there is a motor: its reflected inertia is then a parameter of the arm, even where it is zero.
