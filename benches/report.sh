@@ -45,3 +45,5 @@ fi
 if grep -qw avx512f /proc/cpuinfo; then ../goals.sh avx2; fi
 # The table of C code that generators write.
 ../generators.sh
+# The table of robots with branches.
+../trees.sh
