@@ -130,6 +130,24 @@ fn programs_of_random_arms_with_followers_agree_with_newton_euler() {
     assert_varied(&compare_drawn(4, 3, Tables::coupled_robot));
 }
 
+/// A gripper, two arms, legs, a hand, a torso and a forked chain, with all functions of the default set.
+#[test]
+fn programs_of_grippers_hands_and_legs_agree_with_newton_euler() {
+    for name in arms::TREES.into_iter().filter(|name| *name != "humanoid") {
+        let robot = arms::tree(name);
+        let functions = Function::default_set(false);
+        let mut arm = RuntimeRobot::new(robot.clone(), functions).expect("programs are proven");
+        arm.set_fields(&vec![0.7; robot.fields.len()])
+            .expect("a value for each field");
+        let report = Check::new().samples(24).run_any(&arm);
+        let worst = report.functions.iter().map(|found| found.error);
+        assert!(
+            worst.fold(0.0, f64::max) < 2e-15 * robot.dof() as f64,
+            "{name}: {report}"
+        );
+    }
+}
+
 /// Rows on any link and on the base, at places of their own; frames on links and on the base, with bodies and without.
 /// Some joints are locked, some follow others on any branch.
 #[test]

@@ -1,7 +1,8 @@
 //! A robot with branches and frames, from its call to its numbers.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector, Vector6};
-use robot_dynamics::{DoubleDouble, Simulation, check_against_rnea, robot_dynamics};
+use robot_dynamics::simulation::TaylorSimulation;
+use robot_dynamics::{Batch, DoubleDouble, Simulation, check_against_rnea, robot_dynamics};
 use testkit::five::states;
 
 robot_dynamics! {
@@ -24,7 +25,7 @@ robot_dynamics! {
         door:      { on: base, xyz: [2, 0, 1] },
     },
     functions: [
-        default, regressor, base_parameters, link_poses, link_jacobians, inverse_dynamics_derivatives,
+        default, taylor_series, regressor, base_parameters, link_poses, link_jacobians, inverse_dynamics_derivatives,
         forward_dynamics_derivatives, jacobian(left_hand), jacobian(camera), jacobian(door), jacobian_rate(left_hand),
         wrench_torques(left_hand), tool_velocity(left_hand), tool_acceleration(left_hand),
         operational_inertia_inverse(left_hand), forward_kinematics(camera), forward_kinematics(left_hand),
@@ -107,6 +108,50 @@ fn functions_of_frames_have_the_digits_of_their_numbers() {
         let expected = TORSO.jacobian_rate_left_hand(&double(&q), &double(&qd));
         assert!((found - expected).amax() < 1e-6 * expected.amax());
     }
+}
+
+/// Batches of functions of frames and of the whole tree are their single calls.
+#[test]
+fn batches_of_a_tree_are_its_calls() {
+    let states = states::<f64, 6>(19);
+    let q: Vec<SVector<f64, 6>> = states.iter().map(|state| state[0]).collect();
+    let [qd, qdd] = [1, 2].map(|k| {
+        states
+            .iter()
+            .map(|state| state[k])
+            .collect::<Vec<SVector<f64, 6>>>()
+    });
+    let mut tau = vec![SVector::zeros(); q.len()];
+    TORSO
+        .inverse_dynamics_batch(&q, &qd, &qdd, &mut tau)
+        .expect("vectors of one length");
+    let mut jacobians = vec![SMatrix::<f64, 6, 6>::zeros(); q.len()];
+    TORSO
+        .jacobian_left_hand_batch(&q, &mut jacobians)
+        .expect("vectors of one length");
+    for (k, q) in q.iter().enumerate() {
+        let expected = TORSO.inverse_dynamics(q, &qd[k], &qdd[k]);
+        assert!((tau[k] - expected).amax() < 1e-13 * expected.amax());
+        assert!((jacobians[k] - TORSO.jacobian_left_hand(q)).amax() < 1e-14);
+    }
+}
+
+/// Series in time, and an explicit method.
+#[test]
+fn a_tree_falls_by_its_taylor_series() {
+    let start = SVector::from([0.1, 0.4, -0.6, -0.5, 0.8, 0.1]);
+    let by_series = TaylorSimulation::new(&TORSO)
+        .initial(start, SVector::zeros())
+        .duration(0.4)
+        .samples(3)
+        .run();
+    let by_steps = Simulation::new(&TORSO)
+        .initial(start, SVector::zeros())
+        .duration(0.4)
+        .samples(3)
+        .run();
+    let [series, steps] = [by_series, by_steps].map(|motion| motion.expect("a motion").q[2]);
+    assert!((series - steps).amax() < 1e-8, "{}", series - steps);
 }
 
 /// Forces at two frames are torques J' w, also beside sampled torques.

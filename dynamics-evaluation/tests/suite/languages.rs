@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use arms::{Bodies, Tables};
 use dynamics_evaluation::{EvaluationError, RuntimeRobot, Value};
 use dynamics_runtime::Scalar;
 use dynamics_symbolic::emit::{c_source, javascript_module};
@@ -37,9 +38,13 @@ struct Case {
 }
 
 impl Case {
-    fn new(robot: Robot, fields: &[f64], functions: impl IntoIterator<Item = Function>) -> Self {
-        let programs = functions.into_iter().map(|function| {
-            let request = Request::from(function);
+    fn new<R: Into<Request>>(
+        robot: Robot,
+        fields: &[f64],
+        functions: impl IntoIterator<Item = R>,
+    ) -> Self {
+        let programs = functions.into_iter().map(|request| {
+            let request: Request = request.into();
             let program = proven_program(&robot, &request).expect("proven");
             (request, program)
         });
@@ -507,6 +512,38 @@ fn assert_languages(cases: impl Iterator<Item = Case>) {
 #[test]
 fn values_of_short_arms_are_those_of_rust() {
     assert_languages(cases(|joints| joints <= 2));
+}
+
+/// Functions at frames, and those of the whole tree.
+#[test]
+fn values_of_trees_are_those_of_rust() {
+    let mut tables = Tables::new(31, Bodies::Physical);
+    let mut trees = core::iter::repeat_with(|| tables.tree());
+    let case = |number: usize| {
+        let is_taken = |robot: &Robot| {
+            robot.fields.is_empty() && !robot.frames.is_empty() && !robot.is_serial()
+        };
+        let mut robot = trees.find(is_taken).expect("one of them");
+        robot.name = format!("tree {number}");
+        let frames = robot.frames.iter().enumerate();
+        let of_frames = frames.flat_map(|(i, frame)| {
+            [
+                Function::Jacobian,
+                Function::ForwardKinematics,
+                Function::ToolVelocity,
+            ]
+            .map(|function| Request::of_frame(function, i, &frame.name))
+        });
+        let functions = [
+            Function::MassMatrix,
+            Function::InverseDynamics,
+            Function::ForwardDynamics,
+        ];
+        let functions = functions.map(Request::from).into_iter().chain(of_frames);
+        let functions: Vec<_> = functions.collect();
+        Case::new(robot, &[], functions)
+    };
+    assert_languages((0..4).map(case));
 }
 
 /// Names that would end a comment or a string, or are trigraphs, compile in C99, and are the names that are written.

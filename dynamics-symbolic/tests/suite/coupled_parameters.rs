@@ -368,6 +368,22 @@ fn random_arms() {
     assert!(fewer >= 15, "{fewer}");
 }
 
+/// Branches, also with followers on other ones, and bodies in frames.
+#[test]
+fn random_trees() {
+    let mut tables = Tables::new(22, Bodies::Any);
+    let mut trees = 0;
+    for table in 0..30 {
+        let mut robot = tables.tree();
+        for row in &mut robot.rows {
+            (row.spring, row.stribeck) = (None, None);
+        }
+        trees += usize::from(!robot.is_serial());
+        assert_smallest(&robot, &format!("table {table}: {robot:#?}"));
+    }
+    assert!(trees >= 15, "{trees}");
+}
+
 /// Three joints on one motor: exact cosines of a thousand times an angle would not end.
 #[test]
 fn factors_of_three_decimals() {
