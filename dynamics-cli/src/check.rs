@@ -23,7 +23,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
             (model, Some((other, of_other)))
         }
     };
-    let checked = arm(path, &model.robot, &requests(&model)?)?;
+    let asked = requests(&model)?;
+    let checked = arm(path, &model.robot, &asked)?;
     let check = Check::new().samples(samples);
     let progress = Progress::new(1);
     progress.doing("comparing with Newton-Euler");
@@ -45,9 +46,13 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         return Ok(text);
     };
     let compared = if given.contains_id("functions") {
-        requests(&model)?
+        [asked, requests(&other)?]
     } else {
-        COMPARED.map(Request::from).to_vec()
+        let have_tips = [&model, &other].map(|model| model.robot.tip_row().is_some());
+        let mut compared = COMPARED.to_vec();
+        compared.retain(|function| !function.row().of_tip || have_tips == [true; 2]);
+        let compared: Vec<_> = compared.into_iter().map(Request::from).collect();
+        [compared.clone(), compared]
     };
     let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
     if dof != dof_of_other {
@@ -56,8 +61,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         let message = Failure::of_file(path_of_other, differs).message;
         return Err(Failure::after(text, message));
     }
-    let one = arm(path, &model.robot, &compared)?;
-    let other = arm(path_of_other, &other.robot, &compared)?;
+    let one = arm(path, &model.robot, &compared[0])?;
+    let other = arm(path_of_other, &other.robot, &compared[1])?;
     let tolerance = given.get_one::<f64>("tolerance").copied().unwrap_or(1e-9);
     if !compare(&one, &other, samples, tolerance, &mut text)? {
         let message = format!("the two files differ by more than {tolerance:e}");
@@ -66,7 +71,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     Ok(text)
 }
 
-/// The functions compared with another file: all that a motion depends on, and the pose of the tip.
+/// The functions compared with another file: all that a motion depends on, and the pose of the tip, if both have one.
 const COMPARED: [Function; 5] = [
     Function::MassMatrix,
     Function::CoriolisVector,

@@ -4,7 +4,7 @@ use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
-use super::calls::{file, output};
+use super::calls::{errors, file, output};
 use super::convert::{Draws, TURNS, converted, largest, read};
 
 /// Two arms on a waist and a lift beside it, with a body in one hand.
@@ -329,6 +329,42 @@ fn trees_are_the_same_in_both_conventions() {
 #[ignore = "a minute: many trees"]
 fn many_trees_are_the_same_in_both_conventions() {
     convert_trees(100);
+}
+
+/// Files of trees are compared without a tip, and by their frames if these are asked for.
+#[test]
+fn trees_are_compared_with_other_files() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/urdf/trees");
+    let urdf = folder.join("panda_erd.urdf").to_string_lossy().into_owned();
+    let gravity = ["--gravity", "0,0,-9.81"];
+    let table = output(&[&["convert", &urdf, "--to", "toml"][..], &gravity].concat());
+    let table = file("panda_compared.toml", table);
+    let compared = output(&[&["check", &table, "--against", &urdf][..], &gravity].concat());
+    assert!(compared.contains("inverse_dynamics"), "{compared}");
+    let other = "panda_finger_joint1";
+    let message = errors(
+        &[
+            "check",
+            &table,
+            "--functions",
+            &format!("jacobian({other})"),
+        ],
+        2,
+    );
+    assert!(message.contains(other), "{message}");
+    let torso = file("compared_torso.toml", TORSO);
+    let standard = output(&[
+        "convert",
+        &torso,
+        "--to",
+        "toml",
+        "--convention",
+        "standard",
+    ]);
+    let standard = file("compared_standard.toml", standard);
+    let functions = ["--functions", "mass_matrix,jacobian(left_hand)"];
+    let text = output(&[&["check", &torso, "--against", &standard][..], &functions].concat());
+    assert!(text.contains("jacobian_left_hand"), "{text}");
 }
 
 /// A table that stays in its convention keeps its rows, frames and functions; a modified one has `gamma` and `b`.
