@@ -100,6 +100,13 @@ impl Audience {
         }
     }
 
+    /// A function, at a frame if it is about one.
+    pub(crate) fn wanted(self, function: &str, frame: Option<&str>) -> String {
+        frame.map_or(format!("`{function}`"), |frame| {
+            self.function_of(function, frame)
+        })
+    }
+
     /// Two functions that are asked for.
     pub(crate) fn functions(self, one: &str, other: &str) -> String {
         match self {

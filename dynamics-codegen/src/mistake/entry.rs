@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use super::Mistake;
 use crate::audience::AT_THE_END;
-use crate::description::Name;
+use crate::description::{Name, Wanted};
 use crate::words::{number, shortened};
 
 mistakes! {
@@ -29,8 +29,9 @@ mistakes! {
     no_parts(name: &impl Display)
         "`{name}` has no functions: write `{name} = (mass_matrix, gravity_vector)`, for example";
     /// `name = (a)`
-    one_part(name: &impl Display, function: &str)
-        "`{name}` is one function alone, which is asked for by its own name: write `{function}`";
+    one_part(name: &impl Display, wanted: &Wanted)
+        {function: wanted.function.name(), frame: wanted.frame.as_ref().map(Name::plain)} [asked: wanted(function, frame)]
+        "`{name}` is one function alone, which is asked for by its own name: write {asked}";
     part_twice(name: &impl Display, function: &str) "`{function}` is in `{name}` twice";
     /// A function whose program is its own.
     never_a_part(function: &str) "`{function}` shares nothing with other functions: ask for it apart from the tuple";

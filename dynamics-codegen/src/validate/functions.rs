@@ -265,7 +265,7 @@ fn report_name(name: &Name, table: &Table, scope: &Scope) {
 fn report_parts(name: &Name, parts: &[Wanted], scope: &Scope) {
     match parts {
         [] => scope.error(name, mistake::no_parts(name)),
-        [wanted] => scope.error(wanted.place, mistake::one_part(name, &wanted.to_string())),
+        [wanted] => scope.error(wanted.place, mistake::one_part(name, wanted)),
         _ => {}
     }
     for (number, wanted) in parts.iter().enumerate() {
