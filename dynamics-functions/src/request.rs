@@ -22,6 +22,15 @@ pub struct Part {
     pub frame: Option<usize>,
 }
 
+impl Part {
+    /// Whether the letter of the function's values means these alone in a tuple of such parts: no other one is the same
+    /// function of another frame.
+    pub fn has_letter_in(self, parts: &[Part]) -> bool {
+        let same = |other: &&Part| other.function == self.function;
+        parts.iter().filter(same).count() == 1
+    }
+}
+
 impl From<Function> for Part {
     fn from(function: Function) -> Self {
         let frame = None;

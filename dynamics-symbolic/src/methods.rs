@@ -162,7 +162,9 @@ fn beside_single_calls(
         "A call of each function takes {total} multiplications, additions and divisions in all, and sines and \
          cosines {angles} times"
     );
-    match total.saturating_sub(program.operations().total()) {
+    let together = program.operations();
+    match total.saturating_sub(together.total()) {
+        0 if together.sin_cos == angles => format!(" {apart}: nothing is saved here."),
         0 => format!(" {apart}: nothing but sines and cosines is saved here."),
         saved => format!(" {apart}; {saved} operations are saved here."),
     }

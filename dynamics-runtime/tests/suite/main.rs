@@ -19,3 +19,4 @@ mod sticking;
 mod stops;
 mod structure;
 mod trajectories;
+mod trees;

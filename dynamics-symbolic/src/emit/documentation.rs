@@ -59,17 +59,23 @@ pub(super) fn facts(
     lines
 }
 
-/// The description of the function, in the names of this arm's frames. If it is about a named one, `the tip` is that one.
+/// The description of the function, in the names of this arm's frames.
 fn description(robot: &Robot, Part { function, frame }: Part) -> String {
     let world = robot.base.as_ref().map_or("base frame", |_| "world");
     let text = function.row().description.replace("{frame}", world);
-    if let Some(named) = frame.and_then(|frame| robot.frames.get(frame)) {
-        let named = format!("frame `{}`", named.name);
-        let text = text.replace("{tip}", &named);
-        return text.replace("the tip", &format!("the {named}"));
-    }
     let tool = robot.tool.as_ref();
-    text.replace("{tip}", tool.map_or("last link frame", |_| "tool frame"))
+    let tip = tool.map_or("last link frame", |_| "tool frame");
+    at_frame(robot, frame, &text).replace("{tip}", tip)
+}
+
+/// A text about the tip as one about a named frame, if there is one.
+fn at_frame(robot: &Robot, frame: Option<usize>, text: &str) -> String {
+    let Some(named) = frame.and_then(|frame| robot.frames.get(frame)) else {
+        return text.to_owned();
+    };
+    let named = format!("frame `{}`", named.name);
+    let text = text.replace("{tip}", &named);
+    text.replace("the tip", &format!("the {named}"))
 }
 
 /// The quantity that is returned, or each quantity of a tuple, in order.
@@ -138,6 +144,15 @@ fn units(robot: &Robot, request: &Request) -> String {
     };
     let unit = |argument: &Argument| {
         let meaning = argument.meaning(position, force)?;
+        // A tuple may be about one wrench on several frames.
+        let is_pushed = |part: &&Part| part.function.arguments().contains(&Argument::Wrench);
+        let mut pushed = request.parts().iter().filter(is_pushed);
+        let frame = pushed.next().and_then(|part| part.frame);
+        let meaning = if pushed.all(|part| part.frame == frame) {
+            at_frame(robot, frame, &meaning)
+        } else {
+            meaning.replace("the tip", "each frame")
+        };
         Some(format!("`{}`: {meaning}", argument.name()))
     };
     let units: Vec<_> = request.arguments().iter().filter_map(unit).collect();
@@ -149,8 +164,13 @@ fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String
     let parts = request.parts();
     let spans = spans(parts, robot.dof(), program.outputs.len());
     let structure = |(part, span): (&Part, _)| {
-        let structure = Structure::new(robot, part.function, program, span)?;
-        Some([String::new(), format!(" {}", structure.sentence())])
+        let sentence = Structure::new(robot, part.function, program, span)?.sentence();
+        let line = if part.has_letter_in(parts) {
+            format!(" {sentence}")
+        } else {
+            format!(" `{}`: {sentence}", robot.name_of(*part))
+        };
+        Some([String::new(), line])
     };
     let structures = parts.iter().zip(spans).filter_map(structure);
     structures.flatten().collect()

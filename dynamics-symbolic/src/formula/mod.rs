@@ -92,8 +92,8 @@ impl Formulas {
         is_short.then(|| Formulas::new(robot, parts, program, budget))
     }
 
-    /// The formulas of a program of some functions. Functions whose values have no letter to name them by are
-    /// left out, and so are those whose values are arranged in arrays and tuples.
+    /// The formulas of a program of some functions. Functions whose values have no letter of their own to name them by
+    /// are left out, and so are those whose values are arranged in arrays and tuples.
     pub fn new(robot: &Robot, parts: &[Part], program: &Program, budget: Budget) -> Self {
         let groups = Groups::new(&robot.into());
         let (atoms, values) = multiply_out::multiplied_out(&groups, program, budget);
@@ -103,7 +103,9 @@ impl Formulas {
         };
         let mut entries = Vec::new();
         let spans = spans(parts, robot.dof(), values.len());
-        for (&Part { function, .. }, span) in parts.iter().zip(spans) {
+        let named = parts.iter().zip(spans);
+        for (part, span) in named.filter(|(part, _)| part.has_letter_in(parts)) {
+            let function = part.function;
             let indices = structure::indices(function, robot.dof(), span.len());
             let (Some(symbol), Some(indices)) = (function.row().symbol, indices) else {
                 continue;

@@ -101,7 +101,7 @@ impl Arm {
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///
-    /// A call of each function takes 5 multiplications, additions and divisions in all, and sines and cosines 2 times: nothing but sines and cosines is saved here.
+    /// A call of each function takes 5 multiplications, additions and divisions in all, and sines and cosines 2 times: nothing is saved here.
     ///
     /// Operations: 3 multiplications, 2 additions, sines and cosines of 2 angles.
     ///

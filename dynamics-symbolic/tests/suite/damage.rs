@@ -5,6 +5,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
 use dynamics_symbolic::derive::{derive, derive_form};
 use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::function::Part;
 use dynamics_symbolic::neglect::neglect;
 use dynamics_symbolic::program::{Constant, Instruction, Operand, Program};
 use dynamics_symbolic::prove::{Cause, Proof, prove};
@@ -85,8 +86,10 @@ fn every(function: Function, dof: usize, length: usize) -> usize {
 }
 
 /// Damages every operation of a proven program in every way; how many damages were refused.
-fn refused(robot: &Robot, function: Function, sound: &Program) -> usize {
-    let mut proof = Proof::new(robot, &[function.into()], sound);
+pub(crate) fn refused(robot: &Robot, part: impl Into<Part>, sound: &Program) -> usize {
+    let part = part.into();
+    let function = part.function;
+    let mut proof = Proof::new(robot, &[part], sound);
     assert_eq!(proof.holds(sound), Ok(()));
     let mut refused = 0;
     let length = sound.instructions.len();

@@ -2,14 +2,14 @@
 
 use super::formulas::two_link_craig;
 use dynamics_symbolic::robot::{Robot, Value};
-use dynamics_symbolic::{Function, expand};
+use dynamics_symbolic::{Function, Request, expand};
 use expect_test::expect_file;
 use quote::quote;
 
 /// The generated methods as formatted Rust.
-fn text(robot: &Robot, functions: &[Function]) -> String {
+pub(crate) fn text<R: Clone + Into<Request>>(robot: &Robot, requests: &[R]) -> String {
     let path = quote!(::robot_dynamics);
-    let methods = expand(robot, functions, &path).expect("proven");
+    let methods = expand(robot, requests, &path).expect("proven");
     let n = robot.rows.len();
     let n = proc_macro2::Literal::usize_unsuffixed(n);
     let traits = methods.iter().enumerate().map(|(index, method)| {

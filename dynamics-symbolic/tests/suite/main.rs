@@ -12,6 +12,7 @@ mod degrees;
 mod emission;
 mod formulas;
 mod forward_dynamics;
+mod frame_functions;
 mod frames;
 mod functions;
 mod fused;

@@ -4,11 +4,13 @@ use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::derive::functions::Form;
-use dynamics_symbolic::derive::{derive, derive_form};
+use dynamics_symbolic::derive::{derive, derive_form, derive_plain};
 use dynamics_symbolic::function::Part;
-use dynamics_symbolic::program::Instruction;
+use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::prove::prove;
 use dynamics_symbolic::robot::Robot;
+
+use crate::trees::of_tip;
 
 #[test]
 fn every_function_of_random_arms_is_proven() {
@@ -45,10 +47,11 @@ fn every_function_of_random_arms_with_followers_is_proven() {
     prove_drawn(11, 6, &[Tables::coupled_robot]);
 }
 
-/// Joints on links above them or on the base, anywhere; frames with bodies.
+/// Joints on links above them or on the base, anywhere; frames with bodies; followers and locked joints on any branch.
 #[test]
 fn every_function_of_random_trees_is_proven() {
-    prove_drawn(12, 12, &[Tables::tree]);
+    prove_drawn(12, 4, &[Tables::tree, Tables::tree_with_all_cells]);
+    prove_plain(13, 60);
 }
 
 #[test]
@@ -77,8 +80,23 @@ fn every_function_of_many_random_arms_of_each_kind_is_proven() {
         Tables::robot_with_joint_forces,
         Tables::coupled_robot,
         Tables::tree,
+        Tables::tree_with_all_cells,
     ];
     prove_drawn(100, 40, &kinds);
+}
+
+/// So many trees, every other one with all cells, as the recursions are written: without the search for short programs,
+/// which takes most of the time elsewhere.
+fn prove_plain(seed: u64, count: usize) {
+    let mut tables = Tables::new(seed, Bodies::Any);
+    for number in 0..count {
+        let robot = if number % 2 == 0 {
+            tables.tree()
+        } else {
+            tables.tree_with_all_cells()
+        };
+        prove_parts(&robot, number, &Function::ALL, derive_plain);
+    }
 }
 
 /// As many arms of each kind.
@@ -101,12 +119,23 @@ fn prove_tables(seed: u64, tables_in_all: usize, meeting: bool, functions: &[Fun
     }
 }
 
-/// The functions that are also those of frames.
-fn of_tip() -> impl Iterator<Item = Function> {
-    Function::ALL.into_iter().filter(|f| f.row().of_tip)
+fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
+    prove_parts(robot, count, functions, derive);
+    // Articulated bodies are of joints that move by themselves.
+    let function = Function::ForwardDynamics;
+    if functions.contains(&function) && !robot.is_coupled() {
+        let program = derive_form(robot, function, Form::Articulated);
+        assert_proven(robot, count, function.into(), &program);
+    }
 }
 
-fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
+/// Those of these functions that the robot has, and those of its frames.
+fn prove_parts(
+    robot: &Robot,
+    count: usize,
+    functions: &[Function],
+    derive: fn(&Robot, Part) -> Program,
+) {
     let has_tip = robot.tip_row().is_some();
     let exists = |f: &&Function| {
         (has_tip || !f.row().of_tip) && !(f.divides_by_mass() && is_massless(robot))
@@ -117,48 +146,42 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
         let part = move |frame| Part { function, frame };
         named.clone().map(part)
     });
-    let parts = functions.clone().map(|&f| f.into()).chain(of_frames);
-    let programs = parts.map(|part| (part, derive(robot, part)));
-    // Articulated bodies are of joints that move by themselves.
-    let function = Function::ForwardDynamics;
-    let is_asked = functions.clone().any(|f| *f == function);
-    let articulated = (is_asked && !robot.is_coupled()).then(|| {
-        (
-            function.into(),
-            derive_form(robot, function, Form::Articulated),
-        )
-    });
-    for (part, program) in programs.chain(articulated) {
-        let proof = prove(robot, part, &program);
-        assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
-        arms::assert_zeros_are_constants(robot, part, &program);
-        let function = part.function;
-        let divides = program
-            .instructions
-            .iter()
-            .any(|i| matches!(i, Instruction::Div(..)));
-        let solves = [
-            Function::ForwardDynamics,
-            Function::ForwardDynamicsDerivatives,
-            Function::ForwardDynamicsAba,
-            Function::OperationalInertiaInverse,
-        ];
-        // 1/v^2 of a symbolic Stribeck velocity.
-        let differentiated = [
-            Function::InverseDynamicsDerivatives,
-            Function::InverseDynamicsRates,
-            Function::InverseDynamicsSecondDerivatives,
-        ];
-        let by_velocity = differentiated.contains(&function)
-            && robot.rows.iter().any(|row| row.stribeck.is_some());
-        // By factors that are parameters.
-        let by_factor = function == Function::BaseParameters && robot.is_coupled();
-        let may_divide = solves.contains(&function) || function.divides_by_mass();
-        assert!(
-            may_divide || by_velocity || by_factor || !divides,
-            "table {count}: {robot:#?}"
-        );
-        let constants = program.rounded_constants();
-        assert!(constants.iter().all(|x| !x.is_infinite()), "table {count}");
+    let parts = functions.map(|&f| f.into()).chain(of_frames);
+    for part in parts {
+        assert_proven(robot, count, part, &derive(robot, part));
     }
+}
+
+fn assert_proven(robot: &Robot, count: usize, part: Part, program: &Program) {
+    let proof = prove(robot, part, program);
+    assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
+    arms::assert_zeros_are_constants(robot, part, program);
+    let function = part.function;
+    let divides = program
+        .instructions
+        .iter()
+        .any(|i| matches!(i, Instruction::Div(..)));
+    let solves = [
+        Function::ForwardDynamics,
+        Function::ForwardDynamicsDerivatives,
+        Function::ForwardDynamicsAba,
+        Function::OperationalInertiaInverse,
+    ];
+    // 1/v^2 of a symbolic Stribeck velocity.
+    let differentiated = [
+        Function::InverseDynamicsDerivatives,
+        Function::InverseDynamicsRates,
+        Function::InverseDynamicsSecondDerivatives,
+    ];
+    let by_velocity =
+        differentiated.contains(&function) && robot.rows.iter().any(|row| row.stribeck.is_some());
+    // By factors that are parameters.
+    let by_factor = function == Function::BaseParameters && robot.is_coupled();
+    let may_divide = solves.contains(&function) || function.divides_by_mass();
+    assert!(
+        may_divide || by_velocity || by_factor || !divides,
+        "table {count}: {robot:#?}"
+    );
+    let constants = program.rounded_constants();
+    assert!(constants.iter().all(|x| !x.is_infinite()), "table {count}");
 }

@@ -1,33 +1,32 @@
 //! Robots with branches: values that others have printed, and what the proof refuses.
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::derive::{derive_plain, derive_together};
+use dynamics_symbolic::derive::derive_plain;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::function::Part;
 use dynamics_symbolic::program::Arithmetic;
-use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove, prove_together};
+use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove};
 use dynamics_symbolic::robot::{
     Body, Carrier, Convention, Coupling, Frame, Interpretation, JointType, Mount, Placement, Robot,
     Row, Symbol, Value,
 };
 use expect_test::expect_file;
 
-fn ratio(a: i64, b: u64) -> Value {
+pub(crate) fn ratio(a: i64, b: u64) -> Value {
     Value::Rational(Rational::from_parts_signed(a.into(), b.into()))
 }
 
-fn vector(halves: [i64; 3]) -> [Value; 3] {
+pub(crate) fn vector(halves: [i64; 3]) -> [Value; 3] {
     halves.map(|x| ratio(x, 2))
 }
 
-fn at(xyz: [Value; 3]) -> Vec<Placement> {
+pub(crate) fn at(xyz: [Value; 3]) -> Vec<Placement> {
     let rpy = vector([0; 3]);
     vec![Placement { xyz, rpy }]
 }
 
 /// The Y of three joints of KDL's `treeinvdyntest.cpp`, by its fields m, I, L and g: two links on the first one, at L and
 /// at 2 L along its x axis.
-fn y_tree(convention: Convention) -> Robot {
+pub(crate) fn y_tree(convention: Convention) -> Robot {
     let [m, inertia, length, g] = [0, 1, 2, 3].map(Value::field);
     let zero = Value::zero;
     let along = |x: Value| [x, zero(), zero()];
@@ -108,7 +107,7 @@ fn the_definition_of_a_tree_is_kdls_formula() {
 }
 
 /// The tree of five joints of RBDL's `CalcDynamicSimpleTree3D`: axes z, y, x, y, x, unit masses and tensors.
-fn tree_of_five() -> Robot {
+pub(crate) fn tree_of_five() -> Robot {
     let quarter = || Value::Pi * ratio(1, 2);
     let (x, y, z) = (
         [Value::zero(), quarter()],
@@ -305,102 +304,21 @@ fn bodies_of_frames_are_parts_of_their_links() {
     }
 }
 
+/// The functions of the tip, which are also those of frames.
+pub(crate) fn of_tip() -> impl Iterator<Item = Function> {
+    Function::ALL.into_iter().filter(|f| f.row().of_tip)
+}
+
 /// Nothing is proven of a tip that is not there.
 #[test]
 fn a_tree_of_two_tips_has_no_tip() {
     let tree = tree_of_five();
     assert_eq!(tree.tip_row(), None);
-    let about_the_tip = Function::ALL.into_iter().filter(|f| f.row().of_tip);
-    let refused = about_the_tip.map(|function| {
+    let refused = of_tip().map(|function| {
         let program = derive_plain(&tree, function);
         prove(&tree, function, &program).map_err(|failure| failure.cause)
     });
     assert_eq!(refused.collect::<Vec<_>>(), [Err(Cause::Undefined); 7]);
-}
-
-fn of_tip() -> impl Iterator<Item = Function> {
-    Function::ALL.into_iter().filter(|f| f.row().of_tip)
-}
-
-fn of_frame(function: Function, frame: usize) -> Part {
-    let frame = Some(frame);
-    Part { function, frame }
-}
-
-/// The robot with frames on a row in the middle, on the last row, and on the base.
-fn with_frames(robot: Robot) -> Robot {
-    let last = robot.rows.len() - 1;
-    let frame = |on: Option<usize>, x: i64| Frame {
-        name: format!("at {x}"),
-        on,
-        places: vec![Placement {
-            xyz: vector([x, 2, 3]),
-            rpy: [Value::integer(1), ratio(1, 2), Value::Pi * ratio(1, 2)],
-        }],
-        body: None,
-    };
-    let frames = [(Some(2), 1), (Some(last), 2), (None, 3)].map(|(on, x)| frame(on, x));
-    Robot {
-        frames: frames.to_vec(),
-        base: at(vector([1, 0, 0])).pop(),
-        ..robot
-    }
-}
-
-/// Of three frames of a tree, of arms of both conventions and of one from a file, and together with M. A program of
-/// another frame, or of the tip, is refused.
-#[test]
-fn functions_of_frames_are_proven() {
-    let arms = ["stanford", "scara", arms::MOUNTED].map(arms::robot);
-    for robot in arms.into_iter().chain([tree_of_five()]) {
-        let robot = with_frames(robot);
-        for function in of_tip() {
-            let parts = [0, 1, 2].map(|frame| of_frame(function, frame));
-            let programs = parts.map(|part| derive_plain(&robot, part));
-            for (part, program) in parts.iter().zip(&programs) {
-                arms::assert_zeros_are_constants(&robot, *part, program);
-                for other in parts {
-                    let proof = prove(&robot, other, program).map_err(|failure| failure.cause);
-                    let is_right = matches!(proof, Ok(())) == (*part == other);
-                    assert!(is_right, "{} {part:?} {other:?}", robot.name);
-                }
-                assert!(prove(&robot, function, program).is_err());
-            }
-        }
-        let parts = [
-            Function::MassMatrix.into(),
-            of_frame(Function::Jacobian, 0),
-            of_frame(Function::Jacobian, 1),
-            of_frame(Function::WrenchTorques, 0),
-            of_frame(Function::WrenchTorques, 1),
-        ];
-        let program = derive_together(&robot, &parts);
-        assert_eq!(prove_together(&robot, &parts, &program), Ok(()));
-        let mut exchanged = parts;
-        exchanged.swap(1, 2);
-        assert!(prove_together(&robot, &exchanged, &program).is_err());
-    }
-}
-
-/// A frame on the base is a constant. Of a frame on a row only the joints that carry it take operations.
-#[test]
-fn joints_that_do_not_carry_a_frame_cost_nothing() {
-    let tree = with_frames(tree_of_five());
-    let arm = Robot {
-        rows: tree.rows[..3].to_vec(),
-        ..tree.clone()
-    };
-    let count = |robot: &Robot, function, frame| {
-        let program = dynamics_symbolic::derive::derive(robot, of_frame(function, frame));
-        let operations = program.operations();
-        (operations.total(), operations.sin_cos)
-    };
-    let functions = of_tip().filter(|f| *f != Function::OperationalInertiaInverse);
-    for function in functions {
-        let of_arm = count(&arm, function, 0);
-        assert_eq!(count(&tree, function, 0), of_arm, "{function:?}");
-        assert_eq!(count(&tree, function, 2), (0, 0), "{function:?}");
-    }
 }
 
 /// A robot twice on one base, the second one moved along the base by `xyz`.

@@ -334,7 +334,20 @@ impl Tables {
             2 => Tables::coupled_robot,
             _ => Tables::robot,
         };
-        let mut robot = draw(self);
+        let robot = draw(self);
+        self.branched(robot)
+    }
+
+    /// As [`Tables::tree`], with all cells that a table may have: followers beside joints that are locked, springs and
+    /// friction of every kind, base and tool.
+    pub fn tree_with_all_cells(&mut self) -> Robot {
+        let robot = self.coupled_robot();
+        let robot = self.mounted(robot);
+        self.branched(robot)
+    }
+
+    /// The robot as a tree with frames. Where there is no tip, there is no tool.
+    fn branched(&mut self, mut robot: Robot) -> Robot {
         self.fields = robot.fields.len();
         let count = robot.rows.len();
         for (i, row) in robot.rows.iter_mut().enumerate() {

@@ -1,0 +1,124 @@
+/**
+ * Equations of motion of `Fingers`, written by robot-dynamics.
+ *
+ * Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.
+ * Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.
+ */
+#ifndef FINGERS_H
+#define FINGERS_H
+
+/* What stands in front of every function: for device code it is compiled for both sides. */
+#ifndef ROBOT_DYNAMICS_DEVICE
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define ROBOT_DYNAMICS_DEVICE __host__ __device__
+#else
+#define ROBOT_DYNAMICS_DEVICE
+#endif
+#endif
+
+/* Joints that move, and their names from the base outwards. */
+#define FINGERS_DOF 2
+#define FINGERS_JOINT_NAMES {"left", "right"}
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The symbolic parameters of the table. */
+typedef struct {
+    double width;
+    double length;
+} fingers_fields;
+
+/**
+ * Forward kinematics: the homogeneous transform of the frame `Right tip` in the base frame, m.
+ *
+ * `q`: joint positions, rad.
+ *
+ * Operations: 2 multiplications, 1 addition, sine and cosine of one angle.
+ *
+ * T13, T23, T31, T32, T34, T41, T42, T43 are zero; T33, T44 are constant; T11, T12, T14, T21, T22, T24 depend on q2.
+ *
+ * T11 = c2
+ * T12 = -s2
+ * T13 = 0
+ * T14 = width + length c2
+ * T21 = s2
+ * T22 = c2
+ * T23 = 0
+ * T24 = length s2
+ * T31 = 0
+ * T32 = 0
+ * T33 = 1
+ * T34 = 0
+ * T41 = 0
+ * T42 = 0
+ * T43 = 0
+ * T44 = 1
+ * with c2 = cos(q2), s2 = sin(q2)
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fields *arm, const double q[2], double forward_kinematics[4][4]);
+
+/**
+ * Geometric Jacobian of the frame `Left tip`'s origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.
+ *
+ * `q`: joint positions, rad.
+ *
+ * Operations: 2 multiplications, 0 additions, sine and cosine of one angle.
+ *
+ * J12, J22, J31, J32, J41, J42, J51, J52, J62 are zero; J61 is constant; J11, J21 depend on q1.
+ *
+ * J11 = -length s1
+ * J12 = 0
+ * J21 = length c1
+ * J22 = 0
+ * J31 = 0
+ * J32 = 0
+ * J41 = 0
+ * J42 = 0
+ * J51 = 0
+ * J52 = 0
+ * J61 = 1
+ * J62 = 0
+ * with c1 = cos(q1), s1 = sin(q1)
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip(const fingers_fields *arm, const double q[2], double jacobian[6][2]);
+
+/**
+ * Joint torques J(q)^T w of a wrench at the frame `Right tip`, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.
+ *
+ * `q`: joint positions, rad; `wrench`: force (N) on the frame `Right tip` and moment (N m) about its origin, fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply.
+ *
+ * Operations: 3 multiplications, 2 additions, sine and cosine of one angle.
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip(const fingers_fields *arm, const double q[2], const double wrench[6], double wrench_torques[2]);
+
+/**
+ * (`mass_matrix`, `jacobian_left_tip`, `jacobian_right_tip`) at one state, as one program.
+ *
+ * - `0`: Mass matrix M(q), N x N, both triangles, reflected motor inertias included (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).
+ * - `1`: Geometric Jacobian of the frame `Left tip`'s origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.
+ * - `2`: Geometric Jacobian of the frame `Right tip`'s origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.
+ *
+ * `q`: joint positions, rad.
+ *
+ * Operations: 5 multiplications, 0 additions, sines and cosines of 2 angles.
+ *
+ * M11, M12 are zero; M22 is constant.
+ *
+ * `jacobian_left_tip`: J12, J22, J31, J32, J41, J42, J51, J52, J62 are zero; J61 is constant; J11, J21 depend on q1.
+ *
+ * `jacobian_right_tip`: J11, J21, J31, J32, J41, J42, J51, J52, J61 are zero; J62 is constant; J12, J22 depend on q2.
+ *
+ * M11 = 0
+ * M12 = 0
+ * M21 = 0
+ * M22 = length^2
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_pinch(const fingers_fields *arm, const double q[2], double mass_matrix[2][2], double jacobian_left_tip[6][2], double jacobian_right_tip[6][2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
