@@ -48,13 +48,20 @@ impl At<'_> {
         }
     }
 
-    /// Axes in a Jacobian are of size 1, velocities of revolute joints as large as the distance from their axis.
+    /// Axes in a Jacobian are of size 1, velocities of revolute joints as large as the distance from their axis. A column
+    /// is the sum of that of a joint and of those that follow it, each times its factor.
     pub(super) fn jacobian(&self, k: usize) -> Unit {
         let joint = k / 6 % self.joints();
-        let is_revolute = self.table.rows[joint].joint_type == JointType::Revolute;
-        let is_lever = k % 6 < 3 && is_revolute;
-        let scale = if is_lever { self.scale.position } else { 1.0 };
-        (scale, Some(joint))
+        let of_joint = self
+            .table
+            .arm()
+            .chain()
+            .filter(|moving| moving.joint == joint);
+        let sizes = of_joint.map(|moving| {
+            let is_lever = k % 6 < 3 && moving.row.joint_type == JointType::Revolute;
+            moving.factor.abs() * if is_lever { self.scale.position } else { 1.0 }
+        });
+        (sizes.sum(), Some(joint))
     }
 
     /// A motion of the tip for joints that move by `size`. Its linear part is as large as the distance from the base

@@ -78,7 +78,7 @@ pub struct Check {
     tolerance: f64,
 }
 
-/// Tolerance of a relative error, per joint.
+/// Tolerance of a relative error, per joint, those that follow others included.
 ///
 /// Each link that a result passes through adds a few roundings of 1.1e-16 on either side of the
 /// comparison. Arms of up to 12 joints stay below 1e-15 per joint. A wrong term is wrong in its
@@ -127,7 +127,7 @@ impl Check {
         }
     }
 
-    /// Tolerance of a relative error, per joint.
+    /// Tolerance of a relative error, per joint, those that follow others included.
     pub fn tolerance(self, tolerance: f64) -> Self {
         Check { tolerance, ..self }
     }
@@ -171,7 +171,7 @@ impl Check {
         let joints: Vec<_> = arm.rows.iter().map(|row| row.joint_type).collect();
         let mut states = self.states(&joints, &farthest);
         states.extend(self.slow_states(arm));
-        let tolerance = self.tolerance * joints.len() as f64;
+        let tolerance = self.tolerance * arm.chain().count() as f64;
         let mut report = Report::new(robot.names(), states.len(), self.seed);
         // The regressor of the potential energy leaves a constant open: that of the first state.
         let mut data = BTreeMap::new();
