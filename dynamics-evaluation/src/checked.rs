@@ -124,6 +124,6 @@ fn arguments(state: &SizedState<Dyn>, tau: &DVector<f64>) -> impl Fn(Argument, u
         Argument::Jerk => jerk[i],
         Argument::Snap => snap[i],
         Argument::Wrench => wrench[i],
-        Argument::Order => f64::NAN,
+        Argument::Base | Argument::Order => f64::NAN,
     }
 }

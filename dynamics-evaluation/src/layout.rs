@@ -89,7 +89,9 @@ fn by_columns(shape: &Shape, sizes: Sizes, places: &mut Vec<usize>) {
             let entries = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
             places.extend(entries.map(|(i, j)| start + j * rows + i));
         }
-        Shape::Each(one) => (0..sizes.joints).for_each(|_| by_columns(one, sizes, places)),
+        Shape::Each(count, one) => {
+            (0..count.of(sizes)).for_each(|_| by_columns(one, sizes, places))
+        }
         Shape::Tuple(parts) => parts
             .iter()
             .for_each(|part| by_columns(part, sizes, places)),

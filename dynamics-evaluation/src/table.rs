@@ -26,7 +26,7 @@ pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
         .map(|frame| cells.fixed(frame))
         .collect();
     let mut arm = RuntimeTable::with_frames(convention, gravity, &rows, &motions, &frames);
-    arm.base = cells.frame(robot.base.as_ref());
+    arm.base = cells.frame(robot.placement());
     if let Some(tool) = &robot.tool {
         arm.tool = cells.tool(tool);
     }

@@ -38,9 +38,9 @@ fn read(shape: &Shape, sizes: Sizes, entries: &mut impl Iterator<Item = f64>) ->
             let of_matrix = entries.by_ref().take(rows * columns);
             Value::Matrix(DMatrix::from_iterator(rows, columns, of_matrix))
         }
-        Shape::Each(one) => {
-            let joints = 0..sizes.joints;
-            Value::Each(joints.map(|_| read(one, sizes, entries)).collect())
+        Shape::Each(count, one) => {
+            let all = 0..count.of(sizes);
+            Value::Each(all.map(|_| read(one, sizes, entries)).collect())
         }
         Shape::Tuple(parts) => Value::Tuple(
             parts

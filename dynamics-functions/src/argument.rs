@@ -5,6 +5,8 @@ use super::{Shape, Size};
 /// An argument of a generated method, after `&self`. Methods take theirs in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Argument {
+    /// Where a base that moves stands: nine entries of its rotation by rows, then its position. A base that stands has none.
+    Base,
     /// q, joint positions.
     Position,
     /// qd, joint velocities.
@@ -31,6 +33,7 @@ impl Argument {
     /// Its name.
     pub const fn name(self) -> &'static str {
         match self {
+            Argument::Base => "base",
             Argument::Position => "q",
             Argument::Velocity => "qd",
             Argument::Acceleration => "qdd",
@@ -47,14 +50,15 @@ impl Argument {
     /// The arrangement of its values; `None` of a number that counts something.
     pub const fn shape(self) -> Option<Shape> {
         match self {
-            Argument::Position
-            | Argument::Velocity
+            Argument::Base => Some(Shape::Matrix(Size::Fixed(12), Size::One)),
+            Argument::Position => Some(Shape::Matrix(Size::Joints, Size::One)),
+            Argument::Velocity
             | Argument::Acceleration
             | Argument::Force
             | Argument::ReferenceVelocity
             | Argument::ReferenceAcceleration
             | Argument::Jerk
-            | Argument::Snap => Some(Shape::Matrix(Size::Joints, Size::One)),
+            | Argument::Snap => Some(Shape::Matrix(Size::Freedoms, Size::One)),
             Argument::Wrench => Some(Shape::Matrix(Size::Fixed(6), Size::One)),
             Argument::Order => None,
         }
@@ -64,6 +68,8 @@ impl Argument {
     /// `None` where the description of the function says it.
     pub fn meaning(self, position: &str, force: &str) -> Option<String> {
         Some(match self {
+            Argument::Base => "where the base stands: its axes in the world as columns of a rotation, and its origin, m"
+                .to_owned(),
             Argument::Position => format!("joint positions, {position}"),
             Argument::Velocity => format!("joint velocities, {position} per s"),
             Argument::Acceleration => format!("joint accelerations, {position} per s^2"),

@@ -116,7 +116,7 @@ fn dynamic_type(shape: &Shape) -> TokenStream {
         Shape::Number => quote!(f64),
         Shape::Matrix(_, Size::One) => quote!(DVector<f64>),
         Shape::Matrix(..) => quote!(DMatrix<f64>),
-        Shape::Each(one) => {
+        Shape::Each(_, one) => {
             let one = dynamic_type(one);
             quote!(Vec<#one>)
         }

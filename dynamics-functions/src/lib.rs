@@ -18,7 +18,7 @@ pub use batch::{Batch, batch_methods};
 pub use items::{function_names, runtime_methods};
 pub use request::{Part, Request, sizes_of, spans};
 pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
-pub use shape::{Shape, Size, Sizes};
+pub use shape::{Freedoms, Shape, Size, Sizes};
 pub use table::Function;
 
 /// The name of a frame in the names of methods: in lower case, with `_` for every character but a-z and 0-9.
@@ -41,9 +41,14 @@ impl Function {
         format!("{}_{}", self.name(), frame_in_methods(frame))
     }
 
-    /// The arguments of the generated method after `&self`, in order.
+    /// The arguments of the generated method after `&self`, in order, on a base that stands.
     pub fn arguments(self) -> &'static [Argument] {
         self.row().arguments
+    }
+
+    /// Whether the method of a robot on a base that moves reads where the base stands.
+    pub fn reads_base(self) -> bool {
+        self.row().reads_base
     }
 
     /// The arrangement of the values.
@@ -84,8 +89,10 @@ impl Function {
     }
 
     /// The sizes in the shape, of so many joints and with so many outputs that are values.
-    pub fn sizes(self, joints: usize, entries: usize) -> Sizes {
-        Sizes::with_count(joints, entries, |sizes| self.shape().entries(sizes))
+    pub fn sizes(self, freedoms: impl Into<Freedoms>, entries: usize) -> Sizes {
+        Sizes::with_count(freedoms.into(), entries, |sizes| {
+            self.shape().entries(sizes)
+        })
     }
 
     /// Whether it divides by the mass of the arm.
@@ -99,13 +106,13 @@ impl Function {
     }
 
     /// How many outputs of a program are values. Pivots and the diagonal of M may follow.
-    pub fn entries(self, joints: usize, outputs: usize) -> usize {
-        self.shape().entries(self.sizes(joints, outputs))
+    pub fn entries(self, freedoms: impl Into<Freedoms>, outputs: usize) -> usize {
+        self.shape().entries(self.sizes(freedoms, outputs))
     }
 
     /// How many outputs a program has: the values, and the pivots and the diagonal of M where these follow.
     pub fn outputs(self, sizes: Sizes) -> usize {
-        let pivots = usize::from(self.has_pivots()) * 2 * sizes.joints;
+        let pivots = usize::from(self.has_pivots()) * 2 * sizes.freedoms.all();
         self.shape().entries(sizes) + pivots
     }
 

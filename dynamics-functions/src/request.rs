@@ -1,6 +1,6 @@
 //! Requests, each with one name: a function, or several whose values one method returns together.
 
-use super::{Argument, Function, Sizes};
+use super::{Argument, Freedoms, Function, Sizes};
 use core::ops::Range;
 
 /// One method of the generated model.
@@ -10,6 +10,8 @@ pub struct Request {
     identifier: String,
     parts: Vec<Part>,
     is_tuple: bool,
+    /// Whether the base of the robot moves.
+    base_moves: bool,
 }
 
 /// A function whose values a method returns, by themselves or in a tuple.
@@ -44,6 +46,7 @@ impl From<Function> for Request {
             identifier: function.name().to_owned(),
             parts: vec![function.into()],
             is_tuple: false,
+            base_moves: false,
         }
     }
 }
@@ -57,6 +60,7 @@ impl Request {
             identifier: function.name_of_frame(name),
             parts: vec![Part { function, frame }],
             is_tuple: false,
+            base_moves: false,
         }
     }
 
@@ -70,7 +74,14 @@ impl Request {
             identifier: identifier.into(),
             parts: parts.into_iter().map(Into::into).collect(),
             is_tuple: true,
+            base_moves: false,
         }
+    }
+
+    /// The same of a robot whose base moves: a function that reads where the base stands takes that first.
+    pub fn on_moving_base(mut self) -> Request {
+        self.base_moves = true;
+        self
     }
 
     /// The name of the generated method, without the `r#` of a raw identifier.
@@ -127,8 +138,11 @@ impl Request {
     /// The arguments of the generated method after `&self`: of one function its own, of several those of all parts in the
     /// order of [`Argument`].
     pub fn arguments(&self) -> Vec<Argument> {
-        let arguments = self.functions().flat_map(Function::arguments);
-        let mut arguments: Vec<_> = arguments.copied().collect();
+        let of_function = |function: Function| {
+            let base = (self.base_moves && function.reads_base()).then_some(Argument::Base);
+            base.into_iter().chain(function.arguments().iter().copied())
+        };
+        let mut arguments: Vec<_> = self.functions().flat_map(of_function).collect();
         if self.is_tuple {
             arguments.sort();
             arguments.dedup();
@@ -148,14 +162,14 @@ impl Request {
 }
 
 /// The sizes in the shapes of functions, of so many joints and with so many outputs in one program.
-pub fn sizes_of(parts: &[Part], joints: usize, outputs: usize) -> Sizes {
+pub fn sizes_of(parts: &[Part], freedoms: impl Into<Freedoms>, outputs: usize) -> Sizes {
     let count = |sizes| parts.iter().map(|part| part.function.outputs(sizes)).sum();
-    Sizes::with_count(joints, outputs, count)
+    Sizes::with_count(freedoms.into(), outputs, count)
 }
 
 /// The outputs of each of some functions among those of one program, in which one function stands after the other.
-pub fn spans(parts: &[Part], joints: usize, outputs: usize) -> Vec<Range<usize>> {
-    let sizes = sizes_of(parts, joints, outputs);
+pub fn spans(parts: &[Part], freedoms: impl Into<Freedoms>, outputs: usize) -> Vec<Range<usize>> {
+    let sizes = sizes_of(parts, freedoms, outputs);
     let mut start = 0;
     let span = |part: &Part| {
         let end = start + part.function.outputs(sizes);

@@ -36,6 +36,8 @@ pub struct Row {
     pub of_tip: bool,
     /// The other factor, if only the product of both functions can be compared with Newton-Euler.
     pub compared_with: Option<Function>,
+    /// Whether the values on a base that moves depend on where that stands: they do not if everything turns with it.
+    pub reads_base: bool,
 }
 
 /// The tables for which a function is generated.

@@ -7,19 +7,49 @@ pub enum Size {
     One,
     /// So many of every robot.
     Fixed(usize),
-    /// One for each joint that moves.
+    /// One for each joint that moves by itself.
     Joints,
+    /// One for each degree of freedom: six of a base that moves, then the joints.
+    Freedoms,
     /// One for each pair of joints, in the order (1,2), (1,3), ..., (n-1,n).
     Pairs,
     /// One for each base inertial parameter.
     Parameters,
 }
 
+/// The degrees of freedom of one robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Freedoms {
+    /// Those of the base: none of one that stands, six of one that moves.
+    pub base: usize,
+    /// Joints that move by themselves.
+    pub joints: usize,
+}
+
+impl Freedoms {
+    /// All of them: entries of a velocity.
+    pub const fn all(self) -> usize {
+        self.base + self.joints
+    }
+
+    /// Whether the base moves.
+    pub const fn has_base(self) -> bool {
+        self.base > 0
+    }
+}
+
+/// So many joints on a base that stands.
+impl From<usize> for Freedoms {
+    fn from(joints: usize) -> Self {
+        Freedoms { base: 0, joints }
+    }
+}
+
 /// The sizes of one robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// Joints.
-    pub joints: usize,
+    /// Degrees of freedom.
+    pub freedoms: Freedoms,
     /// Base inertial parameters.
     pub parameters: usize,
 }
@@ -27,11 +57,19 @@ pub struct Sizes {
 impl Sizes {
     /// The sizes with which some values are so many, where `count` gives their number; no parameters where these do not
     /// matter.
-    pub(super) fn with_count(joints: usize, values: usize, count: impl Fn(Sizes) -> usize) -> Self {
-        let [without, with_one] = [0, 1].map(|parameters| count(Sizes { joints, parameters }));
+    pub(super) fn with_count(
+        freedoms: Freedoms,
+        values: usize,
+        count: impl Fn(Sizes) -> usize,
+    ) -> Self {
+        let sizes = |parameters| Sizes {
+            freedoms,
+            parameters,
+        };
+        let [without, with_one] = [0, 1].map(|parameters| count(sizes(parameters)));
         let rest = values.saturating_sub(without);
         let parameters = rest.checked_div(with_one - without).unwrap_or(0);
-        Sizes { joints, parameters }
+        sizes(parameters)
     }
 }
 
@@ -41,8 +79,12 @@ impl Size {
         match self {
             Size::One => 1,
             Size::Fixed(count) => count,
-            Size::Joints => sizes.joints,
-            Size::Pairs => sizes.joints * sizes.joints.saturating_sub(1) / 2,
+            Size::Joints => sizes.freedoms.joints,
+            Size::Freedoms => sizes.freedoms.all(),
+            Size::Pairs => {
+                let joints = sizes.freedoms.joints;
+                joints * joints.saturating_sub(1) / 2
+            }
             Size::Parameters => sizes.parameters,
         }
     }
@@ -55,8 +97,8 @@ pub enum Shape {
     Number,
     /// A matrix of so many rows and columns, or a vector.
     Matrix(Size, Size),
-    /// An array with one for each joint that moves.
-    Each(&'static Shape),
+    /// An array with so many of them.
+    Each(Size, &'static Shape),
     /// One after the other.
     Tuple(&'static [Shape]),
     /// Taylor coefficients of the positions. The program's outputs are the joint forces of one order.
@@ -69,15 +111,15 @@ impl Shape {
         match self {
             Shape::Number => 1,
             Shape::Matrix(rows, columns) => rows.of(sizes) * columns.of(sizes),
-            Shape::Each(one) => sizes.joints * one.entries(sizes),
+            Shape::Each(count, one) => count.of(sizes) * one.entries(sizes),
             Shape::Tuple(parts) => parts.iter().map(|part| part.entries(sizes)).sum(),
-            Shape::Series => sizes.joints,
+            Shape::Series => sizes.freedoms.joints,
         }
     }
 
     /// The number of base parameters with which there are so many values; 0 where it does not matter.
-    pub fn parameters(&self, joints: usize, entries: usize) -> usize {
-        Sizes::with_count(joints, entries, |sizes| self.entries(sizes)).parameters
+    pub fn parameters(&self, freedoms: impl Into<Freedoms>, entries: usize) -> usize {
+        Sizes::with_count(freedoms.into(), entries, |sizes| self.entries(sizes)).parameters
     }
 
     /// Whether a size is the number of base parameters.
@@ -85,7 +127,7 @@ impl Shape {
         match self {
             Shape::Number | Shape::Series => false,
             Shape::Matrix(rows, columns) => [rows, columns].contains(&&Size::Parameters),
-            Shape::Each(one) => one.has_parameters(),
+            Shape::Each(_, one) => one.has_parameters(),
             Shape::Tuple(parts) => parts.iter().any(Shape::has_parameters),
         }
     }

@@ -4,13 +4,13 @@ use super::Argument::{
     Acceleration, Force, Jerk, Order, Position, ReferenceAcceleration, ReferenceVelocity, Snap,
     Velocity, Wrench,
 };
-use super::Size::{Fixed, Joints, One, Pairs, Parameters};
+use super::Size::{Fixed, Freedoms, Joints, One, Pairs, Parameters};
 use super::{Form, Growth, Masses, Row, Search, Second, Set, Shape, Trial};
 
-const VECTOR: Shape = Shape::Matrix(Joints, One);
-const SQUARE: Shape = Shape::Matrix(Joints, Joints);
-/// For each joint a square matrix.
-const SQUARES: Shape = Shape::Each(&SQUARE);
+const VECTOR: Shape = Shape::Matrix(Freedoms, One);
+const SQUARE: Shape = Shape::Matrix(Freedoms, Freedoms);
+/// For each degree of freedom a square matrix.
+const SQUARES: Shape = Shape::Each(Freedoms, &SQUARE);
 /// A homogeneous transform.
 const POSE: Shape = Shape::Matrix(Fixed(4), Fixed(4));
 /// Velocities of the tip's origin and of its rotation, or their rates.
@@ -45,6 +45,7 @@ const USUAL: Row = Row {
     masses: Masses::Inertia,
     of_tip: false,
     compared_with: None,
+    reads_base: true,
 };
 
 /// Makes the enumeration, the list of its variants and the way to their rows out of the table: of each function the name
@@ -94,6 +95,7 @@ functions! {
         "Mass matrix M(q), N x N, both triangles, reflected motor inertias included \
             (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).",
         symbol: Some("M"), set: Set::Default, provided: Some("MassMatrix"),
+        reads_base: false,
     }
 
     /// V(q, qd), Coriolis and centrifugal terms.
@@ -102,6 +104,7 @@ functions! {
             friction and acceleration.",
         symbol: Some("V"), set: Set::Default, provided: Some("CoriolisVector"),
         second: OF_SMALL_ARMS,
+        reads_base: false,
     }
 
     /// G(q), the gradient of the potential energy of gravity.
@@ -117,6 +120,7 @@ functions! {
             C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where \
             the table has one, else C.",
         symbol: Some("F"), set: Set::WithFriction, masses: Masses::Unread,
+        reads_base: false,
     }
 
     /// K(q), the forces of the springs.
@@ -124,6 +128,7 @@ functions! {
         "Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the \
             joints, zero where a joint has none.",
         symbol: Some("K"), search: Search::None, masses: Masses::Unread,
+        reads_base: false,
     }
 
     /// tau = M qdd + V + G + K + F.
@@ -146,6 +151,7 @@ functions! {
     KineticEnergy: kinetic_energy(Position, Velocity) -> Shape::Number => {
         "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
         symbol: Some("T"), set: Set::Default,
+        reads_base: false,
     }
 
     /// U(q), of gravity, zero at the origin of the world, and of springs.
@@ -170,10 +176,11 @@ functions! {
         symbol: Some("C"),
         second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
         growth: Growth::Steep,
+        reads_base: false,
     }
 
     /// B(q) of the configuration-space form.
-    CoriolisCoefficients: coriolis_coefficients(Position) -> Shape::Matrix(Joints, Pairs) => {
+    CoriolisCoefficients: coriolis_coefficients(Position) -> Shape::Matrix(Freedoms, Pairs) => {
         "Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the \
             configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.",
         symbol: Some("B"), growth: Growth::Steep,
@@ -194,13 +201,13 @@ functions! {
     }
 
     /// Homogeneous transforms of every link frame in the world.
-    LinkPoses: link_poses(Position) -> Shape::Each(&POSE) => {
+    LinkPoses: link_poses(Position) -> Shape::Each(Joints, &POSE) => {
         "Homogeneous transforms in the {frame} of every link frame whose joint moves, from the base outwards, m.",
         masses: Masses::Unread,
     }
 
     /// Geometric Jacobian of the tip's origin.
-    Jacobian: jacobian(Position) -> Shape::Matrix(Fixed(6), Joints) => {
+    Jacobian: jacobian(Position) -> Shape::Matrix(Fixed(6), Freedoms) => {
         "Geometric Jacobian of the {tip}'s origin, 6 x N, rows vx vy vz wx wy wz, in the {frame}.",
         symbol: Some("J"), masses: Masses::Unread,
         of_tip: true,
@@ -227,7 +234,7 @@ functions! {
     }
 
     /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - K - F.
-    Regressor: regressor(Position, Velocity, Acceleration) -> Shape::Matrix(Joints, Parameters) => {
+    Regressor: regressor(Position, Velocity, Acceleration) -> Shape::Matrix(Freedoms, Parameters) => {
         "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
             Y * base_parameters = tau - K - F, the joint forces without springs and friction.",
         second: ASSEMBLED, growth: Growth::Steep, compared_with: Some(Function::BaseParameters),
@@ -238,6 +245,7 @@ functions! {
         "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
             determined, regressor * base_parameters = tau - K - F.",
         search: Search::None, compared_with: Some(Function::Regressor),
+        reads_base: false,
     }
 
     /// qdd from tau by articulated bodies, without M: accurate where M is nearly singular.
@@ -279,7 +287,7 @@ functions! {
     }
 
     /// dJ/dt
-    JacobianRate: jacobian_rate(Position, Velocity) -> Shape::Matrix(Fixed(6), Joints) => {
+    JacobianRate: jacobian_rate(Position, Velocity) -> Shape::Matrix(Fixed(6), Freedoms) => {
         "Rate dJ/dt of the geometric Jacobian along a motion, 6 x N, rows as in `jacobian`: the acceleration of the \
             tip is J qdd + dJ/dt qd.",
         search: Search::None, masses: Masses::Unread,
@@ -287,7 +295,7 @@ functions! {
     }
 
     /// Geometric Jacobian of every link frame's origin.
-    LinkJacobians: link_jacobians(Position) -> Shape::Each(&Shape::Matrix(Fixed(6), Joints)) => {
+    LinkJacobians: link_jacobians(Position) -> Shape::Each(Joints, &Shape::Matrix(Fixed(6), Freedoms)) => {
         "Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, \
             rows vx vy vz wx wy wz, in the {frame}. Columns of joints beyond a link are zero.",
         search: Search::None, masses: Masses::Unread,
@@ -301,7 +309,7 @@ functions! {
     }
 
     /// Its derivative by the joint positions.
-    CenterOfMassJacobian: center_of_mass_jacobian(Position) -> Shape::Matrix(Fixed(3), Joints) => {
+    CenterOfMassJacobian: center_of_mass_jacobian(Position) -> Shape::Matrix(Fixed(3), Freedoms) => {
         "Jacobian of `center_of_mass`, 3 x N, by rows x y z: its velocity in the {frame} is this times qd.",
         masses: Masses::Center,
     }
@@ -319,6 +327,7 @@ functions! {
     GeneralizedMomentum: generalized_momentum(Position, Velocity) -> VECTOR => {
         "Generalized momentum p = M(q) qd = dT/dqd, N m s or N s, without M.",
         symbol: Some("p"), second: OF_SMALL_ARMS,
+        reads_base: false,
     }
 
     /// C' qd - G - K - F
@@ -336,7 +345,7 @@ functions! {
     }
 
     /// Y_r(q, qd, qd_r, qdd_r), the coefficients of the base inertial parameters in it.
-    PassivityRegressor: passivity_regressor(Position, Velocity, ReferenceVelocity, ReferenceAcceleration) -> Shape::Matrix(Joints, Parameters) => {
+    PassivityRegressor: passivity_regressor(Position, Velocity, ReferenceVelocity, ReferenceAcceleration) -> Shape::Matrix(Freedoms, Parameters) => {
         "Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: \
             Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control \
             learns (Slotine and Li).",

@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{
-    Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Base, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
 };
 
 /// Cells of a robot, and the values of its fields.
@@ -148,9 +148,9 @@ impl Cells<'_> {
     }
 
     /// None where the input ends before: the tables of older inputs stay what they are.
-    fn base(&mut self) -> Result<Option<Placement>> {
+    fn base(&mut self) -> Result<Option<Base>> {
         Ok(match self.bytes.arbitrary()? {
-            true => Some(self.placement()?),
+            true => Some(Base::Standing(self.placement()?)),
             false => None,
         })
     }

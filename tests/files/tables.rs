@@ -185,7 +185,7 @@ fn toml(robot: &Robot) -> String {
         body(&mut text, &row.com, &row.inertia);
         writeln!(text, "allow = ['unphysical_inertia']").unwrap();
     }
-    if let Some(base) = &robot.base {
+    if let Some(base) = robot.placement() {
         text.push_str("[base]\n");
         placement(&mut text, base);
     }

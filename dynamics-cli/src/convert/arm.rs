@@ -48,7 +48,7 @@ impl Joint<'_> {
 impl Arm<'_> {
     /// The arm of a robot without fields; of one with fields there is none.
     pub(super) fn new(robot: &Robot) -> Option<Arm<'_>> {
-        let base = match &robot.base {
+        let base = match robot.placement() {
             Some(base) => placed(base)?,
             None => Transform::identity(),
         };

@@ -143,7 +143,7 @@ impl Document {
         let robot = &model.robot;
         let tool = robot.tool.as_ref().map(|tool| &tool.placement);
         let place = |frame: Option<_>| frame.map(placement_as_written).unwrap_or_default();
-        let ends = [robot.base.as_ref(), tool].map(place);
+        let ends = [robot.placement(), tool].map(place);
         let line = |row| line_as_written(robot.convention, row);
         let frames = robot.frames.iter();
         // The frame of a table is at one place.

@@ -123,7 +123,10 @@ fn cells(robot: &Robot) -> impl Iterator<Item = (&'static str, &[Value])> {
         let mass = ("mass", core::slice::from_ref(&tool.mass));
         [mass, ("com", &tool.com), ("inertia", &tool.inertia)]
     });
-    let places = robot.base.iter().chain(tool.map(|tool| &tool.placement));
+    let places = robot
+        .placement()
+        .into_iter()
+        .chain(tool.map(|tool| &tool.placement));
     let places = places.flat_map(|place| [("xyz", &place.xyz[..]), ("rpy", &place.rpy)]);
     let gravity = ("gravity", &robot.gravity[..]);
     let rows = robot.rows.iter().flat_map(Row::cells);

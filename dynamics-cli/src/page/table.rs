@@ -47,7 +47,7 @@ pub(super) fn script(
         ("gravity", writer.vector(&robot.gravity)),
         (
             "base",
-            option(robot.base.as_ref().map(|base| writer.placement(base))),
+            option(robot.placement().map(|base| writer.placement(base))),
         ),
         (
             "tool",

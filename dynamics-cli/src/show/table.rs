@@ -40,7 +40,7 @@ pub(super) fn table(robot: &Robot) -> String {
             "joint", "type", "a", "alpha", "d", "theta", "mass"
         );
     }
-    if let Some(base) = &robot.base {
+    if let Some(base) = robot.placement() {
         let _ = writeln!(text, "{:<width$}{}", "base", place(base));
     }
     for (i, row) in robot.rows.iter().enumerate() {

@@ -10,7 +10,7 @@ use crate::validate::Model;
 /// The lines; none where there is nothing to say.
 pub(super) fn lines(model: &Model) -> Vec<String> {
     let robot = &model.robot;
-    let base = robot.base.as_ref().map(|base| self::base(robot, base));
+    let base = robot.placement().map(|base| self::base(robot, base));
     let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
     let mut lines: Vec<String> = base.into_iter().chain(tool).flat_map(paragraph).collect();
     lines.extend(carried(robot));

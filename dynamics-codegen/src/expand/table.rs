@@ -62,7 +62,7 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     let arm = quote! {
         #path::Table::#made(#path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions #frames)
     };
-    let base = robot.base.as_ref().map(|base| {
+    let base = robot.placement().map(|base| {
         let frame = frame(&base.map(&mut cell), path);
         quote!(base: #frame,)
     });

@@ -234,7 +234,7 @@ const MOUNTED: &str = "
 fn a_base_and_a_tool() {
     let robot = model(MOUNTED).robot;
     let number = |text: &str| Value::Rational(rational(text));
-    let base = robot.base.expect("a base");
+    let base = robot.placement().expect("a base");
     assert_eq!(base.xyz[2], number("4/5"));
     assert_eq!(base.rpy[1], Value::field(0));
     assert_eq!(base.rpy[2].to_f64(&[]), core::f64::consts::FRAC_PI_2);
@@ -250,7 +250,7 @@ fn a_base_and_a_tool() {
 fn entries_of_base_and_tool_may_be_left_out() {
     let call = |entries: &str| format!("{} {entries}", with_cells("mass: 1"));
     let robot = model(&call("base: {}, tool: {},")).robot;
-    let base = robot.base.expect("a base");
+    let base = robot.placement().expect("a base");
     assert!(base.xyz.iter().chain(&base.rpy).all(Value::is_zero));
     assert!(!robot.tool.expect("a tool").has_body());
     let plain = model(&with_cells("mass: 1")).robot;

@@ -25,7 +25,7 @@ mod units;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::Request;
-use dynamics_symbolic::robot::{Convention, Frame, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Base, Convention, Frame, Placement, Robot, Row, Tool, Value};
 
 use crate::description::{self, Asked, Entry, Joints, Name, Table};
 #[cfg(feature = "files")]
@@ -276,7 +276,9 @@ impl Parts {
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
             frames: frames?,
             neglected: None,
-            base: self.base.map_or(Some(None), |base| base.map(Some))?,
+            base: self.base.map_or(Some(None), |base| {
+                base.map(|base| Some(Base::Standing(base)))
+            })?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,
         };
         Some(Model {

@@ -10,7 +10,7 @@ use dynamics_runtime::{
     simulation::DormandPrince,
 };
 use dynamics_symbolic::robot::{
-    Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Base, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
 };
 use dynamics_symbolic::{Function, Request};
 
@@ -141,10 +141,10 @@ pub(crate) fn description() -> Robot {
             .to_vec(),
         convention: Convention::Modified,
         gravity: numbers([0.0, 0.0, -9.81]),
-        base: Some(Placement {
+        base: Some(Base::Standing(Placement {
             xyz: numbers([0.0, 0.0, 0.8]),
             rpy: [zero(), tilt, zero()],
-        }),
+        })),
         rows: vec![lift, turn, still, bend, lever],
         tool: Some(Tool {
             placement: Placement {

@@ -33,7 +33,7 @@ fn moved(arm: &Mechanism, index: usize, of_free: impl Fn(&Joint) -> Interval) ->
             let leader = &arm.joints[coupling.leader];
             cell(&coupling.factor) * Ranged::exact(of_free(leader))
         }
-        Law::Free { .. } | Law::Standing { .. } => Ranged::exact(of_free(joint)),
+        Law::Free { .. } | Law::Base { .. } | Law::Standing { .. } => Ranged::exact(of_free(joint)),
     }
 }
 

@@ -49,11 +49,17 @@ struct Own {
 impl Recursion {
     /// The recursions beside which the programs of some parts are measured.
     pub(super) fn of(arm: &Mechanism, parts: &[Part]) -> Self {
-        let joints: Vec<_> = arm.free().map(|i| arm.joints[i].joint_type).collect();
+        let joints = arm.free().skip(arm.freedoms().base);
+        let joints: Vec<_> = joints.map(|i| arm.joints[i].joint_type).collect();
         let own = |part: &Part| {
             let program = unsimplified(arm, &[plain_recursion(arm, &[*part])]);
             Own {
-                groups: groups(&joints, part.function, program.outputs.len()),
+                groups: groups(
+                    arm.freedoms(),
+                    &joints,
+                    part.function,
+                    program.outputs.len(),
+                ),
                 program,
             }
         };

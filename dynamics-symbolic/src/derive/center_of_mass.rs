@@ -134,7 +134,12 @@ fn grouped<'g>(
                 ..own[i].0.times(factor)
             }
         };
-        let (rest, moving) = split(&geometry.links[i], point.joined(outer), zero);
+        let whole = point.joined(outer);
+        let (rest, moving) = if arm.joints[i].is_of_base() {
+            (whole, none)
+        } else {
+            split(&geometry.links[i], whole, zero)
+        };
         kept[i] = rest;
         Body {
             inertia: Symmetric3::splat(zero),

@@ -19,6 +19,8 @@ pub struct Link<R> {
     /// Whether that joint stands still: then the link is a part of the one before, and the turn or the
     /// slide is constant.
     pub stands: bool,
+    /// Whether it carries a base that moves: then the link keeps all parameters.
+    pub is_of_base: bool,
     /// Where the origin is on the axis, from that of the joint's own frame.
     pub shift: R,
     /// Turn about z from this frame to the joint's own, which turns with the link.
@@ -140,6 +142,7 @@ impl<'g> Link<Expr<'g>> {
                 slide,
             },
             stands: joint.stands(),
+            is_of_base: joint.is_of_base(),
             shift: shift - own.origin[2],
             behind: turns.fold(none, Turn::plus),
             body,
@@ -211,6 +214,7 @@ impl<R: Ring> Chain<R> {
             let joint = &link.joint;
             let whole = link.body.joined(outer);
             let (moving, rest) = match joint.joint_type {
+                _ if link.is_of_base => (none, whole),
                 _ if link.stands => (joint.leave_body(whole), none),
                 JointType::Revolute => {
                     let (invariant, rest) = whole.split_revolute(zero, keep[i]);
@@ -303,6 +307,7 @@ mod tests {
                 slide: Number::random(random),
             },
             stands: false,
+            is_of_base: false,
             shift: Number::ZERO,
             behind: Turn::none(Number::ZERO, Number::ONE),
             body: Body::splat(Number::ZERO),

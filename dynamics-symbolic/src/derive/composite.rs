@@ -61,16 +61,26 @@ pub(super) fn gravity_vector<R: Ring>(chain: &Chain<R>) -> Vec<R> {
     forces
 }
 
-/// V, or V + G where `gravity` is the chain's.
-pub(super) fn bias_force<R: Ring>(chain: &Chain<R>, qd: &[R], gravity: Vector3<R>) -> Vec<R> {
-    let still = vec![chain.zero; chain.links.len()];
-    let motions = chain.accelerations(gravity, qd, &still);
+/// V, or V + G where `gravity` is the chain's, of these velocities and of the accelerations if these are constant: zero, but for
+/// the joints of a base that moves.
+pub(super) fn bias_force<R: Ring>(
+    chain: &Chain<R>,
+    [qd, still]: [&[R]; 2],
+    gravity: Vector3<R>,
+) -> Vec<R> {
+    let motions = chain.accelerations(gravity, qd, still);
     let mut forces = vec![chain.zero; chain.links.len()];
     let none = (Body::splat(chain.zero), Force::splat(chain.zero));
     let add = |a: (Body<R>, Force<R>), b: (Body<R>, Force<R>)| (a.0.joined(b.0), a.1 + b.1);
     chain.tree.inward(none, add, |j, (bodies, outer)| {
         let composite = bodies.joined(chain.links[j].body);
         let (joint, motion) = (chain.joint(j), &motions[j]);
+        if chain.links[j].is_of_base {
+            // Its joints have accelerations: the force of all links is handed on as it is.
+            let force = motion.force(&composite) + outer;
+            forces[j] = force.along(joint.joint_type);
+            return (Body::splat(chain.zero), force.leave(joint));
+        }
         let own = motion.force(&composite).along(joint.joint_type);
         forces[j] = own + outer.along(joint.joint_type);
         let added = added(&composite, joint.joint_type, motion, (qd[j], chain.zero));

@@ -8,14 +8,16 @@ use super::second_derivatives::SecondDerivatives;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
-    articulated, base, center_of_mass, composite, derivatives, energy, joint_forces, kinematics,
-    link_jacobians, momenta, passivity, rates, recursive, regressor, second_derivatives, tip,
+    articulated, base, center_of_mass, composite, derivatives, displacement, energy, joint_forces,
+    kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor,
+    second_derivatives, tip,
 };
 use crate::expr::Expr;
 pub use crate::function::Form;
 use crate::function::{self, Argument, Function};
 use crate::linear::Vector3;
 use crate::mechanism::Frame;
+use crate::robot::Base;
 
 /// A function, of a frame where it is about one, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +59,7 @@ pub fn outputs<'g>(
         frame: symbols.arm().frame(part.frame),
         qd: symbols.all(|joint| joint.qd),
         qdd: symbols.all(|joint| joint.qdd),
-        still: vec![chain.zero; chain.links.len()],
+        still: symbols.still(),
         symbols,
         chain,
     };
@@ -93,7 +95,7 @@ struct Equations<'a, 'g> {
     frame: &'g Frame,
     qd: Vector<'g>,
     qdd: Vector<'g>,
-    /// Zero for each joint.
+    /// The accelerations of joints whose velocities are constant: zero, but for those of a base that moves.
     still: Vector<'g>,
 }
 
@@ -165,7 +167,7 @@ impl<'g> Equations<'_, 'g> {
             Function::WrenchTorques => tip::wrench_torques(self.symbols, chain, frame),
             Function::ToolVelocity => tip::velocity(self.symbols, chain, frame),
             Function::ToolAcceleration => tip::acceleration(self.symbols, chain, frame),
-            Function::JacobianRate => link_jacobians::rate(self.symbols, frame),
+            Function::JacobianRate => self.jacobian_rate(),
             Function::LinkJacobians => link_jacobians::of_links(self.symbols),
             Function::CenterOfMass => center_of_mass::center(self.symbols, chain),
             Function::CenterOfMassJacobian => center_of_mass::jacobian(self.symbols, chain),
@@ -202,8 +204,9 @@ impl<'g> Equations<'_, 'g> {
             Function::CoriolisVector => contracted(zero, &self.christoffel(), [&self.qd, &self.qd]),
             Function::CoriolisMatrix => {
                 let symbols = self.christoffel();
-                let rows = symbols.iter().flat_map(|c| times(zero, c, &self.qd));
-                rows.collect()
+                let matrix = symbols.iter().map(|c| times(zero, c, &self.qd)).collect();
+                self.with_base_rate(matrix, || composite::mass_matrix(chain))
+                    .concat()
             }
             Function::BiasForce => {
                 let motion = self.assembled(Function::CoriolisVector);
@@ -215,8 +218,8 @@ impl<'g> Equations<'_, 'g> {
                 sum(inertial, &self.assembled(Function::BiasForce))
             }
             Function::GravityVector => {
-                let still = &self.still;
-                recursive::inverse_dynamics(chain, still, still, chain.gravity)
+                let still = vec![zero; chain.links.len()];
+                recursive::inverse_dynamics(chain, &still, &still, chain.gravity)
             }
             Function::InverseDynamicsDerivatives => {
                 let motion: [&[_]; 2] = [&self.qd, &self.qdd];
@@ -257,14 +260,14 @@ impl<'g> Equations<'_, 'g> {
 
     /// The functions that are written by the composite bodies of M, beside that.
     fn columns(&mut self, function: Function) -> Vector<'g> {
-        let (chain, qd) = (self.chain, &self.qd);
+        let (chain, motion) = (self.chain, [&self.qd[..], &self.still]);
         match function {
             Function::GravityVector => composite::gravity_vector(chain),
             Function::CoriolisVector => {
-                composite::bias_force(chain, qd, Vector3::splat(chain.zero))
+                composite::bias_force(chain, motion, Vector3::splat(chain.zero))
             }
             Function::BiasForce => {
-                let forces = composite::bias_force(chain, qd, chain.gravity);
+                let forces = composite::bias_force(chain, motion, chain.gravity);
                 self.with_joint_forces(forces)
             }
             _ => self.of_rows(function, Form::Recursive),
@@ -300,12 +303,61 @@ impl<'g> Equations<'_, 'g> {
     fn coriolis_matrix(&self) -> Vector<'g> {
         let forces = derivatives::recursion(self.chain, &self.qd, &self.still);
         let half = self.symbols.graph().half();
-        let entries = forces.by_velocity.concat();
-        entries.into_iter().map(|entry| half * entry).collect()
+        let halved = |row: &Vector<'g>| row.iter().map(|&entry| half * entry).collect();
+        let matrix: Matrix<_> = forces.by_velocity.iter().map(halved).collect();
+        self.with_base_rate(matrix, || composite::mass_matrix(self.chain))
+            .concat()
+    }
+
+    /// A matrix with J D added, of the J that is multiplied by the velocities of the base; D is none of a base that stands.
+    fn with_base_rate(
+        &self,
+        mut matrix: Matrix<Expr<'g>>,
+        multiplied: impl FnOnce() -> Matrix<Expr<'g>>,
+    ) -> Matrix<Expr<'g>> {
+        if !self.has_base() {
+            return matrix;
+        }
+        let (rate, zero, one) = (self.symbols.base_rate(), self.chain.zero, self.chain.one);
+        for (row, multiplied) in matrix.iter_mut().zip(multiplied()) {
+            for k in 0..Base::FREEDOMS {
+                let unit = core::array::from_fn(|i| if i == k { one } else { zero });
+                row[k] = row[k] + sum_of_products(zero, &multiplied, &rate.times(unit));
+            }
+        }
+        matrix
+    }
+
+    fn has_base(&self) -> bool {
+        self.symbols.arm().freedoms().has_base()
+    }
+
+    /// dJ/dt by rows.
+    fn jacobian_rate(&mut self) -> Vector<'g> {
+        let count = self.chain.links.len();
+        let by_rows = |entries: Vector<'g>| -> Matrix<_> {
+            entries.chunks(count).map(<[_]>::to_vec).collect()
+        };
+        let rate = link_jacobians::rate(self.symbols, self.frame);
+        if !self.has_base() {
+            return rate;
+        }
+        let jacobian = kinematics::jacobian(self.symbols, self.frame);
+        self.with_base_rate(by_rows(rate), || by_rows(jacobian))
+            .concat()
     }
 
     /// C' qd - G - K - F, from the first term.
     fn momentum_bias(&mut self, gradient: Vector<'g>) -> Vector<'g> {
+        let mut gradient = gradient;
+        if self.has_base() {
+            let momentum = momenta::generalized_momentum(self.chain, &self.qd);
+            let momentum = core::array::from_fn(|k| momentum[k]);
+            let added = self.symbols.base_rate().transposed_times(momentum);
+            for (entry, added) in gradient.iter_mut().zip(added) {
+                *entry = *entry + added;
+            }
+        }
         let conservative = difference(gradient, energy::gravity_vector(self.chain));
         difference(conservative, joint_forces::both(self.symbols))
     }
@@ -316,7 +368,15 @@ impl<'g> Equations<'_, 'g> {
         let qdd_r = self.symbols.entries(Argument::ReferenceAcceleration);
         let joints = self.qd.iter().zip(qd_r).zip(qdd_r);
         let rates = joints.map(|((&qd, qd_r), qdd_r)| Rates { qd, qd_r, qdd_r });
-        rates.collect()
+        let mut rates: Vec<_> = rates.collect();
+        if self.has_base() {
+            let reference = core::array::from_fn(|k| rates[k].qd_r);
+            let added = self.symbols.base_rate().times(reference);
+            for (rates, added) in rates.iter_mut().zip(added) {
+                rates.qdd_r = rates.qdd_r + added;
+            }
+        }
+        rates
     }
 
     fn jerk_and_snap(&mut self) -> [Vector<'g>; 2] {
@@ -375,6 +435,11 @@ impl<'g> Equations<'_, 'g> {
         let applied = self.symbols.all(|joint| joint.tau);
         let net = difference(applied, joint_forces::both(self.symbols));
         let (qdd, pivots) = articulated::forward_dynamics(self.chain, &self.qd, &net);
+        let qdd = if self.has_base() {
+            difference(qdd, self.still.clone())
+        } else {
+            qdd
+        };
         let diagonal = diagonal(&composite::mass_matrix(self.chain));
         let of_rows = [qdd, pivots, diagonal];
         of_rows.map(|x| self.joints().entries(x)).concat()
@@ -388,6 +453,7 @@ impl<'g> Equations<'_, 'g> {
 
     /// d tau/dq and d tau/dqd, from those of M qdd + V + G, of the joints that move by themselves.
     fn force_derivatives(&mut self, mut derivatives: ForceDerivatives<Expr<'g>>) -> Vector<'g> {
+        displacement::first(self.symbols, self.chain, &mut derivatives);
         joint_forces::add_slopes(self.symbols, &mut derivatives);
         let matrices = [derivatives.by_position, derivatives.by_velocity];
         matrices.concat().concat()
@@ -398,6 +464,7 @@ impl<'g> Equations<'_, 'g> {
         &mut self,
         mut derivatives: SecondDerivatives<Expr<'g>>,
     ) -> Vector<'g> {
+        displacement::second(self.symbols, self.chain, &mut derivatives);
         joint_forces::add_curvatures(self.symbols, &mut derivatives);
         let SecondDerivatives {
             by_position,
@@ -420,7 +487,10 @@ impl<'g> Equations<'_, 'g> {
         let matrix = joints.block(composite::mass_matrix(self.chain));
         let net = joints.entries(self.net_force());
         let (factors, qdd) = self.factored(matrix.clone(), net);
-        let qdd = self.symbols.of_all(&qdd);
+        let mut qdd = self.symbols.of_all(&qdd);
+        if self.has_base() {
+            qdd = sum(qdd, &self.still);
+        }
         let of_links = derivatives::recursion(self.chain, &self.qd, &qdd);
         let forces = self.force_derivatives(of_links.of_joints(self.symbols));
         let mut values = forces.clone();
@@ -449,25 +519,29 @@ fn diagonal<'g>(matrix: &[Vector<'g>]) -> Vector<'g> {
 
 /// sum c_ijk a_k b_j, from the symbols c[i][j][k].
 fn contracted<'g>(zero: Expr<'g>, c: &[Matrix<Expr<'g>>], [a, b]: [&[Expr<'g>]; 2]) -> Vector<'g> {
-    let of_joint = |c: &Matrix<Expr<'g>>| dot(zero, &times(zero, c, a), b);
+    let of_joint = |c: &Matrix<Expr<'g>>| sum_of_products(zero, &times(zero, c, a), b);
     c.iter().map(of_joint).collect()
 }
 
 /// dT/dq_i = 1/2 sum dM_jk/dq_i qd_j qd_k = sum c_kij qd_j qd_k, from the symbols c[k][i][j].
 fn gradient<'g>(zero: Expr<'g>, c: &[Matrix<Expr<'g>>], qd: &[Expr<'g>]) -> Vector<'g> {
     let of_joint = |i: usize| {
-        let rows: Vec<_> = c.iter().map(|c| dot(zero, &c[i], qd)).collect();
-        dot(zero, &rows, qd)
+        let rows: Vec<_> = c.iter().map(|c| sum_of_products(zero, &c[i], qd)).collect();
+        sum_of_products(zero, &rows, qd)
     };
     (0..qd.len()).map(of_joint).collect()
 }
 
 /// The product of a matrix and a vector.
 fn times<'g>(zero: Expr<'g>, matrix: &[Vector<'g>], x: &[Expr<'g>]) -> Vector<'g> {
-    matrix.iter().map(|row| dot(zero, row, x)).collect()
+    matrix
+        .iter()
+        .map(|row| sum_of_products(zero, row, x))
+        .collect()
 }
 
-fn dot<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
+/// The sum of the products of two lists, as far as both go.
+pub(super) fn sum_of_products<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
     a.iter().zip(b).fold(zero, |sum, (&a, &b)| sum + a * b)
 }
 

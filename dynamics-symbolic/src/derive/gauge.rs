@@ -82,7 +82,10 @@ impl Gauge {
         }
         // No choice in one group changes the work of the operations of another one.
         for group in arm.groups() {
-            gauge.descend(&arm.only(&group), &parts, &group);
+            // Joints of the base stand: nothing about them can be chosen.
+            let moves = |i: &usize| !arm.joints[*i].is_of_base();
+            let joints: Vec<_> = group.iter().copied().filter(moves).collect();
+            gauge.descend(&arm.only(&group), &parts, &joints);
         }
         gauge
     }

@@ -89,7 +89,7 @@ impl<R: Ring> Joints<R> {
             return of_all;
         }
         let sizes = Sizes {
-            joints: self.count,
+            freedoms: self.count.into(),
             parameters: shape.parameters(self.count, of_all.len()),
         };
         self.of_shape(shape, sizes, &of_all)
@@ -99,7 +99,7 @@ impl<R: Ring> Joints<R> {
         match shape {
             Shape::Number => of_all.to_vec(),
             Shape::Matrix(rows, columns) => self.of_matrix(*rows, *columns, sizes, of_all),
-            Shape::Each(one) => {
+            Shape::Each(_, one) => {
                 let entries = one.entries(sizes);
                 let of_joint = |&i: &usize| &of_all[i * entries..(i + 1) * entries];
                 let moving = self.free.iter().map(of_joint);
@@ -127,10 +127,10 @@ impl<R: Ring> Joints<R> {
             return Vec::new();
         }
         let mut matrix: Vec<Vec<R>> = of_all.chunks(width).map(<[R]>::to_vec).collect();
-        if columns == Size::Joints {
+        if columns == Size::Freedoms {
             matrix = matrix.into_iter().map(|row| self.entries(row)).collect();
         }
-        if rows == Size::Joints {
+        if rows == Size::Freedoms {
             matrix = self.rows_of_matrix(matrix);
         }
         matrix.concat()
@@ -159,12 +159,12 @@ mod tests {
     #[test]
     fn what_does_not_belong_to_joints_stays() {
         let joints = joints(&[0, 2], &[], 3);
-        const EACH: Shape = Shape::Each(&Shape::Matrix(Size::Fixed(2), Size::One));
+        const EACH: Shape = Shape::Each(Size::Joints, &Shape::Matrix(Size::Fixed(2), Size::One));
         const SHAPE: Shape = Shape::Tuple(&[
             EACH,
             Shape::Number,
-            Shape::Matrix(Size::Fixed(2), Size::Joints),
-            Shape::Matrix(Size::Joints, Size::Parameters),
+            Shape::Matrix(Size::Fixed(2), Size::Freedoms),
+            Shape::Matrix(Size::Freedoms, Size::Parameters),
         ]);
         let picked = joints.outputs(&SHAPE, (0..19).collect());
         assert_eq!(picked, [0, 1, 4, 5, 6, 7, 9, 10, 12, 13, 14, 17, 18]);
@@ -176,7 +176,7 @@ mod tests {
         let joints = joints(&[0, 1], &[(2, 1, -2)], 4);
         assert_eq!(joints.entries(vec![1, 10, 100, 1000]), [1, -190]);
         assert_eq!(joints.diagonal(&[1, 10, 100, 1000]), [1, 410]);
-        let jacobian = Shape::Matrix(Size::Fixed(2), Size::Joints);
+        let jacobian = Shape::Matrix(Size::Fixed(2), Size::Freedoms);
         let picked = joints.outputs(&jacobian, vec![1, 2, 3, 4, 5, 6, 7, 8]);
         assert_eq!(picked, [1, 2 - 6, 5, 6 - 14]);
         // S' A S with the entries of A in place.
@@ -196,7 +196,8 @@ mod tests {
     #[test]
     fn links_of_followers_have_no_entry_in_an_array() {
         let joints = joints(&[0, 2], &[(1, 0, 3)], 3);
-        const POSES: Shape = Shape::Each(&Shape::Matrix(Size::Fixed(1), Size::Fixed(1)));
+        const POSES: Shape =
+            Shape::Each(Size::Joints, &Shape::Matrix(Size::Fixed(1), Size::Fixed(1)));
         assert_eq!(joints.outputs(&POSES, vec![4, 5, 6]), [4, 6]);
     }
 }

@@ -89,8 +89,13 @@ pub(super) fn base<'g>(symbols: &mut Symbols<'g>) -> Pose<'g> {
         axes: units(symbols),
         origin: Vector3::splat(symbols.graph().zero()),
     };
-    let base = place::base(symbols, symbols.arm());
-    base.map_or(world, |base| world.placed(symbols, &base))
+    match place::base(symbols, symbols.arm()) {
+        Some(base) => Pose {
+            axes: units(symbols).map(|axis| base.leave(axis)),
+            origin: base.origin,
+        },
+        None => world,
+    }
 }
 
 /// A frame that is fixed to a link or to the base, by the `frames` of all links.

@@ -9,6 +9,7 @@ pub mod chain;
 mod christoffel;
 mod composite;
 mod derivatives;
+mod displacement;
 mod energy;
 pub mod functions;
 mod fused;

@@ -1,7 +1,7 @@
 //! Placements in any ring: T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
 
 use crate::exact::Rational;
-use crate::linear::{Symmetric3, Vector3};
+use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
 use crate::mechanism::Mechanism;
 use crate::robot::{Interpretation, Placement, Value};
 use crate::spatial::{Axis, Central, Place, Turn, Turns};
@@ -39,25 +39,77 @@ pub(super) fn place<I: Interpretation>(
     place
 }
 
-/// The base frame in the world; `None` where they are the same.
-pub(super) fn base<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option<Place<I::Number>> {
+/// Where frame 0 is in the world.
+pub(super) struct BaseFrame<R> {
+    pub(super) origin: Vector3<R>,
+    axes: Axes<R>,
+}
+
+/// The axes of frame 0 in the world.
+enum Axes<R> {
+    /// Those of a base that stands, turned by known angles.
+    Turned(Turns<R>),
+    /// Those of a base that moves, any rotation, by rows.
+    Moving(Matrix3<R>),
+}
+
+impl<R: Ring> BaseFrame<R> {
+    /// A vector of the world in the axes of frame 0.
+    pub(super) fn enter(&self, v: Vector3<R>) -> Vector3<R> {
+        match &self.axes {
+            Axes::Turned(turns) => turns.enter(v),
+            Axes::Moving(rotation) => rotation.transpose().apply(v),
+        }
+    }
+
+    /// A vector of frame 0 in the axes of the world.
+    pub(super) fn leave(&self, v: Vector3<R>) -> Vector3<R> {
+        match &self.axes {
+            Axes::Turned(turns) => turns.leave(v),
+            Axes::Moving(rotation) => rotation.apply(v),
+        }
+    }
+
+    /// A point of frame 0 in the world.
+    pub(super) fn leave_point(&self, p: Vector3<R>) -> Vector3<R> {
+        self.origin + self.leave(p)
+    }
+}
+
+/// Frame 0 in the world; `None` where they are the same.
+pub(super) fn base<I: Interpretation>(
+    cells: &mut I,
+    arm: &Mechanism,
+) -> Option<BaseFrame<I::Number>> {
+    if let Some((rotation, position)) = cells.pose_of_base() {
+        return Some(BaseFrame {
+            origin: Vector3(position),
+            axes: Axes::Moving(Matrix3(rotation)),
+        });
+    }
     let base = arm.base.as_ref()?;
-    Some(place(cells, core::slice::from_ref(base)))
+    let Place { origin, turns } = place(cells, core::slice::from_ref(base));
+    let axes = Axes::Turned(turns);
+    Some(BaseFrame { origin, axes })
 }
 
 /// The acceleration of gravity in the axes of frame 0.
 pub(crate) fn gravity<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Vector3<I::Number> {
     let gravity = vector(cells, &arm.gravity);
     let base = base(cells, arm);
-    base.map_or(gravity, |base| base.turns.enter(gravity))
+    base.map_or(gravity, |base| base.enter(gravity))
 }
 
 /// g.p with p the origin of frame 0 in the world: what a mass there has of potential energy, times -1
 /// and over the mass. `None` where the two origins are one.
 pub(super) fn datum<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option<I::Number> {
-    let base = arm.base.as_ref()?;
+    let position = match (cells.pose_of_base(), &arm.base) {
+        (Some((_, position)), _) => Vector3(position),
+        (None, Some(base)) => vector(cells, &base.xyz),
+        (None, None) => return None,
+    };
     let gravity = vector(cells, &arm.gravity);
-    Some(gravity.dot(vector(cells, &base.xyz)))
+    Some(gravity.dot(position))
 }
 
 /// A rigid body, from its cells.

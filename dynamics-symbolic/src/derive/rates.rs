@@ -12,6 +12,7 @@ use super::chain::{Chain, Link};
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
+use crate::mechanism::BaseRate;
 use crate::operators::impl_operators;
 use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Acceleration, Axis, Body, Force, Turn, Turns, enter_about, leave_about};
@@ -155,19 +156,26 @@ pub(super) fn recursion<'g>(
     chain: &Chain<Expr<'g>>,
     [jerk, snap]: [&[Expr<'g>]; 2],
 ) -> [Vec<Expr<'g>>; 2] {
-    let (qd, qdd) = (
+    let (qd, rate) = (
         symbols.all(|joint| joint.qd),
-        symbols.all(|joint| joint.qdd),
+        symbols.all(|joint| joint.rate),
     );
-    let course = Course {
+    let mut course = Course {
         along: along_motion(symbols, [jerk, snap]),
         qd: (0..qd.len())
-            .map(|i| Jet([qd[i], qdd[i], jerk[i]]))
+            .map(|i| Jet([qd[i], rate[i], jerk[i]]))
             .collect(),
         qdd: (0..qd.len())
-            .map(|i| Jet([qdd[i], jerk[i], snap[i]]))
+            .map(|i| Jet([rate[i], jerk[i], snap[i]]))
             .collect(),
     };
+    if symbols.arm().freedoms().has_base() {
+        let velocity = core::array::from_fn(|k| course.qd[k]);
+        let added = BaseRate([3, 4, 5].map(|k| course.qd[k])).times(velocity);
+        for (qdd, added) in course.qdd.iter_mut().zip(added) {
+            *qdd = *qdd + added;
+        }
+    }
     note_sums(&qd);
     let links = moving_links(chain, &course.along);
     let forces = forces(chain, &links, &course);
@@ -190,7 +198,7 @@ pub(super) fn differentiated<'g>(
 
 /// The motion as a direction: how q, qd, qdd and the jerk change.
 fn along_motion<'g>(symbols: &mut Symbols<'g>, [jerk, snap]: [&[Expr<'g>]; 2]) -> Direction<'g> {
-    let mut along = Direction::new();
+    let mut along = motion_of_base(symbols);
     for (i, (&jerk, &snap)) in jerk.iter().zip(snap).enumerate() {
         let (joint, own) = (*symbols.joint(i), &symbols.arm().joints[i].forces);
         if joint.qd.is_zero() {
@@ -198,14 +206,32 @@ fn along_motion<'g>(symbols: &mut Symbols<'g>, [jerk, snap]: [&[Expr<'g>]; 2]) -
         }
         along = symbols.along_position(along, i, joint.qd);
         along = along
-            .with(joint.qd, joint.qdd)
-            .with(joint.qdd, jerk)
+            .with(joint.qd, joint.rate)
+            .with(joint.rate, jerk)
             .with(jerk, snap);
         if let (Some(stribeck), Some(left)) = (&own.stribeck, joint.stribeck) {
             // exp(-(qd/v)^2)' = -2 qd qdd/v^2 exp(-(qd/v)^2)
             let v = symbols.value(&stribeck.velocity);
             let slope = (joint.qd + joint.qd) / (v * v);
             along = along.with(left, -(slope * joint.qdd * left));
+        }
+    }
+    along
+}
+
+/// How the rotation R and the position p of a base that moves change: R' = R [w]x and p' = R v.
+fn motion_of_base<'g>(symbols: &mut Symbols<'g>) -> Direction<'g> {
+    let mut along = Direction::new();
+    let Some((rotation, position)) = symbols.pose_of_base() else {
+        return along;
+    };
+    let of_joints = |first: usize| Vector3([0, 1, 2].map(|k| symbols.joint(first + k).qd));
+    let (v, w) = (of_joints(0), of_joints(3));
+    for (row, p) in rotation.into_iter().zip(position) {
+        let row = Vector3(row);
+        along = along.with(p, row.dot(v));
+        for (entry, rate) in row.0.into_iter().zip(row.cross(w).0) {
+            along = along.with(entry, rate);
         }
     }
     along
@@ -285,7 +311,11 @@ fn constant<'g>(chain: &Chain<Expr<'g>>, x: Expr<'g>) -> Jet<'g> {
 /// Newton-Euler over jets.
 fn forces<'g>(chain: &Chain<Expr<'g>>, links: &[Moving<'g>], course: &Course<'g>) -> Vec<Jet<'g>> {
     let zero = constant(chain, chain.zero);
-    let gravity = Vector3(chain.gravity.0.map(|g| constant(chain, g)));
+    let gravity = chain.gravity.0.map(|g| {
+        let first = g.derivative(&course.along);
+        Jet([g, first, first.derivative(&course.along)])
+    });
+    let gravity = Vector3(gravity);
     let base = Acceleration::of_base(zero, gravity);
     let mut own = Vec::with_capacity(links.len());
     chain.tree.outward(base, |i, before| {

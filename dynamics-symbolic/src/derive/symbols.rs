@@ -4,8 +4,8 @@ use super::rows::constant_turn;
 use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph, Level};
 use crate::function::Argument;
-use crate::mechanism::{Joint, Law, Mechanism};
-use crate::robot::{Angle, Coupling, Interpretation, JointType, Symbol, Value};
+use crate::mechanism::{BaseRate, Joint, Law, Mechanism};
+use crate::robot::{Angle, Coupling, Interpretation, JointType, PoseOfBase, Symbol, Value};
 use crate::spatial::Turn;
 
 /// The variables of one joint.
@@ -22,8 +22,12 @@ pub struct JointSymbols<'g> {
     pub factor: Expr<'g>,
     /// Velocity.
     pub qd: Expr<'g>,
-    /// Acceleration.
+    /// Acceleration: the rate of the velocity, and what the motion of the base adds.
     pub qdd: Expr<'g>,
+    /// The rate of the velocity.
+    pub rate: Expr<'g>,
+    /// What the motion of a base adds to the accelerations of its joints, D u: see `mechanism::base`.
+    pub added: Expr<'g>,
     /// Force or torque.
     pub tau: Expr<'g>,
     /// Sign of the velocity.
@@ -42,6 +46,8 @@ pub struct Symbols<'g> {
     angles: Vec<(Value, Expr<'g>, Expr<'g>)>,
     joints: Vec<JointSymbols<'g>>,
     entries: Vec<((Argument, usize), Expr<'g>)>,
+    /// Rotation by rows and position of a base that moves.
+    base: Option<PoseOfBase<Expr<'g>>>,
 }
 
 type Circle<'g> = (Expr<'g>, Expr<'g>);
@@ -71,10 +77,12 @@ impl<'g> Symbols<'g> {
             angles: Vec::new(),
             joints: Vec::with_capacity(arm.joints.len()),
             entries: Vec::new(),
+            base: None,
         };
         for joint in &arm.joints {
             let variables = match &joint.law {
                 Law::Free { number } => symbols.free_joint(*number, joint),
+                Law::Base { number } => symbols.joint_of_base(*number),
                 Law::Standing { at } => symbols.standing_joint(joint.joint_type, at),
                 // Filled in below: the joint that leads may come later.
                 Law::Following { .. } => symbols.standing_joint(joint.joint_type, &Value::zero()),
@@ -86,7 +94,39 @@ impl<'g> Symbols<'g> {
                 symbols.joints[i] = symbols.following_joint(joint, *number, coupling);
             }
         }
+        if arm.freedoms().has_base() {
+            symbols.add_motion_of_base();
+            symbols.base = Some(symbols.new_pose_of_base());
+        }
         symbols
+    }
+
+    /// What the motion of the base adds to the accelerations of its joints.
+    fn add_motion_of_base(&mut self) {
+        let u = core::array::from_fn(|k| self.joints[k].qd);
+        let added = self.base_rate().times(u);
+        for (joint, added) in self.joints.iter_mut().zip(added) {
+            joint.added = added;
+            joint.qdd = joint.rate + added;
+        }
+    }
+
+    /// D of the velocity of a base that moves.
+    pub(crate) fn base_rate(&self) -> BaseRate<Expr<'g>> {
+        BaseRate([3, 4, 5].map(|k| self.joints[k].qd))
+    }
+
+    fn new_pose_of_base(&mut self) -> PoseOfBase<Expr<'g>> {
+        let rotation = self.graph.rotation(Level::Variable);
+        let meanings = (0..9).map(|k| Symbol::Entry(Argument::Base, k));
+        self.meanings.extend(meanings);
+        let position = [9, 10, 11].map(|k| self.variable(Symbol::Entry(Argument::Base, k)));
+        (rotation, position)
+    }
+
+    /// The accelerations of all joints if the velocities are constant: those that the motion of the base adds.
+    pub(crate) fn still(&self) -> Vec<Expr<'g>> {
+        self.all(|joint| joint.added)
     }
 
     /// The variables of a joint that follows another one, with symbols of that number.
@@ -121,6 +161,8 @@ impl<'g> Symbols<'g> {
             factor,
             qd: factor * leader.qd,
             qdd: factor * leader.qdd,
+            rate: factor * leader.qdd,
+            added: self.graph.zero(),
             tau: self.graph.zero(),
             sign,
             stribeck: stribeck.map(|_| self.variable(Symbol::Stribeck(number))),
@@ -142,15 +184,34 @@ impl<'g> Symbols<'g> {
     /// The variables of a joint that moves by itself, of that number among those that do.
     fn free_joint(&mut self, number: usize, joint: &Joint) -> JointSymbols<'g> {
         let stribeck = joint.forces.stribeck.as_ref();
+        let sin_cos = self.circle_of(number);
+        let q = self.variable(Symbol::Position(number));
+        let qd = self.variable(Symbol::Velocity(number));
+        let rate = self.variable(Symbol::Acceleration(number));
         JointSymbols {
-            sin_cos: self.circle_of(number),
-            q: self.variable(Symbol::Position(number)),
+            sin_cos,
+            q,
             factor: self.graph.one(),
-            qd: self.variable(Symbol::Velocity(number)),
-            qdd: self.variable(Symbol::Acceleration(number)),
+            qd,
+            qdd: rate,
+            rate,
+            added: self.graph.zero(),
             tau: self.variable(Symbol::Force(number)),
             sign: self.variable(Symbol::VelocitySign(number)),
             stribeck: stribeck.map(|_| self.variable(Symbol::Stribeck(number))),
+        }
+    }
+
+    /// The joint of that number among those of a base that moves: it stands at zero.
+    fn joint_of_base(&mut self, number: usize) -> JointSymbols<'g> {
+        let rate = self.variable(Symbol::Acceleration(number));
+        JointSymbols {
+            factor: self.graph.one(),
+            qd: self.variable(Symbol::Velocity(number)),
+            qdd: rate,
+            rate,
+            tau: self.variable(Symbol::Force(number)),
+            ..self.standing_joint(JointType::Prismatic, &Value::zero())
         }
     }
 
@@ -167,6 +228,8 @@ impl<'g> Symbols<'g> {
             factor: zero,
             qd: zero,
             qdd: zero,
+            rate: zero,
+            added: zero,
             tau: zero,
             sign: zero,
             stribeck: None,
@@ -292,6 +355,10 @@ fn multiple<'g>((s, c): (Expr<'g>, Expr<'g>), n: i64) -> (Expr<'g>, Expr<'g>) {
 
 impl<'g> Interpretation for Symbols<'g> {
     type Number = Expr<'g>;
+
+    fn pose_of_base(&mut self) -> Option<PoseOfBase<Expr<'g>>> {
+        self.base
+    }
 
     fn rational(&mut self, x: &Rational) -> Expr<'g> {
         self.graph.rational(x)

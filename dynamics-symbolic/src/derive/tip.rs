@@ -208,7 +208,7 @@ fn wrench<'g>(symbols: &mut Symbols<'g>) -> [Vector<'g>; 2] {
         |first: usize| Vector3([0, 1, 2].map(|k| symbols.entry(Argument::Wrench, first + k)));
     let wrench = [vector(0), vector(3)];
     match place::base(symbols, symbols.arm()) {
-        Some(base) => wrench.map(|v| base.turns.enter(v)),
+        Some(base) => wrench.map(|v| base.enter(v)),
         None => wrench,
     }
 }
@@ -216,7 +216,7 @@ fn wrench<'g>(symbols: &mut Symbols<'g>) -> [Vector<'g>; 2] {
 /// Two vectors of frame 0 in the axes of the world, one after the other.
 fn in_world<'g>(symbols: &mut Symbols<'g>, vectors: [Vector<'g>; 2]) -> Vec<Expr<'g>> {
     let vectors = match place::base(symbols, symbols.arm()) {
-        Some(base) => vectors.map(|v| base.turns.leave(v)),
+        Some(base) => vectors.map(|v| base.leave(v)),
         None => vectors,
     };
     vectors.map(|v| v.0).concat()

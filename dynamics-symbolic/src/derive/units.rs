@@ -5,15 +5,22 @@
 //! rows belong to different joints, which may differ by many powers of ten, and are never compared.
 //! The three components of a vector in space are.
 
-use crate::function::{Function, Shape, Size, Sizes};
+use crate::function::{Freedoms, Function, Shape, Size, Sizes};
 use crate::robot::JointType;
 use std::collections::BTreeMap;
 
 /// For each of `outputs` outputs of a function the number of its group: those of one row of a matrix
-/// whose columns have the same unit, or the components of one vector.
-pub fn groups(joints: &[JointType], function: Function, outputs: usize) -> Vec<usize> {
-    let units = joints.iter().map(unit).collect();
-    let sizes = function.sizes(joints.len(), outputs);
+/// whose columns have the same unit, or the components of one vector. Behind three
+/// lengths and three angles of a base that moves come the joints that move by themselves.
+pub fn groups(
+    freedoms: Freedoms,
+    joints: &[JointType],
+    function: Function,
+    outputs: usize,
+) -> Vec<usize> {
+    let of_base = (0..freedoms.base).map(|k| usize::from(k < 3));
+    let units = of_base.chain(joints.iter().map(unit)).collect();
+    let sizes = function.sizes(freedoms, outputs);
     let mut keys = Vec::with_capacity(outputs);
     Labels { units, sizes }.label(function.shape(), &[0], &mut keys);
     // Pivots and the diagonal of M may follow, each measured by itself.
@@ -44,10 +51,10 @@ impl Labels {
         let below = |index: usize| [path, &[index]].concat();
         match shape {
             Shape::Number => keys.push(path.to_vec()),
-            Shape::Series => keys.extend((0..self.sizes.joints).map(below)),
-            Shape::Each(one) => {
-                for joint in 0..self.sizes.joints {
-                    self.label(one, &below(joint), keys);
+            Shape::Series => keys.extend((0..self.sizes.freedoms.joints).map(below)),
+            Shape::Each(count, one) => {
+                for index in 0..count.of(self.sizes) {
+                    self.label(one, &below(index), keys);
                 }
             }
             Shape::Tuple(parts) => {
@@ -75,7 +82,7 @@ impl Labels {
         match size {
             Size::One | Size::Parameters => numbered.collect(),
             Size::Fixed(count) => (0..count).map(|k| Along::Space(k / 3)).collect(),
-            Size::Joints => {
+            Size::Joints | Size::Freedoms => {
                 let joints = self.units.iter().enumerate();
                 joints.map(|(j, &unit)| Along::Joint(j, unit)).collect()
             }
@@ -117,7 +124,7 @@ mod tests {
     fn entries_of_one_row_and_unit_are_measured_together() {
         use JointType::{Prismatic, Revolute};
         let joints = [Revolute, Prismatic, Revolute];
-        let groups = |function, outputs| super::groups(&joints, function, outputs);
+        let groups = |function, outputs| super::groups(3.into(), &joints, function, outputs);
         assert_eq!(groups(Function::MassMatrix, 9), [0, 1, 0, 2, 3, 2, 4, 5, 4]);
         let pairs = [0, 1, 0, 2, 3, 2, 4, 5, 4];
         assert_eq!(groups(Function::CoriolisCoefficients, 9), pairs);
@@ -129,9 +136,9 @@ mod tests {
     #[test]
     fn components_of_a_vector_are_measured_together() {
         let joints = [JointType::Revolute; 2];
-        let jacobian = groups(&joints, Function::Jacobian, 12);
+        let jacobian = groups(2.into(), &joints, Function::Jacobian, 12);
         assert_eq!(jacobian, [0, 1, 0, 1, 0, 1, 2, 3, 2, 3, 2, 3]);
-        let pose = groups(&joints, Function::ForwardKinematics, 16);
+        let pose = groups(2.into(), &joints, Function::ForwardKinematics, 16);
         assert_eq!(pose[..8], [0, 0, 0, 1, 0, 0, 0, 1]);
     }
 }

@@ -245,9 +245,9 @@ impl<'p> Writer<'p> {
                 *next += shape.entries(sizes);
                 self.matrix(first, rows.of(sizes), columns.of(sizes), path)
             }
-            Shape::Each(one) => {
-                let joints = 0..sizes.joints;
-                let values = joints.map(|_| self.values(one, sizes, next, path));
+            Shape::Each(count, one) => {
+                let all = 0..count.of(sizes);
+                let values = all.map(|_| self.values(one, sizes, next, path));
                 quote!([#(#values),*])
             }
             Shape::Tuple(parts) => {

@@ -327,6 +327,7 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
         LinkGeometry {
             joint_type: link.joint_type,
             stands: link.stands,
+            is_of_base: link.is_of_base,
             before: Place { origin, turns },
             d: cell(link.d, format!("d{}", i + 1)),
             turn: match link.joint_type {

@@ -17,13 +17,14 @@ struct Types<'a> {
 impl<'a> Types<'a> {
     /// Without joints, which no robot is, types are generic over their number.
     fn new(sizes: Sizes, path: &'a TokenStream) -> Self {
-        let n = number_of_joints(sizes.joints);
+        let n = number_of_joints(sizes.freedoms.joints);
         Types { n, sizes, path }
     }
 
     fn size(&self, size: Size) -> TokenStream {
         match size {
             Size::Joints => self.n.clone(),
+            Size::Freedoms if !self.sizes.freedoms.has_base() => self.n.clone(),
             other => Literal::usize_unsuffixed(other.of(self.sizes)).into_token_stream(),
         }
     }
@@ -49,9 +50,9 @@ impl<'a> Types<'a> {
                 let (rows, columns) = (self.size(*rows), self.size(*columns));
                 quote!(#path::nalgebra::SMatrix<T, #rows, #columns>)
             }
-            Shape::Each(one) => {
-                let one = self.values(one);
-                quote!([#one; #n])
+            Shape::Each(count, one) => {
+                let (count, one) = (self.size(*count), self.values(one));
+                quote!([#one; #count])
             }
             Shape::Tuple(parts) => {
                 let parts = parts.iter().map(|part| self.values(part));
@@ -63,16 +64,16 @@ impl<'a> Types<'a> {
 
     /// An arrangement of values as the runtime's trait `Arrangement` has it.
     fn arrangement(&self, shape: &Shape) -> TokenStream {
-        let Types { n, path, .. } = self;
+        let path = self.path;
         match shape {
             Shape::Number => quote!(#path::Number),
             Shape::Matrix(rows, columns) => {
                 let (rows, columns) = (self.size(*rows), self.size(*columns));
                 quote!(#path::Entries<#rows, #columns>)
             }
-            Shape::Each(one) => {
-                let one = self.arrangement(one);
-                quote!([#one; #n])
+            Shape::Each(count, one) => {
+                let (count, one) = (self.size(*count), self.arrangement(one));
+                quote!([#one; #count])
             }
             Shape::Tuple(parts) => {
                 let parts = parts.iter().map(|part| self.arrangement(part));
@@ -129,7 +130,7 @@ fn names(request: &Request) -> Vec<Ident> {
 
 /// The signature of a method, without visibility. Without joints, which no robot is, it is generic over their number.
 pub(super) fn signature(request: &Request, sizes: Sizes, path: &TokenStream) -> TokenStream {
-    let generic = (sizes.joints == 0).then(|| quote!(, const N: usize));
+    let generic = (sizes.freedoms.all() == 0).then(|| quote!(, const N: usize));
     Types::new(sizes, path).signature(request, generic)
 }
 
@@ -144,7 +145,7 @@ pub fn method_name(request: &Request) -> Ident {
 /// The sizes of values that are not about base parameters, or if their number is not known.
 pub(super) fn without_parameters(joints: usize) -> Sizes {
     Sizes {
-        joints,
+        freedoms: joints.into(),
         parameters: 0,
     }
 }
@@ -340,7 +341,7 @@ pub(super) fn call_of_function(
     sizes: Sizes,
     path: &TokenStream,
 ) -> TokenStream {
-    let (n, names) = (number_of_joints(sizes.joints), names(request));
+    let (n, names) = (number_of_joints(sizes.freedoms.joints), names(request));
     let function = function_type(request, index, path);
     let value = match request.function() {
         Some(_) => function.clone(),
@@ -374,12 +375,12 @@ pub fn stub_of_function(
 
 #[cfg(test)]
 mod tests {
-    use super::Size::{Fixed, Joints, One, Pairs, Parameters};
+    use super::Size::{Fixed, Freedoms, Joints, One, Pairs, Parameters};
     use super::*;
 
     fn written(shape: &Shape) -> String {
         let sizes = Sizes {
-            joints: 4,
+            freedoms: 4.into(),
             parameters: 11,
         };
         let tokens = Types::new(sizes, &quote!(path)).values(shape);
@@ -389,24 +390,27 @@ mod tests {
     /// Vectors and matrices in space, of joints, of base parameters, and arrays and tuples of them.
     #[test]
     fn shapes_are_types_of_nalgebra() {
-        const OF_SPACE: Shape = Shape::Matrix(Fixed(6), Joints);
+        const OF_SPACE: Shape = Shape::Matrix(Fixed(6), Freedoms);
         const OF_PARAMETERS: Shape = Shape::Matrix(Parameters, One);
-        const SQUARE: Shape = Shape::Matrix(Joints, Joints);
+        const SQUARE: Shape = Shape::Matrix(Freedoms, Freedoms);
         for (shape, expected) in [
             (Shape::Number, "T"),
             (Shape::Matrix(Joints, One), "SVector < T , 4 >"),
             (Shape::Matrix(Fixed(6), One), "Vector6 < T >"),
             (Shape::Matrix(Fixed(6), Fixed(6)), "Matrix6 < T >"),
-            (Shape::Matrix(Fixed(3), Joints), "SMatrix < T , 3 , 4 >"),
+            (Shape::Matrix(Fixed(3), Freedoms), "SMatrix < T , 3 , 4 >"),
             (Shape::Matrix(Joints, Pairs), "SMatrix < T , 4 , 6 >"),
             (Shape::Matrix(Joints, Parameters), "SMatrix < T , 4 , 11 >"),
-            (Shape::Each(&OF_SPACE), "[SMatrix < T , 6 , 4 > ; 4]"),
+            (
+                Shape::Each(Joints, &OF_SPACE),
+                "[SMatrix < T , 6 , 4 > ; 4]",
+            ),
             (
                 Shape::Tuple(&[OF_PARAMETERS, OF_PARAMETERS]),
                 "(SVector < T , 11 > , SVector < T , 11 >)",
             ),
             (
-                Shape::Tuple(&[Shape::Each(&SQUARE), SQUARE]),
+                Shape::Tuple(&[Shape::Each(Freedoms, &SQUARE), SQUARE]),
                 "([SMatrix < T , 4 , 4 > ; 4] , SMatrix < T , 4 , 4 >)",
             ),
         ] {

@@ -12,7 +12,7 @@ use dashu_int::ops::BitTest;
 pub use dashu_ratio::RBig as Rational;
 pub use multiples::common_angles;
 pub use random::SplitMix64;
-pub use residue::{Residue, circle_point};
+pub use residue::{Residue, circle_point, rotation_point};
 pub use root::square_root;
 pub use sine::{SINE_ERROR, sin_cos};
 

@@ -113,6 +113,25 @@ pub fn circle_point<const P: u64>(random: &mut SplitMix64) -> (Residue<P>, Resid
     }
 }
 
+/// The random rotation of a unit quaternion, by rows.
+pub fn rotation_point<const P: u64>(random: &mut SplitMix64) -> [[Residue<P>; 3]; 3] {
+    loop {
+        let [w, x, y, z] = [(); 4].map(|()| Residue::<P>::random(random));
+        let Some(scale) = (w * w + x * x + y * y + z * z).inverse() else {
+            continue;
+        };
+        // 1 - s (a a + b b) on the diagonal, s (a b +- c d) beside it.
+        let twice = scale + scale;
+        let diagonal = |a, b| Residue::ONE - twice * (a * a + b * b);
+        let beside = |a, b, c, d| twice * (a * b + c * d);
+        return [
+            [diagonal(y, z), beside(x, y, -w, z), beside(x, z, w, y)],
+            [beside(x, y, w, z), diagonal(x, z), beside(y, z, -w, x)],
+            [beside(x, z, -w, y), beside(y, z, w, x), diagonal(x, y)],
+        ];
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -143,6 +162,14 @@ mod tests {
             assert_eq!((a * b).get(), expected);
             let (s, c) = circle_point::<P>(&mut random);
             assert_eq!(s * s + c * c, Residue::ONE);
+            let r = rotation_point::<P>(&mut random);
+            for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+                let dot = (0..3).fold(Residue::ZERO, |sum, k| sum + r[i][k] * r[j][k]);
+                assert_eq!(dot, Residue(u64::from(i == j)));
+            }
+            // The third row is the cross product of the others: no reflection.
+            let cross = r[0][0] * r[1][1] - r[0][1] * r[1][0];
+            assert_eq!(cross, r[2][2]);
         }
     }
 

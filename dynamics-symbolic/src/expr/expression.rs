@@ -1,7 +1,7 @@
 //! Handles of expressions, with the operators of arithmetic.
 
 use super::{Edge, Fingerprint, Graph, Level, NodeId};
-use crate::exact::{Rational, circle_point};
+use crate::exact::{Rational, circle_point, rotation_point};
 use crate::operators::impl_operators;
 use core::fmt;
 
@@ -29,6 +29,17 @@ impl Graph {
         let (s, c) = circle_point(&mut self.random.borrow_mut());
         let symbol = |value| self.expr(self.symbol_with(level, value));
         (symbol(s), symbol(c))
+    }
+
+    /// Nine new symbols for the entries of a rotation, by rows.
+    pub fn rotation(&self, level: Level) -> [[Expr<'_>; 3]; 3] {
+        // A symbol is known by the smaller one of its value and minus that: a rotation of such values is drawn.
+        let is_smaller = |x: &Fingerprint| x.get() <= (-*x).get();
+        let random = &mut self.random.borrow_mut();
+        let mut draws = core::iter::repeat_with(|| rotation_point(random));
+        let rotation = draws.find(|rotation| rotation.as_flattened().iter().all(is_smaller));
+        let symbol = |value| self.expr(self.symbol_with(level, value));
+        rotation.expect("one of 512").map(|row| row.map(symbol))
     }
 
     /// Zero.

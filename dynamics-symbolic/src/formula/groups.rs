@@ -53,7 +53,7 @@ impl Groups {
                     });
                     Some(parallel)
                 }
-                Law::Following { .. } => None,
+                Law::Following { .. } | Law::Base { .. } => None,
                 Law::Free { .. } | Law::Standing { .. } => parallel,
             }
         });

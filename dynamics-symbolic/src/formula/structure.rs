@@ -159,7 +159,7 @@ pub(super) fn indices(function: Function, dof: usize, values: usize) -> Option<V
             let index = |k: usize| vec![k / columns + 1, k % columns + 1];
             Some((0..values).map(index).collect())
         }
-        Shape::Each(_) | Shape::Tuple(_) | Shape::Series => None,
+        Shape::Each(..) | Shape::Tuple(_) | Shape::Series => None,
     }
 }
 

@@ -15,7 +15,7 @@ impl Mechanism {
             let carrier = self.tree.parent(i).filter(|&other| !self.is_of_base(other));
             let leader = match &self.joints[i].law {
                 Law::Following { coupling, .. } => Some(coupling.leader),
-                Law::Free { .. } | Law::Standing { .. } => None,
+                Law::Free { .. } | Law::Base { .. } | Law::Standing { .. } => None,
             };
             for other in carrier.into_iter().chain(leader) {
                 let (old, new) = (names[i], names[other]);
@@ -38,7 +38,7 @@ impl Mechanism {
                 joint.stand();
             }
             let (number, kind) = match &mut joint.law {
-                Law::Free { number } => (number, 0),
+                Law::Free { number } | Law::Base { number } => (number, 0),
                 Law::Following { number, .. } => (number, 1),
                 Law::Standing { .. } => continue,
             };

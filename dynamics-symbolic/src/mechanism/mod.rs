@@ -4,13 +4,16 @@
 //! know nothing else of an arm. The proof reads the table by itself.
 
 mod aligned;
+mod base;
 mod groups;
 mod read;
 mod walk;
 
 pub(crate) use aligned::Aligned;
+pub(crate) use base::BaseRate;
 pub(crate) use walk::Tree;
 
+use crate::function::Freedoms;
 use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Spring, Stribeck, Value};
 
 /// A robot as the derivations know it. Joints and the links that they move are counted from the base outwards.
@@ -104,6 +107,9 @@ pub enum Origin {
 pub(crate) enum Law {
     /// By itself: the joint of that number among those that do.
     Free { number: usize },
+    /// It is one of the six that carry a base that moves: it stands at zero and has a velocity, an acceleration and a force of
+    /// that number. See `base`.
+    Base { number: usize },
     /// It stands still at a position: its link is a part of the link before.
     Standing { at: Value },
     /// q = factor * q of another joint + offset. The number of its symbols comes after those of all free joints.
@@ -136,20 +142,31 @@ impl Mechanism {
         named.map_or(&self.tip, |named| &self.frames[named])
     }
 
-    /// The number of joints that move by themselves.
+    /// The number of degrees of freedom.
     pub(crate) fn dof(&self) -> usize {
         self.free().count()
     }
 
+    /// The degrees of freedom of the base, and those of the joints.
+    pub(crate) fn freedoms(&self) -> Freedoms {
+        let base = self
+            .joints
+            .iter()
+            .filter(|joint| joint.is_of_base())
+            .count();
+        let joints = self.dof() - base;
+        Freedoms { base, joints }
+    }
+
     /// The joints that move by themselves.
     pub(crate) fn free(&self) -> impl Iterator<Item = usize> {
-        let is_free = |&i: &usize| matches!(self.joints[i].law, Law::Free { .. });
+        let is_free = |&i: &usize| self.joints[i].is_free();
         (0..self.joints.len()).filter(is_free)
     }
 
     /// The most joints that move by themselves among those that carry one link: of a serial arm all.
     pub(crate) fn most_in_line(&self) -> usize {
-        let is_free = |i: &usize| matches!(self.joints[*i].law, Law::Free { .. });
+        let is_free = |i: &usize| self.joints[*i].is_free();
         let in_line = |tip| self.tree.carriers(tip).filter(is_free).count();
         self.tree.tips().map(in_line).max().unwrap_or(0)
     }
@@ -187,7 +204,7 @@ impl Mechanism {
     /// stands still.
     pub(crate) fn moved_by(&self, i: usize) -> Option<(usize, Option<&Coupling>)> {
         match &self.joints[i].law {
-            Law::Free { number } => Some((*number, None)),
+            Law::Free { number } | Law::Base { number } => Some((*number, None)),
             Law::Standing { .. } => None,
             Law::Following { coupling, .. } => {
                 let (number, _) = self.moved_by(coupling.leader)?;
@@ -205,6 +222,9 @@ impl Mechanism {
         let mut free = self.clone();
         let moving = free.joints.iter_mut().filter(|joint| !joint.stands());
         for (number, joint) in moving.enumerate() {
+            if joint.is_of_base() {
+                continue;
+            }
             if let Law::Following { coupling, .. } = &joint.law {
                 let leader = self.joints[coupling.leader].range(&[]);
                 joint.limits = Some(joint.range_of_follower(coupling, leader));
@@ -234,6 +254,16 @@ impl Mechanism {
 impl Joint {
     pub(crate) fn stands(&self) -> bool {
         matches!(self.law, Law::Standing { .. })
+    }
+
+    /// Whether its velocity is one of the robot's own.
+    fn is_free(&self) -> bool {
+        matches!(self.law, Law::Free { .. } | Law::Base { .. })
+    }
+
+    /// Whether it carries a base that moves.
+    pub(crate) fn is_of_base(&self) -> bool {
+        matches!(self.law, Law::Base { .. })
     }
 
     /// Whether there is a motor: its reflected inertia is then a parameter of the arm, even where it is zero.

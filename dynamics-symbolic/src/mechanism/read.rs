@@ -1,27 +1,29 @@
 //! From the rows of a table to a mechanism.
 
-use super::{Aligned, FixedBody, Forces, Frame, Joint, Law, Mechanism, Origin, Tree};
+use super::{Aligned, FixedBody, Forces, Frame, Joint, Law, Mechanism, Origin, Tree, base};
 use crate::robot::{Body, Convention, JointType, Placement, Robot, Row, Value};
 
 impl From<&Robot> for Mechanism {
     fn from(robot: &Robot) -> Self {
         let rows = 0..robot.rows.len();
-        let tree = Tree::new(rows.clone().map(|i| robot.parent(i)).collect());
-        let (mut free, mut following) = (0.., robot.dof()..);
-        let joints = rows.map(|i| {
+        let mut joints = robot.floating().map_or(Vec::new(), base::joints);
+        let of_base = (0..joints.len()).map(|i| i.checked_sub(1));
+        let parents = rows.clone().map(|i| link(robot, robot.parent(i)));
+        let tree = Tree::new(of_base.chain(parents).collect());
+        let (mut free, mut following) = (joints.len().., robot.dof()..);
+        joints.extend(rows.map(|i| {
             let numbers = if robot.rows[i].is_free() {
                 &mut free
             } else {
                 &mut following
             };
-            joint(robot, (i, tree.parent(i)), numbers)
-        });
-        let mut joints: Vec<_> = joints.collect();
+            joint(robot, i, numbers)
+        }));
         Aligned::align(&mut joints, &tree);
         Mechanism {
             fields: robot.fields.len(),
             gravity: robot.gravity.clone(),
-            base: robot.base.clone(),
+            base: robot.placement().cloned(),
             joints,
             tree,
             fixed_bodies: fixed_bodies(robot),
@@ -29,6 +31,15 @@ impl From<&Robot> for Mechanism {
             frames: frames(robot),
             neglected: robot.neglected.clone(),
         }
+    }
+}
+
+/// The link that a row moves; without a row what the base is: the last of the links of one that moves, or none.
+fn link(robot: &Robot, row: Option<usize>) -> Option<usize> {
+    let links_of_base = robot.freedoms().base;
+    match row {
+        Some(row) => Some(links_of_base + row),
+        None => links_of_base.checked_sub(1),
     }
 }
 
@@ -40,20 +51,20 @@ fn tip(robot: &Robot) -> Frame {
     let tool = robot.tool.iter().filter(|_| link.is_some());
     let places = places.chain(tool.map(|tool| &tool.placement));
     Frame {
-        link,
+        link: self::link(robot, link),
         places: places.cloned().collect(),
     }
 }
 
 fn frames(robot: &Robot) -> Vec<Frame> {
     let frames = robot.frames.iter().map(|frame| Frame {
-        link: frame.on,
+        link: link(robot, frame.on),
         places: frame.places.clone(),
     });
     frames.collect()
 }
 
-/// The tool, and the bodies of frames on links. A body on the base does not move.
+/// The tool, and the bodies of frames on links. A body on a base that stands does not move.
 fn fixed_bodies(robot: &Robot) -> Vec<FixedBody> {
     let tool = robot.tool.as_ref().filter(|tool| tool.has_body());
     let tool = tool.and_then(|tool| {
@@ -68,7 +79,7 @@ fn fixed_bodies(robot: &Robot) -> Vec<FixedBody> {
     });
     let of_frames = robot.frames.iter().filter_map(|frame| {
         Some(FixedBody {
-            link: frame.on?,
+            link: link(robot, frame.on)?,
             places: frame.places.clone(),
             body: frame.body.clone()?,
         })
@@ -77,17 +88,13 @@ fn fixed_bodies(robot: &Robot) -> Vec<FixedBody> {
 }
 
 /// The joint of row i, with the next of the numbers if it moves.
-fn joint(
-    robot: &Robot,
-    (i, parent): (usize, Option<usize>),
-    numbers: &mut impl Iterator<Item = usize>,
-) -> Joint {
+fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> Joint {
     let row = &robot.rows[i];
     let [start, link_frame, _] = robot.mounted(i);
     let (before, link_frame, origin) = match (robot.convention, &row.mount) {
         // The a and the alpha of a row are behind its joint.
         (Convention::Standard, _) => {
-            let behind_carrier = parent.map(|parent| screw(&robot.rows[parent]));
+            let behind_carrier = robot.parent(i).map(|parent| screw(&robot.rows[parent]));
             let before = behind_carrier.into_iter().chain(start).collect();
             (before, vec![screw(row)], Origin::BeforeOffset)
         }
@@ -97,7 +104,10 @@ fn joint(
         }
         (Convention::Modified, Some(_)) => (start, link_frame, Origin::AfterOffset),
     };
-    let law = law(row, numbers);
+    let mut law = law(row, numbers);
+    if let Law::Following { coupling, .. } = &mut law {
+        coupling.leader += robot.freedoms().base;
+    }
     Joint {
         name: row.name.clone(),
         joint_type: row.joint_type,
@@ -117,7 +127,7 @@ fn joint(
         inertia: row.inertia.clone(),
         forces: match law {
             Law::Standing { .. } => forces(&Row::new("", row.joint_type)),
-            Law::Free { .. } | Law::Following { .. } => forces(row),
+            Law::Free { .. } | Law::Base { .. } | Law::Following { .. } => forces(row),
         },
         law,
         limits: row.limits.clone(),

@@ -1,6 +1,6 @@
 //! The random point of the prime field: a value for every symbol.
 
-use crate::exact::{Rational, Residue, SplitMix64, circle_point};
+use crate::exact::{Rational, Residue, SplitMix64, circle_point, rotation_point};
 use crate::function::Argument;
 use crate::program::{Arithmetic, Instruction, Operand, Program};
 use crate::robot::{Angle, Interpretation, JointType, Robot, Symbol, Value};
@@ -33,6 +33,7 @@ pub struct JointPoint {
 /// Purposes of random numbers, which a seed of their own keeps apart.
 const ENTRIES: u64 = 1 << 32;
 const OTHER_JOINTS: u64 = 2 << 32;
+const ROTATION: u64 = 4 << 32;
 pub(super) const STATES: u64 = 3 << 32;
 
 /// A value for every symbol of a robot's equations, and a digest of what was read of it.
@@ -41,7 +42,7 @@ pub struct Assignment {
     pi: Number,
     fields: Vec<Number>,
     angles: Vec<(Value, (Number, Number))>,
-    /// The joints that move by themselves, then the followers.
+    /// The degrees of freedom, then the followers.
     joints: Vec<JointPoint>,
     seed: u64,
     unfaithful: bool,
@@ -142,8 +143,12 @@ impl Assignment {
         value
     }
 
-    /// An entry of another argument than q, qd, qdd and tau.
+    /// An entry of another argument than q, qd, qdd and tau. The base stands at a random rotation.
     pub fn entry(&self, argument: Argument, index: usize) -> Number {
+        if argument == Argument::Base && index < 9 {
+            let random = &mut SplitMix64::new(self.seed_for(ROTATION));
+            return rotation_point(random)[index / 3][index % 3];
+        }
         let place = argument as u64 * 0x0001_0000 + index as u64;
         Number::random(&mut SplitMix64::new(self.seed_for(ENTRIES) ^ place))
     }
@@ -171,7 +176,8 @@ fn word(operand: Operand) -> u64 {
 
 /// Random points of all joints. Where an angle is a whole multiple of another one, so is its point.
 fn joint_points(robot: &Robot, random: &mut SplitMix64) -> Vec<JointPoint> {
-    let mut points: Vec<_> = robot.joints().map(|_| JointPoint::random(random)).collect();
+    let freedoms = 0..robot.dof();
+    let mut points: Vec<_> = freedoms.map(|_| JointPoint::random(random)).collect();
     for (row, coupling) in robot.followers() {
         let mut point = JointPoint::random(random);
         let leader = robot.joint_of(coupling.leader);

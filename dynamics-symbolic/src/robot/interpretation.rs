@@ -4,11 +4,19 @@ use super::{Angle, Value};
 use crate::exact::Rational;
 use crate::linear::Ring;
 
+/// The rotation by rows, and the position of a base that moves.
+pub type PoseOfBase<R> = ([[R; 3]; 3], [R; 3]);
+
 /// A ring in which the cells of a table can be read: expressions on a graph,
 /// or numbers of a prime field.
 pub trait Interpretation {
     /// The numbers of the ring.
     type Number: Ring;
+
+    /// Where a base that moves is in the world; `None` of a robot whose base stands.
+    fn pose_of_base(&mut self) -> Option<PoseOfBase<Self::Number>> {
+        None
+    }
 
     /// The image of an exact number.
     fn rational(&mut self, x: &Rational) -> Self::Number;

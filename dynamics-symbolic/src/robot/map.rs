@@ -1,7 +1,8 @@
 //! Tables with other cells: rounded, written as text, or only looked at.
 
 use super::{
-    Body, Carrier, Coupling, Frame, JointType, Mount, Placement, Row, Spring, Stribeck, Tool, Value,
+    Base, Body, Carrier, Coupling, Frame, JointType, Mount, Placement, Row, Spring, Stribeck, Tool,
+    Value,
 };
 
 /// The kind of a cell.
@@ -137,6 +138,16 @@ impl<C> Body<C> {
             mass: cell(&self.mass, Number),
             com: self.com.each_ref().map(|x| cell(x, Number)),
             inertia: self.inertia.each_ref().map(|x| cell(x, Number)),
+        }
+    }
+}
+
+impl<C> Base<C> {
+    /// The base with a cell of another kind for each of its own.
+    pub fn map<D>(&self, cell: &mut impl FnMut(&C, Quantity) -> D) -> Base<D> {
+        match self {
+            Base::Standing(placement) => Base::Standing(placement.map(cell)),
+            Base::Floating(body) => Base::Floating(body.map(cell)),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! other program.
 
 mod angle;
+mod base;
 mod carrier;
 mod coupling;
 mod frame;
@@ -19,12 +20,13 @@ mod symbol;
 mod value;
 
 pub use angle::Angle;
+pub use base::Base;
 pub use carrier::Carrier;
 pub use coupling::Coupling;
 pub use frame::{Body, Frame};
 pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
-pub use interpretation::Interpretation;
+pub use interpretation::{Interpretation, PoseOfBase};
 pub use map::Quantity;
 pub use mount::Mount;
 pub use parameter::Parameter;
@@ -32,6 +34,8 @@ pub use placement::{Placement, Tool};
 pub use spring::Spring;
 pub use symbol::Symbol;
 pub use value::Value;
+
+use crate::function::Freedoms;
 
 /// How a row of the table places link frame i in link frame i-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,7 +133,7 @@ impl Row {
     }
 }
 
-/// A robot on a fixed base: its rows are a tree, and a serial arm if each one stands on the link of the row above.
+/// A robot: its rows are a tree, and a serial arm if each one stands on the link of the row above.
 #[derive(Clone, Debug)]
 pub struct Robot {
     /// Name of the arm.
@@ -141,9 +145,9 @@ pub struct Robot {
     pub convention: Convention,
     /// Acceleration of gravity in the axes of the world, m/s^2.
     pub gravity: [Value; 3],
-    /// Frame 0 in the world, where they are not the same: poses, Jacobians and the potential energy are
-    /// those in the world.
-    pub base: Option<Placement>,
+    /// Where frame 0 stands in the world, or the body of a base that moves. `None` where frame 0 is the world's.
+    /// Poses, Jacobians and the potential energy are those in the world.
+    pub base: Option<Base>,
     /// The rows, from the base outwards: a row stands behind the one that carries it.
     pub rows: Vec<Row>,
     /// Named places, and the bodies that are fixed there.
@@ -168,9 +172,41 @@ pub struct Neglected {
 }
 
 impl Robot {
-    /// The number of joints that move by themselves.
+    /// The number of degrees of freedom: entries of a velocity.
     pub fn dof(&self) -> usize {
-        self.joints().count()
+        self.freedoms().all()
+    }
+
+    /// The degrees of freedom: of a base that moves six, and the joints that move by themselves.
+    pub fn freedoms(&self) -> Freedoms {
+        Freedoms {
+            base: self.floating().map_or(0, |_| Base::FREEDOMS),
+            joints: self.joints().count(),
+        }
+    }
+
+    /// Where frame 0 stands in the world, if it stands there and is not the world's.
+    pub fn placement(&self) -> Option<&Placement> {
+        match self.base.as_ref()? {
+            Base::Standing(placement) => Some(placement),
+            Base::Floating(_) => None,
+        }
+    }
+
+    /// The same, to be changed.
+    pub fn placement_mut(&mut self) -> Option<&mut Placement> {
+        match self.base.as_mut()? {
+            Base::Standing(placement) => Some(placement),
+            Base::Floating(_) => None,
+        }
+    }
+
+    /// The body of a base that moves, in frame 0.
+    pub fn floating(&self) -> Option<&Body> {
+        match self.base.as_ref()? {
+            Base::Standing(_) => None,
+            Base::Floating(body) => Some(body),
+        }
     }
 
     /// The rows of the joints that move by themselves, from the base outwards.
@@ -190,10 +226,10 @@ impl Robot {
         self.followers().next().is_some()
     }
 
-    /// The number of a row's joint among those that move by themselves.
+    /// The number of a row's joint among the degrees of freedom, those of the base first.
     pub fn joint_of(&self, row: usize) -> usize {
         let before = self.rows[..row].iter();
-        before.filter(|row| row.is_free()).count()
+        self.freedoms().base + before.filter(|row| row.is_free()).count()
     }
 
     /// The joint and the factor behind the index of a [`Symbol`]: of a follower, where the index is none
@@ -215,10 +251,11 @@ impl Robot {
         }
     }
 
-    /// The row behind the index of a [`Symbol`].
+    /// The row behind the index of a [`Symbol`]; `None` of a degree of freedom of the base.
     pub fn row_of(&self, index: usize) -> Option<&Row> {
         let followers = self.followers().map(|(row, _)| row);
-        self.joints().chain(followers).nth(index)
+        let joint = index.checked_sub(self.freedoms().base)?;
+        self.joints().chain(followers).nth(joint)
     }
 
     /// The arm in which nothing is coupled: each follower is a joint of its own.

@@ -3,7 +3,8 @@
 use super::Value;
 use crate::function::Argument;
 
-/// The meaning of a symbol. Indices of joints count from 0, joints that are locked left out. Joints that
+/// The meaning of a symbol. Indices count the degrees of freedom from 0: of a base that moves six, which have a velocity, an
+/// acceleration and a force alone, then the joints, those that are locked left out. Joints that
 /// follow others come after all that move by themselves, and have symbols of their own only for what is
 /// no polynomial in those of the joint they follow.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use dynamics_symbolic::function::{Part, Request};
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::{Assignment, Cause, Number, prove, prove_together};
 use dynamics_symbolic::robot::{
-    Body, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row, Value,
+    Base, Body, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row, Value,
 };
 use dynamics_symbolic::{Function, proven_program};
 use expect_test::expect_file;
@@ -35,7 +35,7 @@ fn with_frames(robot: Robot) -> Robot {
     let frames = [(Some(2), 1), (Some(last), 2), (None, 3)].map(|(on, x)| frame(on, x));
     Robot {
         frames: frames.to_vec(),
-        base: at(vector([1, 0, 0])).pop(),
+        base: at(vector([1, 0, 0])).pop().map(Base::Standing),
         ..robot
     }
 }

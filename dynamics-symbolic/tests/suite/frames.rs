@@ -5,7 +5,7 @@ use arms::{decimal, robot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
-use dynamics_symbolic::robot::{Placement, Robot, Tool, Value};
+use dynamics_symbolic::robot::{Base, Placement, Robot, Tool, Value};
 
 /// Revolute and prismatic joints.
 const ARMS: [&str; 3] = ["stanford", "scara", "two_link_craig"];
@@ -67,7 +67,7 @@ fn a_base_and_a_tool_at_no_distance_leave_every_program_as_it_is() {
     for name in ARMS {
         let plain = robot(name);
         let mut placed = plain.clone();
-        placed.base = Some(placement([0.0; 3], [0.0; 3]));
+        placed.base = Some(Base::Standing(placement([0.0; 3], [0.0; 3])));
         placed.tool = Some(Tool {
             placement: placement([0.0; 3], [0.0; 3]),
             ..tool(Value::zero())
@@ -85,7 +85,7 @@ fn a_placed_base_leaves_inertia_and_coriolis_terms_as_they_are() {
     for name in ARMS {
         let plain = robot(name);
         let mut placed = plain.clone();
-        placed.base = Some(placement([1.0, 2.0, 3.0], [0.3, -0.4, 0.5]));
+        placed.base = Some(Base::Standing(placement([1.0, 2.0, 3.0], [0.3, -0.4, 0.5])));
         for function in [
             Function::MassMatrix,
             Function::CoriolisVector,
@@ -108,10 +108,10 @@ fn a_wall_costs_no_operation() {
         let strength = decimal(9.81);
         let zero = Value::zero;
         on_wall.gravity = [zero(), zero(), -strength.clone()];
-        on_wall.base = Some(Placement {
+        on_wall.base = Some(Base::Standing(Placement {
             xyz: [(); 3].map(|()| zero()),
             rpy: [zero(), Value::Pi * decimal(0.5), zero()],
-        });
+        }));
         by_hand.gravity = [strength, zero(), zero()];
         for function in [Function::GravityVector, Function::InverseDynamics] {
             let (expected, found) = (derive(&by_hand, function), derive(&on_wall, function));
@@ -131,7 +131,7 @@ fn a_wall_costs_no_operation() {
 #[test]
 fn a_program_of_another_base_or_tool_is_refused() {
     let mut arm = robot("elbow_3r");
-    arm.base = Some(placement([0.1, 0.0, 0.8], [0.3, -0.4, 0.5]));
+    arm.base = Some(Base::Standing(placement([0.1, 0.0, 0.8], [0.3, -0.4, 0.5])));
     arm.tool = Some(tool(decimal(2.0)));
     type Change = fn(&mut Robot);
     let of_tool: [Change; 4] = [
@@ -141,8 +141,8 @@ fn a_program_of_another_base_or_tool_is_refused() {
         |arm| arm.tool.as_mut().expect("a tool").placement.rpy[2] = decimal(-1.2),
     ];
     let of_base: [Change; 2] = [
-        |arm| arm.base.as_mut().expect("a base").rpy[0] = decimal(0.31),
-        |arm| arm.base.as_mut().expect("a base").xyz[2] = decimal(0.81),
+        |arm| arm.placement_mut().expect("a base").rpy[0] = decimal(0.31),
+        |arm| arm.placement_mut().expect("a base").xyz[2] = decimal(0.81),
     ];
     let refused = |change: Change, functions: &[Function]| {
         let mut other = arm.clone();

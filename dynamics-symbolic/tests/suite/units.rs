@@ -8,7 +8,7 @@ use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{
-    JointType, Placement, Robot, Spring, Stribeck, Symbol, Tool, Value,
+    Base, JointType, Placement, Robot, Spring, Stribeck, Symbol, Tool, Value,
 };
 
 /// Powers of length and mass.
@@ -77,7 +77,7 @@ impl Arm {
         let placed = |placement: &mut Placement, field: &mut dyn FnMut(&mut Value, Unit)| {
             placement.xyz.iter_mut().for_each(|x| field(x, LENGTH));
         };
-        if let Some(base) = &mut robot.base {
+        if let Some(base) = robot.placement_mut() {
             placed(base, &mut field);
         }
         if let Some(tool) = &mut robot.tool {
@@ -197,7 +197,10 @@ fn mounted(mut robot: Robot) -> Robot {
         xyz: xyz.map(arms::decimal),
         rpy: rpy.map(arms::decimal),
     };
-    robot.base = Some(placement([0.3, -0.4, 0.9], [0.2, -0.7, 1.3]));
+    robot.base = Some(Base::Standing(placement(
+        [0.3, -0.4, 0.9],
+        [0.2, -0.7, 1.3],
+    )));
     robot.tool = Some(Tool {
         placement: placement([0.1, 0.02, 0.15], [0.9, 0.0, -0.3]),
         mass: arms::decimal(1.7),

@@ -1,7 +1,7 @@
 //! Robots from data files.
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Convention, JointType, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Base, Convention, JointType, Placement, Robot, Row, Tool, Value};
 use serde_json::Value as Json;
 
 /// The robots that have a data file and reference values.
@@ -102,7 +102,7 @@ pub fn robot(name: &str) -> Robot {
         rows: rows.collect(),
         frames: Vec::new(),
         neglected: None,
-        base: json.get("base").map(placement),
+        base: json.get("base").map(placement).map(Base::Standing),
         tool: json.get("tool").map(|tool| Tool {
             placement: placement(tool),
             mass: cell(tool, "mass"),

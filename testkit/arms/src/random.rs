@@ -2,8 +2,8 @@
 
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::robot::{
-    Body, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row, Spring, Stribeck,
-    Tool, Value,
+    Base, Body, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row, Spring,
+    Stribeck, Tool, Value,
 };
 
 /// What the links are.
@@ -308,7 +308,7 @@ impl Tables {
     fn mounted(&mut self, mut robot: Robot) -> Robot {
         self.fields = robot.fields.len();
         let choice = self.below(4);
-        robot.base = (choice != 0).then(|| self.placement());
+        robot.base = (choice != 0).then(|| Base::Standing(self.placement()));
         robot.tool = (choice != 1).then(|| Tool {
             placement: self.placement(),
             mass: match self.bodies {

@@ -76,7 +76,7 @@ impl Inputs<'_> {
             Argument::Jerk => self.jerk,
             Argument::Snap => self.snap,
             Argument::Wrench => self.wrench,
-            Argument::Order => &[],
+            Argument::Base | Argument::Order => &[],
         }
     }
 }

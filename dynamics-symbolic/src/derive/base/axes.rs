@@ -10,7 +10,7 @@ impl<R: Ring> Geometry<R> {
     pub(super) fn last_revolute(&self, i: usize) -> Option<usize> {
         let turns = |&j: &usize| {
             let link = &self.links[j];
-            link.joint_type == JointType::Revolute && !link.stands
+            link.joint_type == JointType::Revolute && !link.stands && !link.is_of_base
         };
         self.tree.carriers(i).skip(1).find(turns)
     }

@@ -14,6 +14,8 @@ pub(crate) struct LinkGeometry<R> {
     pub(crate) joint_type: JointType,
     /// Whether the joint stands still: all parameters of the link then move to the link before it.
     pub(crate) stands: bool,
+    /// Whether the joint carries a base that moves: it stands at zero, and the link keeps all of its parameters.
+    pub(crate) is_of_base: bool,
     /// The place of the joint's axis in the frame of the link before.
     pub(crate) before: Place<R>,
     /// Offset along the joint's axis (its constant part, if the joint is prismatic and moves).
@@ -71,6 +73,7 @@ impl<R: Ring> Geometry<R> {
         let links = self.links.iter().map(|link| LinkGeometry {
             joint_type: link.joint_type,
             stands: link.stands,
+            is_of_base: link.is_of_base,
             before: Place {
                 origin: Vector3(link.before.origin.0.map(&number)),
                 turns: link.before.turns.map(|turn| turn.map(&number)),
@@ -112,6 +115,7 @@ pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geo
         LinkGeometry {
             joint_type: joint.joint_type,
             stands: joint.stands(),
+            is_of_base: joint.is_of_base(),
             before,
             d,
             turn,

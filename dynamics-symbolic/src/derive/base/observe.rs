@@ -11,8 +11,10 @@ use crate::derive::symbols::Symbols;
 use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::mechanism::Mechanism;
-use crate::robot::{Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie};
+use crate::mechanism::{Law, Mechanism};
+use crate::robot::{
+    Base, Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie,
+};
 use crate::spatial::{Joint, Motion, Turn, Turns};
 
 type Vector = Vector3<Fingerprint>;
@@ -55,8 +57,12 @@ impl Grouping {
                 coincides: coincides(&exprs, i),
             });
             let height = height(&grouping, &links, i);
-            let (kept, ties) =
-                combinations(&rows[i], Parameter::of_link(joint.has_motor()), height);
+            let (kept, ties) = match joint.law {
+                // The last of these joints moves the base's body in all directions, the others move nothing else.
+                Law::Base { number } if number + 1 < Base::FREEDOMS => (Vec::new(), Vec::new()),
+                Law::Base { .. } => (Parameter::of_link(false).to_vec(), Vec::new()),
+                _ => combinations(&rows[i], Parameter::of_link(joint.has_motor()), height),
+            };
             let link = &mut grouping.links[i];
             (link.kept, link.ties) = (kept, ties);
         }
@@ -166,10 +172,13 @@ fn energies(
             let (mut qd, mut weight) = (zero, zero);
             if !link.stands {
                 qd = Fingerprint::random(random);
-                let moved = anywhere(link.joint_type, random);
-                motion = motion.enter(&moved).with_joint(link.joint_type, qd);
-                g = moved.enter(g);
-                weight = g[2] * moved.slide;
+                if !link.is_of_base {
+                    let moved = anywhere(link.joint_type, random);
+                    motion = motion.enter(&moved);
+                    g = moved.enter(g);
+                    weight = g[2] * moved.slide;
+                }
+                motion = motion.with_joint(link.joint_type, qd);
             }
             let after = unit_energies(motion, qd, g, weight, zero);
             let rotation = geometry.rotation_of_moments(i, axes[i]);

@@ -286,8 +286,8 @@ fn dimensions(shape: &Shape, sizes: Sizes) -> Vec<usize> {
     match shape {
         Shape::Matrix(rows, Size::One) => vec![rows.of(sizes)],
         Shape::Matrix(rows, columns) => vec![rows.of(sizes), columns.of(sizes)],
-        Shape::Each(one) => {
-            let mut all = vec![sizes.joints];
+        Shape::Each(count, one) => {
+            let mut all = vec![count.of(sizes)];
             all.extend(dimensions(one, sizes));
             all
         }

@@ -125,7 +125,7 @@ fn value<'v>(shape: &Shape, sizes: Sizes, values: &mut impl Iterator<Item = &'v 
             let (rows, columns) = (rows.of(sizes), columns.of(sizes));
             array((0..rows).map(|_| array((0..columns).map(&mut entry))))
         }
-        Shape::Each(one) => array((0..sizes.joints).map(|_| value(one, sizes, values))),
+        Shape::Each(count, one) => array((0..count.of(sizes)).map(|_| value(one, sizes, values))),
         Shape::Tuple(parts) => array(parts.iter().map(|part| value(part, sizes, values))),
         // Never written: it is no program over numbers.
         Shape::Series => array([].into_iter()),

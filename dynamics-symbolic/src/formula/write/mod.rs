@@ -177,6 +177,8 @@ fn joint(to: &dyn Notation, argument: Argument, index: usize) -> String {
         Argument::Jerk => ("q", 3, ""),
         Argument::Snap => ("q", 4, ""),
         Argument::Wrench => ("w", 0, ""),
+        // Rows of the rotation, then the position.
+        Argument::Base => ("b", 0, ""),
         Argument::Position | Argument::Force | Argument::Order => (argument.name(), 0, ""),
     };
     let text = format!("{}{}", argument.name(), index + 1);

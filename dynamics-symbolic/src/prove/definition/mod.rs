@@ -105,8 +105,7 @@ impl Definition {
         let rows = 0..robot.rows.len();
         let rows: Vec<_> = rows.map(|i| Row::new(point, robot, i)).collect();
         let gravity = Vector3([0, 1, 2].map(|k| point.cell(&robot.gravity[k])));
-        let base = robot.base.as_ref();
-        let base = base.map(|base| place::placement(point, base));
+        let base = robot.placement().map(|base| place::placement(point, base));
         let tip = Frame::tip(point, robot);
         let frames = Frame::named(point, robot);
         let fixed_bodies = FixedBody::all(point, robot);

@@ -108,7 +108,12 @@ impl Digits {
         let (emitted, plain) = (Rounded::new(&program), Rounded::new(&plain));
         let precise = plain.with_all_digits();
         let joints: Vec<_> = arm.robot.joints().map(|row| row.joint_type).collect();
-        let groups = groups(&joints, function, program.outputs.len());
+        let groups = groups(
+            arm.robot.freedoms(),
+            &joints,
+            function,
+            program.outputs.len(),
+        );
         let inputs: Vec<_> = states
             .iter()
             .map(|state| state.inputs(&arm.fields))

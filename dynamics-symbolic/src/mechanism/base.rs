@@ -1,0 +1,107 @@
+//! A base that moves: six joints that stand at zero and have velocities.
+//!
+//! Three joints slide along the axes x, y and z of the base, and three turn about them, in this order. All are at zero, so
+//! that their axes are those of the base, and the last one carries its body. The mass matrix, Jacobians and the forces
+//! of a given acceleration are then those of the base itself.
+//!
+//! The accelerations are not. A joint carries the axes of those behind it, while the six velocities of the base, v and w, are
+//! written in axes that turn with the base. If the base has dv/dt and dw/dt in its own axes and w = (x, y, z), the joints have
+//!
+//!   dv/dt + w x v   and   dw/dt - (y z, -x z, x y).
+//!
+//! What is added is D(w) u of the velocity u itself. Column j of D is what the joints k > j, which turn with joint j, do to
+//! its axis: the sum of w_k e_k x e_j. So, with the matrices of the six joints on the right,
+//!
+//!   C = C + M D,   dJ/dt = dJ/dt + J D,   and du/dt = du/dt + D u.
+//!
+//! C is then that of Echeandia and Wensing (2021), the sum of J' (I dJ/dt + B J) with J and dJ/dt in the axes of the bodies.
+
+use super::{Aligned, Joint, Law, Origin, read};
+use crate::exact::Rational;
+use crate::linear::Ring;
+use crate::robot::{Base, Body, JointType, Placement, Row, Value};
+
+/// The joints of a base with this body.
+pub(super) fn joints(body: &Body) -> Vec<Joint> {
+    let kinds = [JointType::Prismatic, JointType::Revolute].into_iter();
+    let joints = kinds.flat_map(|kind| (0..3).map(move |axis| (kind, axis)));
+    let mut joints: Vec<_> = joints.enumerate().map(joint).collect();
+    if let Some(last) = joints.last_mut() {
+        last.mass = body.mass.clone();
+        last.com = body.com.clone();
+        last.inertia = body.inertia.clone();
+    }
+    joints
+}
+
+/// The joint of that number, about or along a coordinate axis of the base.
+fn joint((number, (joint_type, axis)): (usize, (JointType, usize))) -> Joint {
+    let row = Row::new("base", joint_type);
+    // From the frame of the joint before, whose z axis is another one, by way of the axes of the base.
+    let back = if number == 0 { 2 } else { (axis + 2) % 3 };
+    let before = vec![turned(back, -1), turned(axis, 1)];
+    Joint {
+        name: row.name.clone(),
+        joint_type,
+        aligned: Aligned {
+            before: before.clone(),
+            turn: vec![Value::zero()],
+            d: Value::zero(),
+            own: Vec::new(),
+        },
+        before,
+        turn: vec![Value::zero()],
+        d: Value::zero(),
+        origin: Origin::AfterOffset,
+        law: Law::Base { number },
+        link_frame: Vec::new(),
+        mass: row.mass.clone(),
+        com: row.com.clone(),
+        inertia: row.inertia.clone(),
+        forces: read::forces(&row),
+        limits: None,
+    }
+}
+
+/// The turn by which the z axis becomes a coordinate axis, or back: by a quarter about y, about -x, or none.
+fn turned(axis: usize, sign: i64) -> Placement {
+    let quarters = [[0, sign, 0], [-sign, 0, 0], [0, 0, 0]][axis];
+    let quarter = |n: i64| Value::Pi * Value::Rational(Rational::from(n) / Rational::from(2));
+    Placement {
+        xyz: [0; 3].map(Value::integer),
+        rpy: quarters.map(quarter),
+    }
+}
+
+/// D of an angular velocity of the base.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BaseRate<R>(pub(crate) [R; 3]);
+
+impl<R: Ring> BaseRate<R> {
+    /// D u
+    pub(crate) fn times(&self, u: [R; Base::FREEDOMS]) -> [R; Base::FREEDOMS] {
+        let [x, y, z] = self.0;
+        let [vx, vy, vz, wx, wy, _] = u;
+        [
+            y * vz - z * vy,
+            z * vx - x * vz,
+            x * vy - y * vx,
+            -(z * wy),
+            z * wx,
+            -(y * wx),
+        ]
+    }
+
+    /// D' p, of which the last entry is zero.
+    pub(crate) fn transposed_times(&self, p: [R; Base::FREEDOMS]) -> [R; 5] {
+        let [x, y, z] = self.0;
+        let [fx, fy, fz, nx, ny, nz] = p;
+        [
+            z * fy - y * fz,
+            x * fz - z * fx,
+            y * fx - x * fy,
+            z * ny - y * nz,
+            -(z * nx),
+        ]
+    }
+}
