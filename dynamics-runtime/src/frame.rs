@@ -20,6 +20,18 @@ impl Frame {
     };
 }
 
+/// A base that moves: its body, described in frame 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct FloatingBase {
+    /// Mass of the body, kg.
+    pub mass: f64,
+    /// Its centre of mass in frame 0, m.
+    pub com: [f64; 3],
+    /// Entries xx, yy, zz, xy, yz, xz of its inertia tensor about the centre of mass, axes parallel to frame 0, kg m^2.
+    pub inertia: [f64; 6],
+}
+
 /// A frame that is fixed to the last link, the tip of the arm, and a body in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

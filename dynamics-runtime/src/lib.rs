@@ -51,6 +51,7 @@ mod operators;
 mod placement;
 #[cfg(feature = "plot")]
 pub mod plot;
+mod pose;
 #[cfg(feature = "std")]
 mod replace;
 mod scalar;
@@ -86,6 +87,7 @@ pub use model::{
 };
 pub use newton_euler::{NewtonEuler, NumericArm};
 pub use operations::Operations;
+pub use pose::Pose;
 pub use scalar::Scalar;
 pub use shared_sines::SharedSines;
 #[cfg(feature = "std")]
@@ -136,8 +138,8 @@ pub use state::SizedState;
 pub use table::RuntimeTable;
 #[doc(hidden)]
 pub use table::{
-    Arm, AsArm, Carrier, Convention, FixedFrame, Follower, Followers, Frame, Frames, JointMotion,
-    JointType, Placement, Row, Spring, Stribeck, Table, Tool,
+    Arm, AsArm, Carrier, Convention, FixedFrame, FloatingBase, Follower, Followers, Frame, Frames,
+    JointMotion, JointType, Placement, Row, Spring, Stribeck, Table, Tool,
 };
 #[doc(hidden)]
 pub use taylor::{

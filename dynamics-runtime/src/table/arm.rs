@@ -1,7 +1,7 @@
 //! Tables of any number of joints, as the numeric algorithms read them.
 
 use super::{Convention, FixedFrame, Follower, Row, Table};
-use crate::frame::{Frame, Tool};
+use crate::frame::{FloatingBase, Frame, Tool};
 
 /// The contents of a table, whatever its size.
 #[derive(Clone, Copy, Debug)]
@@ -9,6 +9,7 @@ pub struct Arm<'t> {
     pub(crate) convention: Convention,
     pub(crate) gravity: [f64; 3],
     pub(crate) base: &'t Frame,
+    pub(crate) floating: Option<&'t FloatingBase>,
     pub(crate) rows: &'t [Row],
     pub(crate) followers: &'t [Option<Follower>],
     pub(crate) frames: &'t [FixedFrame],
@@ -64,11 +65,15 @@ impl<'t> Arm<'t> {
         self.chain().count().checked_sub(1).filter(|_| is_serial)
     }
 
-    /// Mass of all links, of the tool and of the bodies of frames on links, kg.
+    /// Mass of all links, of the tool, of the bodies of frames on links and of a base that moves, with what is fixed to it, kg.
     pub(crate) fn total_mass(self) -> f64 {
-        let on_links = self.frames.iter().filter(|frame| frame.on.is_some());
+        let moves = self.floating.is_some();
+        let moving = |frame: &&FixedFrame| moves || frame.on.is_some();
+        let on_links = self.frames.iter().filter(moving);
         let of_frames = on_links.map(|frame| frame.mass).sum::<f64>();
-        self.chain().map(|moving| moving.row.mass).sum::<f64>() + self.tool.mass + of_frames
+        let of_base = self.floating.map_or(0.0, |base| base.mass);
+        let of_links = self.chain().map(|moving| moving.row.mass).sum::<f64>();
+        of_links + self.tool.mass + of_frames + of_base
     }
 }
 
@@ -85,6 +90,7 @@ impl<const N: usize> AsArm for Table<N> {
             convention: self.convention,
             gravity: self.gravity,
             base: &self.base,
+            floating: self.floating.as_ref(),
             rows: &self.rows,
             followers: &self.followers.list,
             frames: &self.frames,

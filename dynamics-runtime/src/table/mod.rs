@@ -17,7 +17,7 @@ pub use frames::{FixedFrame, Frames};
 #[cfg(feature = "std")]
 pub use runtime::RuntimeTable;
 
-pub use crate::frame::{Frame, Tool};
+pub use crate::frame::{FloatingBase, Frame, Tool};
 pub use crate::placement::Placement;
 
 /// How a row of the table places its link frame in that of the link that carries it.
@@ -210,8 +210,11 @@ pub struct Table<const N: usize> {
     pub convention: Convention,
     /// Acceleration of gravity in the axes of the world, m/s^2: (0, 0, -9.81) where z points up.
     pub gravity: [f64; 3],
-    /// The base frame, frame 0, in the world.
+    /// The base frame, frame 0, in the world. It is [`Frame::IDENTITY`] if the base moves.
     pub base: Frame,
+    /// The body of a base that moves; `None` of one that stands.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub floating: Option<FloatingBase>,
     /// The rows of the joints, from the base outwards: each one behind the row that carries it.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::array"))]
     pub rows: [Row; N],
@@ -237,6 +240,7 @@ impl<const N: usize> Table<N> {
             convention,
             gravity,
             base: Frame::IDENTITY,
+            floating: None,
             rows,
             followers: Followers::NONE,
             frames: Frames::NONE,

@@ -1,7 +1,7 @@
 //! A table whose number of joints is known at run time alone.
 
 use super::{Arm, AsArm, Convention, FixedFrame, Follower, Frames, Row, Table};
-use crate::frame::{Frame, Tool};
+use crate::frame::{FloatingBase, Frame, Tool};
 
 /// The table of a robot whose number of joints is known at run time alone, as numbers. Nothing is validated.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,9 @@ pub struct RuntimeTable {
     pub gravity: [f64; 3],
     /// The base frame, frame 0, in the world.
     pub base: Frame,
+    /// The body of a base that moves, as in [`Table::floating`].
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub floating: Option<FloatingBase>,
     /// The rows of the joints, from the base outwards: each one behind the row that carries it.
     pub rows: Vec<Row>,
     /// Frames on the links, and the bodies in them.
@@ -31,6 +34,7 @@ impl RuntimeTable {
             convention,
             gravity,
             base: Frame::IDENTITY,
+            floating: None,
             rows,
             frames: Vec::new(),
             tool: Tool::NONE,
@@ -49,6 +53,7 @@ impl RuntimeTable {
         let rows = <[Row; N]>::try_from(&self.rows[..]).ok()?;
         let mut table = Table {
             base: self.base,
+            floating: self.floating,
             frames: Frames::new(&self.frames)?,
             tool: self.tool,
             ..Table::new(self.convention, self.gravity, rows)
@@ -67,6 +72,7 @@ impl<const N: usize> From<&Table<N>> for RuntimeTable {
             convention: table.convention,
             gravity: table.gravity,
             base: table.base,
+            floating: table.floating,
             rows: table.rows.to_vec(),
             frames: table.frames.to_vec(),
             tool: table.tool,
@@ -81,6 +87,7 @@ impl AsArm for RuntimeTable {
             convention: self.convention,
             gravity: self.gravity,
             base: &self.base,
+            floating: self.floating.as_ref(),
             rows: &self.rows,
             followers: &self.followers,
             frames: &self.frames,
