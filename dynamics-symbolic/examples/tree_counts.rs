@@ -3,6 +3,7 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
+use dynamics_symbolic::robot::Robot;
 use measuring::table::Table;
 
 const FUNCTIONS: [Function; 6] = [
@@ -25,7 +26,11 @@ fn main() {
     let mut table = Table::new("Robots with branches", &heads);
     let robots = arms::TREES.map(arms::tree).into_iter();
     let serial = ["panda", "generic_chain_n7", "ur5"].map(arms::robot);
-    for robot in robots.chain(serial) {
+    let floating = arms::FLOATING.map(|name| Robot {
+        name: format!("{name}, floating"),
+        ..arms::floating(name)
+    });
+    for robot in robots.chain(serial).chain(floating) {
         if only.as_ref().is_some_and(|only| *only != robot.name) {
             continue;
         }

@@ -205,7 +205,12 @@ fn simplified(arm: &Mechanism, written: &[Written], recursion: &Recursion) -> Pr
     let outputs = outputs(&mut symbols, written);
     let mut network = Network::new(&graph, &outputs);
     let mut judge = recursion.judge(arm, &symbols, &network);
-    let groups = arm.groups().len();
+    // Branches of a base that moves meet in its equations.
+    let groups = if arm.freedoms().has_base() {
+        1
+    } else {
+        arm.groups().len()
+    };
     let shorten = if groups > 1 { simplify_apart } else { simplify };
     let branches = arm.tree.tips().count().div_ceil(groups.max(1));
     shorten(&mut network, &mut judge, effort(written, branches.max(1)));

@@ -5,14 +5,14 @@ use crate::robot::{Row, Value};
 
 impl Mechanism {
     /// Joints that have nothing but the base in common with others, by groups: the joints of a group stand on each other's
-    /// links or follow each other. Joints of the base are in the first group.
+    /// links or follow each other. Joints of the base, or of a base that moves, are in the first group.
     pub(crate) fn groups(&self) -> Vec<Vec<usize>> {
         let joints = 0..self.joints.len();
-        let first = joints.clone().find(|&i| !self.is_of_base(i)).unwrap_or(0);
-        let own = |i: usize| if self.is_of_base(i) { first } else { i };
+        let first = joints.clone().find(|&i| !self.is_of_root(i)).unwrap_or(0);
+        let own = |i: usize| if self.is_of_root(i) { first } else { i };
         let mut names: Vec<usize> = joints.clone().map(own).collect();
         for i in joints.clone() {
-            let carrier = self.tree.parent(i).filter(|&other| !self.is_of_base(other));
+            let carrier = self.tree.parent(i).filter(|&other| !self.is_of_root(other));
             let leader = match &self.joints[i].law {
                 Law::Following { coupling, .. } => Some(coupling.leader),
                 Law::Free { .. } | Law::Base { .. } | Law::Standing { .. } => None,
@@ -28,13 +28,19 @@ impl Mechanism {
         groups.filter(|group: &Vec<_>| !group.is_empty()).collect()
     }
 
+    /// Whether link i is a part of the base, be it one that moves.
+    fn is_of_root(&self, i: usize) -> bool {
+        let is_of_root = |i: usize| self.joints[i].stands() || self.joints[i].is_of_base();
+        self.tree.carriers(i).all(is_of_root)
+    }
+
     /// The mechanism in which joints of other groups stand still, without a place and a motor of their own. The joints
     /// keep their indices.
     pub(crate) fn only(&self, group: &[usize]) -> Mechanism {
         let mut part = self.clone();
         let mut numbers = [0, self.dof()];
         for (i, joint) in part.joints.iter_mut().enumerate() {
-            if !group.contains(&i) && !self.is_of_base(i) {
+            if !group.contains(&i) && !self.is_of_root(i) {
                 joint.stand();
             }
             let (number, kind) = match &mut joint.law {

@@ -13,5 +13,5 @@ pub use files::{MOUNTED, NAMES, decimal, robot, with_inertial_fields};
 pub use generic_chain::generic_chain;
 pub use near::{Arm, Arms, printed};
 pub use random::{Bodies, Tables};
-pub use trees::{TREES, tree};
+pub use trees::{FLOATING, TREES, floating, tree};
 pub use zeros::assert_zeros_are_constants;

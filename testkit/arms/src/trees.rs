@@ -2,7 +2,7 @@
 
 use crate::{decimal, generic_chain, robot};
 use dynamics_symbolic::robot::{
-    Body, Carrier, Convention, Frame, JointType, Placement, Robot, Row, Value,
+    Base, Body, Carrier, Convention, Frame, JointType, Placement, Robot, Row, Value,
 };
 
 /// The names of all robots that [`tree`] makes.
@@ -35,6 +35,32 @@ pub fn tree(name: &str) -> Robot {
     Robot {
         name: name.to_owned(),
         ..tree
+    }
+}
+
+/// The names of the robots of [`floating`].
+pub const FLOATING: [&str; 4] = ["free_body", "hyq", "torso", "humanoid"];
+
+/// A robot with a base that moves: a rigid body, or one of the trees on a trunk.
+///
+/// # Panics
+///
+/// Where there is none of that name.
+pub fn floating(name: &str) -> Robot {
+    // The trunk of HyQ.
+    let trunk = Body {
+        mass: decimal(60.96),
+        com: [0.056, 0.0215, 0.00358].map(decimal),
+        inertia: [1.5725937, 8.5015928, 9.1954911, 0.028375, -0.004462, -0.203139].map(decimal),
+    };
+    let robot = match name {
+        "free_body" => bare(),
+        name => tree(name),
+    };
+    Robot {
+        name: name.to_owned(),
+        base: Some(Base::Floating(trunk)),
+        ..robot
     }
 }
 
