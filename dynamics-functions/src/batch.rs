@@ -54,8 +54,8 @@ pub struct Batch {
     receiver: Receiver,
     /// The type of the function for the trait `Function`, and its value.
     function: [TokenStream; 2],
-    /// The number of joints, where it is known.
-    joints: Option<Literal>,
+    /// The numbers of joints and of degrees of freedom, where they are known.
+    sizes: Option<[Literal; 2]>,
     /// Where the methods' types are.
     path: TokenStream,
 }
@@ -79,21 +79,34 @@ impl Batch {
             refuses: request.refuses(),
             receiver,
             function: [quote!(functions::#name), value],
-            joints: None,
+            sizes: None,
             path: quote!(crate),
         }
     }
 
-    /// Of several functions as one, which are the robot's request of this index. `path` is that of the runtime.
+    /// Of what a robot was asked for as its request of this index: several functions as one, a function of a frame, or, if
+    /// its base moves, any function. `path` is that of the runtime.
     pub fn of_robot(
         request: &Request,
         index: usize,
         method: &Ident,
-        joints: Option<Literal>,
+        sizes: Option<[Literal; 2]>,
         path: &TokenStream,
     ) -> Batch {
-        let index = Literal::usize_unsuffixed(index);
-        let function = quote!(#path::functions::Fused);
+        let function = match request.function() {
+            Some(function) => {
+                let name = format_ident!("{function:?}");
+                [
+                    quote!(#path::functions::#name),
+                    quote!(#path::functions::#name),
+                ]
+            }
+            None => {
+                let index = Literal::usize_unsuffixed(index);
+                let fused = quote!(#path::functions::Fused);
+                [quote!(#fused<#index>), quote!(#fused::<#index>)]
+            }
+        };
         Batch {
             name: request.name().to_owned(),
             description: format!("What `{method}` returns."),
@@ -101,8 +114,8 @@ impl Batch {
             result: Ident::new("all_values", Span::call_site()),
             refuses: request.refuses(),
             receiver: Receiver::Arm,
-            function: [quote!(#function<#index>), quote!(#function::<#index>)],
-            joints,
+            function,
+            sizes,
             path: path.clone(),
         }
     }
@@ -111,7 +124,7 @@ impl Batch {
     pub fn method(&self, parallel: bool) -> TokenStream {
         let Batch { path, result, .. } = self;
         let [function, value] = &self.function;
-        let is_of_table = self.joints.is_none();
+        let is_of_table = self.sizes.is_none();
         let (prefix, run) = if parallel {
             ("par_", quote!(on_all_cores))
         } else {
@@ -119,9 +132,9 @@ impl Batch {
         };
         let name = format_ident!("{prefix}{}_batch", self.name);
         let visibility = (self.receiver == Receiver::Each || !is_of_table).then(|| quote!(pub));
-        let n = match &self.joints {
-            Some(n) => n.to_token_stream(),
-            None => quote!(N),
+        let [n, v] = match &self.sizes {
+            Some(sizes) => sizes.each_ref().map(ToTokens::to_token_stream),
+            None => [quote!(N), quote!(N)],
         };
         let generic = is_of_table.then(|| quote!(, const N: usize));
         let (arm, arms) = match self.receiver {
@@ -130,7 +143,7 @@ impl Batch {
         };
         let arguments = self.arguments.iter().map(|argument| {
             let name = format_ident!("{}", argument.name());
-            match argument.shape().map(|shape| length(shape, &n)) {
+            match argument.shape().map(|shape| length(shape, [&n, &v])) {
                 Some(length) => quote!(#name: impl #path::States<#length, T>),
                 None => quote!(#name: usize),
             }
@@ -171,13 +184,13 @@ impl Batch {
 
     /// What the arm has to be, where that is not known.
     fn bounds(&self, parallel: bool, n: &TokenStream) -> Option<TokenStream> {
-        if self.joints.is_some() {
+        if self.sizes.is_some() {
             return None;
         }
         let (path, [function, _]) = (&self.path, &self.function);
         let sync = parallel.then(|| quote!(+ Sync));
         let shapes = self.arguments.iter().filter_map(|a| a.shape());
-        let lengths = shapes.map(|shape| length(shape, n));
+        let lengths = shapes.map(|shape| length(shape, [n, n]));
         let function =
             quote!(#path::Function<#function, #n, Arguments = (#(#path::Entries<#lengths, 1>,)*)>);
         Some(match self.receiver {
@@ -218,7 +231,7 @@ impl Batch {
         };
         lines.extend([String::new(), " # Errors".to_owned(), String::new()]);
         lines.extend(errors.iter().map(|line| (*line).to_owned()));
-        if self.joints.is_some() {
+        if self.sizes.is_some() {
             // The types are not in the reach of the user's documentation.
             lines = lines
                 .iter()
@@ -248,8 +261,9 @@ impl Batch {
 }
 
 /// The number of entries of an argument.
-fn length(shape: Shape, joints: &TokenStream) -> TokenStream {
+fn length(shape: Shape, [joints, freedoms]: [&TokenStream; 2]) -> TokenStream {
     match shape {
+        Shape::Matrix(Size::Freedoms, _) => freedoms.clone(),
         Shape::Matrix(Size::Fixed(length), _) => {
             Literal::usize_unsuffixed(length).into_token_stream()
         }

@@ -16,11 +16,12 @@ pub(super) fn fused(target: &Target, requests: &[Request]) -> TokenStream {
     let fused = requests.iter().enumerate().filter(|(_, request)| {
         let name = request.name();
         let names = [format!("{name}_batch"), format!("par_{name}_batch")];
-        request.function().is_none() && !names.iter().any(|name| is_taken(name))
+        let is_own = target.freedoms.has_base() || request.function().is_none();
+        is_own && !names.iter().any(|name| is_taken(name))
     });
     let batch = |(index, request): (usize, &Request)| {
-        let joints = (target.dof > 0).then(|| target.n());
-        Batch::of_robot(request, index, &method_name(request), joints, path)
+        let sizes = target.is_known().then(|| [target.n(), target.v()]);
+        Batch::of_robot(request, index, &method_name(request), sizes, path)
     };
     let fused: Vec<Batch> = fused.map(batch).collect();
     if fused.is_empty() {

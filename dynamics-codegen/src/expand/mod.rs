@@ -13,6 +13,8 @@ mod traits;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::formula::Equation;
+use dynamics_symbolic::function::Freedoms;
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{
     Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_trait,
 };
@@ -34,7 +36,7 @@ pub(crate) fn robot(
     path: &TokenStream,
 ) -> TokenStream {
     let robot = &model.robot;
-    let target = Target::new(structure, robot.dof(), path);
+    let target = Target::new(structure, robot.freedoms(), path);
     let requests: Vec<Request> = methods.iter().map(|m| m.request.clone()).collect();
     let functions: Vec<Function> = requests.iter().filter_map(Request::function).collect();
     let provided = methods.iter().filter_map(|method| {
@@ -59,7 +61,7 @@ pub(crate) fn robot(
             .map(|method| method.function.clone())
             .collect(),
         fields: traits::fields(&target, &robot.fields),
-        angles: angles(robot.dof(), methods),
+        angles: angles(robot, methods),
         evaluation: evaluate::evaluation(&target, robot, &requests),
     };
     let implementations = items.implementations(&target, &requests);
@@ -83,7 +85,10 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     let unimplemented = quote!(::core::unimplemented!());
     let provided = requests.iter().filter_map(|request| {
         let function = request.function()?;
-        Some((function, stub_of_trait(function, target.dof, path)?))
+        Some((
+            function,
+            stub_of_trait(function, target.freedoms.joints, path)?,
+        ))
     });
     let functions = requests.iter().enumerate();
     let items = Items {
@@ -94,10 +99,13 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         formulas: Vec::new(),
         base_parameters: base_parameter_constants(&requests, None),
         table: unimplemented.clone(),
-        bodies: requests.iter().map(|r| stub(r, target.dof, path)).collect(),
+        bodies: requests
+            .iter()
+            .map(|r| stub(r, target.freedoms, path))
+            .collect(),
         provided: provided.collect(),
         functions: functions
-            .map(|(i, r)| stub_of_function(r, i, target.dof, path))
+            .map(|(i, r)| stub_of_function(r, i, target.freedoms, path))
             .collect(),
         fields: Some(traits::fields_by(&target, &unimplemented)),
         angles: Vec::new(),
@@ -177,13 +185,16 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
 /// Whether a method of the runtime's traits of single functions reads the sine and cosine of each joint's position. Such
 /// a method can be called with sines that were evaluated before. One of these traits, `ForwardDynamics`, may be by
 /// articulated bodies.
-fn angles(dof: usize, methods: &[Method]) -> Vec<bool> {
+fn angles(robot: &Robot, methods: &[Method]) -> Vec<bool> {
     let by_bodies = Some(Function::ForwardDynamicsAba);
     let reads_sines =
         |method: &&Method| method.provided.is_some() || method.request.function() == by_bodies;
     let reading = methods.iter().filter(reads_sines);
     let joints: Vec<usize> = reading.flat_map(|method| method.angles.clone()).collect();
-    (0..dof).map(|joint| joints.contains(&joint)).collect()
+    let Freedoms { base, joints: n } = robot.freedoms();
+    (base..base + n)
+        .map(|joint| joints.contains(&joint))
+        .collect()
 }
 
 /// The entries of the constant `OPERATIONS`.
@@ -300,14 +311,19 @@ impl Items {
         let Target {
             name, cfgs, path, ..
         } = target;
-        let n = target.n();
+        let (n, v) = (target.n(), target.v());
+        let counted = if target.freedoms.has_base() {
+            " Number of degrees of freedom: six of the base, then the joints."
+        } else {
+            " Number of joints."
+        };
         let count = Literal::usize_unsuffixed(operations.len());
         quote! {
             #cfgs
             #[allow(dead_code, deprecated, unused_variables, unused_parens, clippy::all, clippy::pedantic, clippy::nursery)]
             impl #name {
-                /// Number of joints.
-                pub const DOF: usize = #n;
+                #[doc = #counted]
+                pub const DOF: usize = #v;
 
                 /// Names of the joints, from the base outwards.
                 pub const JOINT_NAMES: [&'static str; #n] = [#(#names),*];

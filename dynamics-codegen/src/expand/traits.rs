@@ -18,10 +18,11 @@ pub(super) fn traits(
     table: &TokenStream,
     evaluation: &Evaluation,
 ) -> TokenStream {
-    let has = |function| functions.contains(&function);
+    // These traits are of robots whose base stands.
+    let has = |function| functions.contains(&function) && !target.freedoms.has_base();
     let has_energies = has(Function::KineticEnergy) && has(Function::PotentialEnergy);
     let model = model(target, angles, table, has_energies);
-    let evaluate = evaluate(target, evaluation);
+    let evaluate = (!target.freedoms.has_base()).then(|| evaluate(target, evaluation));
     let pairs = [
         (
             "Energy",
@@ -37,7 +38,7 @@ pub(super) fn traits(
         .filter(|(_, pair)| pair.iter().all(|function| has(*function)));
     let pairs = pairs.map(|(name, pair)| {
         let (header, _) = header(target, ident(name));
-        let methods = pair.map(|function| handed_on(function, target.dof, target.path));
+        let methods = pair.map(|function| handed_on(function, target.freedoms.joints, target.path));
         quote!(#header { #(#methods)* })
     });
     let articulated = (has(Function::ForwardDynamicsAba) && !has(Function::ForwardDynamics))
@@ -141,9 +142,10 @@ fn header(target: &Target, name: TokenStream) -> (TokenStream, TokenStream) {
 }
 
 fn generics(target: &Target) -> (TokenStream, TokenStream) {
-    match target.dof {
-        0 => (quote!(<const N: usize>), quote!(N)),
-        _ => (quote!(), target.n().into_token_stream()),
+    if target.is_known() {
+        (quote!(), target.n().into_token_stream())
+    } else {
+        (quote!(<const N: usize>), quote!(N))
     }
 }
 
@@ -164,13 +166,19 @@ fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStr
 
 fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bool) -> TokenStream {
     let path = target.path;
-    let (header, n) = header(target, quote!(Model));
+    let (generics, n) = generics(target);
+    let v = target.freedoms.has_base().then(|| {
+        let v = target.v();
+        quote!(, #v)
+    });
+    let header = start(target, &generics, quote!(Model<#n #v>));
     // An unknown number of joints has no names; the body stands in for a table too.
-    let (names, table) = match target.dof {
-        0 => (quote!([""; N]), table.clone()),
-        _ => (quote!(Self::JOINT_NAMES), quote!(Self::table(self))),
+    let (names, table) = if target.is_known() {
+        (quote!(Self::JOINT_NAMES), quote!(Self::table(self)))
+    } else {
+        (quote!([""; N]), table.clone())
     };
-    let angles = (!angles.is_empty()).then(|| {
+    let angles = (!angles.is_empty() || target.freedoms.has_base()).then(|| {
         quote! {
             const READS_ANGLE: [bool; #n] = [#(#angles),*];
         }
@@ -209,10 +217,11 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bo
 fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
     let path = target.path;
     let functions = &evaluation.functions;
-    let (header, n) = match target.dof {
+    let (header, n) = if target.is_known() {
+        header(target, quote!(Evaluate))
+    } else {
         // One impl, so that a check of the robot infers the number.
-        0 => (start(target, &quote!(), quote!(Evaluate<0>)), quote!(0)),
-        _ => header(target, quote!(Evaluate)),
+        (start(target, &quote!(), quote!(Evaluate<0>)), quote!(0))
     };
     let parts = evaluation.parts.as_ref().map(|parts| {
         quote! {

@@ -30,10 +30,10 @@ pub(crate) fn note(
     let sizes = sizes(robot, program, constants);
     let parts = request.parts();
     let values = |(part, span): (&Part, Range<usize>)| {
-        let count = part.function.entries(robot.dof(), span.len());
+        let count = part.function.entries(robot.freedoms(), span.len());
         span.start..span.start + count
     };
-    let outputs = spans(parts, robot.dof(), program.outputs.len());
+    let outputs = spans(parts, robot.freedoms(), program.outputs.len());
     let spans: Vec<_> = parts.iter().zip(outputs).map(values).collect();
     let bound = |span: &Range<usize>| useful(&errors[span.clone()], &sizes[span.clone()]);
     let bounds: Vec<_> = spans.iter().map(bound).collect();

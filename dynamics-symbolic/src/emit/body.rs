@@ -200,9 +200,9 @@ impl<'p> Writer<'p> {
     }
 
     fn outputs(&self, robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
-        let (joints, count) = (robot.dof(), self.program.outputs.len());
-        let sizes = sizes_of(request.parts(), joints, count);
-        let spans = spans(request.parts(), joints, count);
+        let (freedoms, count) = (robot.freedoms(), self.program.outputs.len());
+        let sizes = sizes_of(request.parts(), freedoms, count);
+        let spans = spans(request.parts(), freedoms, count);
         let parts = request.parts().iter().zip(spans);
         let values = parts.map(|(part, mut span)| {
             self.values(part.function.shape(), sizes, &mut span.start, path)
@@ -217,8 +217,10 @@ impl<'p> Writer<'p> {
 
     /// The tests by which a method refuses a singular M.
     fn pivot_tests(&self, robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
-        let names: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
-        let pivots = pivots(names.len(), request, self.program).into_iter();
+        let of_base = core::iter::repeat_n("base", robot.freedoms().base);
+        let joints = robot.joints().map(|row| row.name.as_str());
+        let names: Vec<_> = of_base.chain(joints).collect();
+        let pivots = pivots(robot.freedoms(), request, self.program).into_iter();
         let test = |(joint, outputs): (usize, [Output; 2])| {
             let [pivot, diagonal] = outputs.map(|output| self.output(output));
             let (name, joint) = (names[joint], Literal::usize_unsuffixed(joint));

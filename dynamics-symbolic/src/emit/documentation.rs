@@ -118,7 +118,7 @@ pub(super) fn unresisted<'r>(
     Proven { program, constants }: &Proven,
 ) -> Vec<&'r str> {
     let n = robot.dof();
-    let spans = spans(request.parts(), n, program.outputs.len());
+    let spans = spans(request.parts(), robot.freedoms(), program.outputs.len());
     let mut parts = request.parts().iter().zip(spans);
     // All parts with pivots have the same. Those of a series are of the runtime's factorisation.
     let Some((_, span)) = parts.find(|(part, _)| part.function.has_pivots()) else {
@@ -129,7 +129,7 @@ pub(super) fn unresisted<'r>(
         Operand::Constant(id) => constants[id.index()] == 0.0,
         _ => false,
     };
-    let joints = robot.joints().zip(pivots);
+    let joints = robot.joints().zip(&pivots[robot.freedoms().base..]);
     let unresisted = joints.filter(|(_, pivot)| is_zero(pivot));
     unresisted.map(|(row, _)| row.name.as_str()).collect()
 }
@@ -162,7 +162,7 @@ fn units(robot: &Robot, request: &Request) -> String {
 /// The values that are zero or constant, and the variables that the others depend on.
 fn structures(robot: &Robot, request: &Request, program: &Program) -> Vec<String> {
     let parts = request.parts();
-    let spans = spans(parts, robot.dof(), program.outputs.len());
+    let spans = spans(parts, robot.freedoms(), program.outputs.len());
     let structure = |(part, span): (&Part, _)| {
         let sentence = Structure::new(robot, part.function, program, span)?.sentence();
         let line = if part.has_letter_in(parts) {

@@ -42,12 +42,18 @@ fn element(vector: Argument, i: usize) -> TokenStream {
     quote!(#vector.data.0[0][#i])
 }
 
+/// The element of an argument that belongs to a degree of freedom.
+fn of_freedom(robot: &Robot, argument: Argument, freedom: usize) -> TokenStream {
+    element(argument, robot.entry_of(argument, freedom))
+}
+
 /// The position or velocity behind a symbol's index; a follower's is that of the joint it follows times the factor.
 fn of_joint(cells: &Cells, argument: Argument, i: usize) -> TokenStream {
     match cells.robot.followed(i) {
-        None => element(argument, i),
+        None => of_freedom(cells.robot, argument, i),
         Some((leader, factor)) => {
-            let (factor, x) = (cells.value(factor), element(argument, leader));
+            let x = of_freedom(cells.robot, argument, leader);
+            let factor = cells.value(factor);
             quote!((#factor * #x))
         }
     }
@@ -77,15 +83,16 @@ pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> 
         1 + constant.position(|angle| angle == value).unwrap_or(0)
     };
     if let Some((argument, i)) = symbol.entry() {
-        return format!("{}_{}", argument.name(), i + 1);
+        return format!("{}_{}", argument.name(), robot.entry_of(argument, i) + 1);
     }
+    let angle = |i: usize| robot.entry_of(Argument::Position, i) + 1;
     match symbol {
         Symbol::Pi => "pi".to_owned(),
         Symbol::Field(i) => format!("p_{}", plain(&robot.fields[*i])),
         Symbol::AngleSine(angle) => format!("sa_{}", angle_number(angle)),
         Symbol::AngleCosine(angle) => format!("ca_{}", angle_number(angle)),
-        Symbol::Sine(i) => format!("s_{}", i + 1),
-        Symbol::Cosine(i) => format!("c_{}", i + 1),
+        Symbol::Sine(i) => format!("s_{}", angle(*i)),
+        Symbol::Cosine(i) => format!("c_{}", angle(*i)),
         Symbol::VelocitySign(i) => format!("sign_{}", i + 1),
         Symbol::Stribeck(i) => format!("stribeck_{}", i + 1),
         _ => unreachable!("an entry of an argument"),
@@ -128,7 +135,7 @@ pub(super) fn inputs(
             Symbol::Stribeck(i) => stribeck(&cells, *i),
             Symbol::Field(i) => cells.value(&Value::Field(*i)),
             symbol => match symbol.entry() {
-                Some((argument, i)) => element(argument, i),
+                Some((argument, i)) => of_freedom(robot, argument, i),
                 None => continue,
             },
         };
@@ -176,9 +183,10 @@ fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Progr
     for angle in in_order {
         match angle {
             Symbol::Sine(i) | Symbol::Cosine(i) if are_asked_for && *i < robot.dof() => {
-                joints.push(Literal::usize_unsuffixed(*i));
+                let joint = robot.entry_of(Argument::Position, *i);
+                joints.push(Literal::usize_unsuffixed(joint));
                 known.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));
-                positions.push(element(Argument::Position, *i));
+                positions.push(of_freedom(robot, Argument::Position, *i));
             }
             Symbol::Sine(i) | Symbol::Cosine(i) => {
                 pairs.push(pair(Symbol::Sine(*i), Symbol::Cosine(*i)));

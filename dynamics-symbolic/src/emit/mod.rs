@@ -105,11 +105,13 @@ pub fn method(
     path: &TokenStream,
 ) -> Emitted {
     let documentation = documentation::documentation(robot, request, proven, formulas, notes);
-    let sizes = proven.sizes(request, robot.dof());
+    let sizes = proven.sizes(request, robot.freedoms());
     let signature = signature(request, sizes, path);
     let body = body::body(robot, request, proven, path);
     let work = proven.program.operations().with_sines();
-    let of_trait = request.function().and_then(|function| {
+    // The traits of single functions are of robots whose base stands.
+    let function = request.function().filter(|_| !sizes.freedoms.has_base());
+    let of_trait = function.and_then(|function| {
         let item = provided(function, robot.dof(), path, &body, work)?;
         Some((call(function, robot.dof(), path), item))
     });

@@ -2,7 +2,7 @@
 
 use super::names::{field, ident, in_tuple, number_of_joints};
 use crate::derive::base::observed;
-use crate::function::{Argument, Function, Request, Shape, Size, Sizes};
+use crate::function::{Argument, Freedoms, Function, Request, Shape, Size, Sizes};
 use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -17,7 +17,7 @@ struct Types<'a> {
 impl<'a> Types<'a> {
     /// Without joints, which no robot is, types are generic over their number.
     fn new(sizes: Sizes, path: &'a TokenStream) -> Self {
-        let n = number_of_joints(sizes.freedoms.joints);
+        let n = joints(sizes);
         Types { n, sizes, path }
     }
 
@@ -100,7 +100,10 @@ impl<'a> Types<'a> {
     /// The arguments with their types.
     fn arguments(&self, request: &Request) -> Vec<TokenStream> {
         let argument = |argument: &Argument| {
-            let name = ident(argument.name());
+            let (name, path) = (ident(argument.name()), self.path);
+            if *argument == Argument::Base {
+                return quote!(#name: &#path::Pose<T>);
+            }
             match argument.shape() {
                 Some(shape) => {
                     let values = self.values(&shape);
@@ -120,6 +123,14 @@ impl<'a> Types<'a> {
             fn #name<T: #path::Scalar #generic>(&self #(, #arguments)*) -> #output
         }
     }
+}
+
+/// The number of joints as a token: of an unknown robot, which has no degree of freedom, a constant's name.
+fn joints(sizes: Sizes) -> TokenStream {
+    if sizes.freedoms.has_base() {
+        return Literal::usize_unsuffixed(sizes.freedoms.joints).into_token_stream();
+    }
+    number_of_joints(sizes.freedoms.joints)
 }
 
 /// The names of the arguments.
@@ -143,9 +154,9 @@ pub fn method_name(request: &Request) -> Ident {
 }
 
 /// The sizes of values that are not about base parameters, or if their number is not known.
-pub(super) fn without_parameters(joints: usize) -> Sizes {
+pub(super) fn without_parameters(freedoms: impl Into<Freedoms>) -> Sizes {
     Sizes {
-        freedoms: joints.into(),
+        freedoms: freedoms.into(),
         parameters: 0,
     }
 }
@@ -237,7 +248,11 @@ pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> 
     }
     let columns = robot.map_or(Vec::new(), observed);
     let count = Literal::usize_unsuffixed(columns.len());
-    let names = columns.iter().map(|&(i, parameter)| parameter.name(i + 1));
+    // The links of a base that moves come first: its body has the number 0.
+    let of_base = robot.map_or(0, |robot| robot.freedoms().base);
+    let names = columns
+        .iter()
+        .map(|&(i, parameter)| parameter.name(i + 1 - of_base));
     quote! {
         /// Number of base inertial parameters: columns of the regressor.
         pub const BASE_PARAMETERS: usize = #count;
@@ -252,8 +267,8 @@ pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> 
 /// A method of the right signature without a body: it stands in after an error in the table, so that the rest of the
 /// user's file still type-checks. If the number of joints is not known, `dof` is zero, and the method takes vectors of
 /// any length. The number of base parameters is then 0.
-pub fn stub(request: &Request, dof: usize, path: &TokenStream) -> TokenStream {
-    let signature = signature(request, without_parameters(dof), path);
+pub fn stub(request: &Request, freedoms: impl Into<Freedoms>, path: &TokenStream) -> TokenStream {
+    let signature = signature(request, without_parameters(freedoms), path);
     let documentation = format!(" `{}`, not generated because of an error.", request.name());
     quote! {
         #[doc = #documentation]
@@ -341,7 +356,14 @@ pub(super) fn call_of_function(
     sizes: Sizes,
     path: &TokenStream,
 ) -> TokenStream {
-    let (n, names) = (number_of_joints(sizes.freedoms.joints), names(request));
+    let n = joints(sizes);
+    let arguments = request.arguments().into_iter().map(|argument| {
+        let name = ident(argument.name());
+        match argument {
+            Argument::Base => quote!(#path::Pose::entries(#name)),
+            _ => quote!(*#name),
+        }
+    });
     let function = function_type(request, index, path);
     let value = match request.function() {
         Some(_) => function.clone(),
@@ -351,7 +373,7 @@ pub(super) fn call_of_function(
         }
     };
     let call = quote! {
-        <Self as #path::Function<#function, #n>>::at(self, #value, &#path::Evaluated, &(#(*#names,)*))
+        <Self as #path::Function<#function, #n>>::at(self, #value, &#path::Evaluated, &(#(#arguments,)*))
     };
     let values = ident("all_values");
     if request.refuses() {
@@ -365,12 +387,14 @@ pub(super) fn call_of_function(
 pub fn stub_of_function(
     request: &Request,
     index: usize,
-    dof: usize,
+    freedoms: impl Into<Freedoms>,
     path: &TokenStream,
 ) -> Option<TokenStream> {
     let body = quote!(::core::unimplemented!());
+    let sizes = without_parameters(freedoms);
     let has_trait = request.function().and_then(Function::trait_name).is_some();
-    (!has_trait).then(|| function_items(request, index, without_parameters(dof), path, &body, 0))
+    let has_trait = has_trait && !sizes.freedoms.has_base();
+    (!has_trait).then(|| function_items(request, index, sizes, path, &body, 0))
 }
 
 #[cfg(test)]

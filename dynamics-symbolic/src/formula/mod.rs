@@ -102,11 +102,11 @@ impl Formulas {
             (merged.len(), collect::collected(&atoms, &merged))
         };
         let mut entries = Vec::new();
-        let spans = spans(parts, robot.dof(), values.len());
+        let spans = spans(parts, robot.freedoms(), values.len());
         let named = parts.iter().zip(spans);
         for (part, span) in named.filter(|(part, _)| part.has_letter_in(parts)) {
             let function = part.function;
-            let indices = structure::indices(function, robot.dof(), span.len());
+            let indices = structure::indices(function, robot.freedoms(), span.len());
             let (Some(symbol), Some(indices)) = (function.row().symbol, indices) else {
                 continue;
             };

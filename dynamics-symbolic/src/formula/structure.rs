@@ -1,6 +1,6 @@
 //! The structure of a function's values, which is known however long their formulas are.
 
-use crate::function::{Argument, Function, Shape, Size};
+use crate::function::{Argument, Freedoms, Function, Shape, Size};
 use crate::program::{Constant, Operand, Output, Program};
 use crate::robot::{Robot, Symbol};
 use core::ops::Range;
@@ -32,7 +32,7 @@ impl Structure {
     ) -> Option<Self> {
         let symbol = function.row().symbol?;
         let outputs = &program.outputs[span];
-        let indices = indices(function, robot.dof(), outputs.len())?;
+        let indices = indices(function, robot.freedoms(), outputs.len())?;
         if outputs.len() < 2 {
             return None;
         }
@@ -145,12 +145,17 @@ fn variable(robot: &Robot, symbol: &Symbol) -> Option<Variable> {
     let (argument, index) = symbol.argument()?;
     let follower = robot.follower_of(symbol);
     let leader = follower.and_then(|_| robot.followed(index));
-    Some((argument, leader.map_or(index, |(leader, _)| leader)))
+    let freedom = leader.map_or(index, |(leader, _)| leader);
+    Some((argument, robot.entry_of(argument, freedom)))
 }
 
 /// The indices of the values of a function that are numbers, vectors or matrices, counted from 1.
-pub(super) fn indices(function: Function, dof: usize, values: usize) -> Option<Vec<Vec<usize>>> {
-    let sizes = function.sizes(dof, values);
+pub(super) fn indices(
+    function: Function,
+    freedoms: Freedoms,
+    values: usize,
+) -> Option<Vec<Vec<usize>>> {
+    let sizes = function.sizes(freedoms, values);
     match function.shape() {
         Shape::Number => Some(vec![Vec::new()]),
         Shape::Matrix(_, Size::One) => Some((1..=values).map(|i| vec![i]).collect()),

@@ -38,10 +38,10 @@ pub fn largest_error(
     pruned: &Program,
 ) -> LargestError {
     let outputs = complete.outputs.len();
-    let spans = spans(parts, robot.dof(), outputs);
+    let spans = spans(parts, robot.freedoms(), outputs);
     // Behind the values of a function there may be pivots and the diagonal.
     let values = parts.iter().zip(spans).map(|(part, span)| {
-        let count = part.function.entries(robot.dof(), span.len());
+        let count = part.function.entries(robot.freedoms(), span.len());
         span.start..span.start + count
     });
     let mut errors: Vec<_> = values.map(|span| (span, 0.0_f64, 0.0_f64)).collect();

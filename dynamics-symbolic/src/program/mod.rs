@@ -24,7 +24,7 @@ pub(crate) use readers::Readers;
 pub use real::{Approximation, Real};
 pub use signed::UpToSign;
 
-use crate::function::{Request, Sizes, sizes_of};
+use crate::function::{Freedoms, Request, Sizes, sizes_of};
 use crate::robot::Symbol;
 
 /// Something that an instruction reads.
@@ -102,8 +102,8 @@ pub struct Proven {
 
 impl Proven {
     /// The sizes in the shapes of the functions that the program computes, of so many joints.
-    pub fn sizes(&self, request: &Request, joints: usize) -> Sizes {
-        sizes_of(request.parts(), joints, self.program.outputs.len())
+    pub fn sizes(&self, request: &Request, freedoms: impl Into<Freedoms>) -> Sizes {
+        sizes_of(request.parts(), freedoms, self.program.outputs.len())
     }
 }
 

@@ -35,7 +35,7 @@ pub use spring::Spring;
 pub use symbol::Symbol;
 pub use value::Value;
 
-use crate::function::Freedoms;
+use crate::function::{Argument, Freedoms};
 
 /// How a row of the table places link frame i in link frame i-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,6 +182,14 @@ impl Robot {
         Freedoms {
             base: self.floating().map_or(0, |_| Base::FREEDOMS),
             joints: self.joints().count(),
+        }
+    }
+
+    /// The entry of an argument that belongs to a degree of freedom: positions are those of the joints alone.
+    pub fn entry_of(&self, argument: Argument, freedom: usize) -> usize {
+        match argument {
+            Argument::Position => freedom - self.freedoms().base,
+            _ => freedom,
         }
     }
 

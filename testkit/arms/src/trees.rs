@@ -51,7 +51,10 @@ pub fn floating(name: &str) -> Robot {
     let trunk = Body {
         mass: decimal(60.96),
         com: [0.056, 0.0215, 0.00358].map(decimal),
-        inertia: [1.5725937, 8.5015928, 9.1954911, 0.028375, -0.004462, -0.203139].map(decimal),
+        inertia: [
+            1.5725937, 8.5015928, 9.1954911, 0.028375, -0.004462, -0.203139,
+        ]
+        .map(decimal),
     };
     let robot = match name {
         "free_body" => bare(),

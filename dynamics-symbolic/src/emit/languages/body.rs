@@ -1,7 +1,7 @@
 //! The lines of a function, which C and JavaScript write alike.
 
 use super::{Language, in_order, input_names, line_names, pivots, plain};
-use crate::function::{Request, spans};
+use crate::function::{Argument, Request, spans};
 use crate::program::{Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::{Robot, Symbol, Value};
 
@@ -47,7 +47,7 @@ impl<'a> Body<'a> {
         let lines = self.lines.iter().zip(&self.names);
         let results = lines
             .filter_map(|(line, name)| Some(declare(name.as_ref()?, self.line(line.as_ref()?))));
-        let pivots = pivots(self.robot.dof(), request, self.program).into_iter();
+        let pivots = pivots(self.robot.freedoms(), request, self.program).into_iter();
         let tests = pivots.map(|(joint, outputs)| {
             let [pivot, diagonal] = outputs.map(|output| self.output(output));
             (self.language.test_pivot)(joint, &pivot, &diagonal)
@@ -57,11 +57,11 @@ impl<'a> Body<'a> {
 
     /// The outputs of each part that are values, one part after the other.
     pub(super) fn values(&self, request: &Request) -> Vec<Vec<String>> {
-        let joints = self.robot.dof();
-        let spans = spans(request.parts(), joints, self.program.outputs.len());
+        let freedoms = self.robot.freedoms();
+        let spans = spans(request.parts(), freedoms, self.program.outputs.len());
         let parts = request.parts().iter().zip(spans);
         let values = parts.map(|(part, span)| {
-            let entries = part.function.entries(joints, span.len());
+            let entries = part.function.entries(freedoms, span.len());
             let outputs = &self.program.outputs[span.start..][..entries];
             outputs.iter().map(|output| self.output(*output)).collect()
         });
@@ -115,21 +115,22 @@ impl<'a> Body<'a> {
         let call = |function: &str, argument: String| format!("{function}({argument})");
         let language = self.language;
         if let Some((argument, i)) = symbol.entry() {
-            return format!("{}[{i}]", argument.name());
+            let entry = self.robot.entry_of(argument, i);
+            return format!("{}[{entry}]", argument.name());
         }
         match symbol {
             Symbol::Pi => number(core::f64::consts::PI),
             Symbol::Field(i) => self.cell(&Value::Field(*i)),
             Symbol::AngleSine(angle) => call(language.sine, self.cell(angle)),
             Symbol::AngleCosine(angle) => call(language.cosine, self.cell(angle)),
-            Symbol::Sine(i) => call(language.sine, self.of_joint("q", *i)),
-            Symbol::Cosine(i) => call(language.cosine, self.of_joint("q", *i)),
-            Symbol::VelocitySign(i) => call(language.sign, self.of_joint("qd", *i)),
+            Symbol::Sine(i) => call(language.sine, self.of_joint(Argument::Position, *i)),
+            Symbol::Cosine(i) => call(language.cosine, self.of_joint(Argument::Position, *i)),
+            Symbol::VelocitySign(i) => call(language.sign, self.of_joint(Argument::Velocity, *i)),
             Symbol::Stribeck(i) => {
                 let row = self.robot.row_of(*i);
                 let stribeck = row.and_then(|row| row.stribeck.as_ref());
                 let v = stribeck.map_or(String::new(), |stribeck| self.cell(&stribeck.velocity));
-                let x = format!("({} / {v})", self.of_joint("qd", *i));
+                let x = format!("({} / {v})", self.of_joint(Argument::Velocity, *i));
                 call(language.exponential, format!("-({x} * {x})"))
             }
             _ => unreachable!("an entry of an argument"),
@@ -137,10 +138,11 @@ impl<'a> Body<'a> {
     }
 
     /// The position or velocity behind a symbol's index; a follower's is that of the joint it follows times the factor.
-    fn of_joint(&self, argument: &str, i: usize) -> String {
+    fn of_joint(&self, argument: Argument, i: usize) -> String {
+        let entry = |i: usize| format!("{}[{}]", argument.name(), self.robot.entry_of(argument, i));
         match self.robot.followed(i) {
-            None => format!("{argument}[{i}]"),
-            Some((leader, factor)) => format!("({} * {argument}[{leader}])", self.cell(factor)),
+            None => entry(i),
+            Some((leader, factor)) => format!("({} * {})", self.cell(factor), entry(leader)),
         }
     }
 

@@ -124,6 +124,11 @@ impl Writer<'_> {
                 indented(fields, 4)
             ),
         };
+        let counted = if self.robot.freedoms().has_base() {
+            "Degrees of freedom: six of the base, then the joints that move"
+        } else {
+            "Joints that move"
+        };
         let declaration = |(request, proven): &(Request, Proven)| {
             let documentation = comment(&lines(self.robot, request, proven, REFUSAL));
             format!("\n{documentation}{};\n", self.signature(request, proven))
@@ -136,13 +141,13 @@ impl Writer<'_> {
              #if defined(__CUDACC__) || defined(__HIPCC__)\n\
              #define ROBOT_DYNAMICS_DEVICE __host__ __device__\n\
              #else\n#define ROBOT_DYNAMICS_DEVICE\n#endif\n#endif\n\n\
-             /* Joints that move, and their names from the base outwards. */\n\
+             /* {counted}, and their names from the base outwards. */\n\
              #define {upper}_DOF {}\n\
              #define {upper}_JOINT_NAMES {{{}}}\n\n\
              #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\
              {fields}{declarations}\
              \n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
-            joints.len(),
+            self.robot.dof(),
             joints.join(", ")
         )
     }
@@ -194,7 +199,7 @@ impl Writer<'_> {
             (_, true) => "int",
             _ => "void",
         };
-        let sizes = proven.sizes(request, self.robot.dof());
+        let sizes = proven.sizes(request, self.robot.freedoms());
         let mut parameters = Vec::new();
         if !self.robot.fields.is_empty() {
             parameters.push(format!("const {}_fields *arm", self.name));
@@ -220,7 +225,7 @@ impl Writer<'_> {
 
     /// The places that a function writes to: none for a value without entries, which no array of C is.
     fn written(&self, request: &Request, proven: &Proven) -> Vec<Written> {
-        let sizes = proven.sizes(request, self.robot.dof());
+        let sizes = proven.sizes(request, self.robot.freedoms());
         let mut written = Vec::new();
         for part in request.parts() {
             let name = if request.is_tuple() {

@@ -94,7 +94,7 @@ fn array(entries: impl Iterator<Item = String>) -> String {
 
 fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let body = Body::new(robot, proven, &JAVASCRIPT);
-    let sizes = proven.sizes(request, robot.dof());
+    let sizes = proven.sizes(request, robot.freedoms());
     let values = body.values(request);
     let parts = request.parts().iter().zip(&values);
     let mut values =
