@@ -17,7 +17,9 @@ use crate::function::{Arrangement, Entries, Of};
 ///
 /// - a vector for each state: `&[SVector<T, N>]`, and references to a `Vec` or an array of them;
 /// - a column for each joint, which takes up to a sixth less time: `[&[T]; N]`,
-///   `&[Vec<T>; N]`, and `&OMatrix<T, Dyn, Const<N>>`, a matrix of a row for each state.
+///   `&[Vec<T>; N]`, and `&OMatrix<T, Dyn, Const<N>>`, a matrix of a row for each state;
+/// - where a base that moves stands, 12 numbers, a [`Pose`](crate::Pose) for each state: `&[Pose<T>]`, and references to a
+///   `Vec` or an array of them.
 ///
 /// Columns of several thousand states whose lengths are powers of two share sets of the cache, and
 /// lose what they have gained.

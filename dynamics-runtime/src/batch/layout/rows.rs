@@ -5,20 +5,67 @@ use nalgebra::SVector;
 
 use super::transposition::transposed;
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint};
+use crate::Pose;
 use crate::batch::wide::{Precision, Wide, lanes};
 use crate::function::{Arrangement, Entries, Of};
 
-/// A vector for each state.
+/// The numbers of one state: a vector or a pose.
+pub trait Numbers<E: Precision, const N: usize>: Copy + Send + Sync {
+    /// Any numbers.
+    fn any() -> Self;
+
+    /// The numbers as a vector.
+    fn vector(&self) -> SVector<E, N>;
+
+    /// One of them.
+    fn number(&self, index: usize) -> E;
+}
+
+impl<E: Precision, const N: usize> Numbers<E, N> for SVector<E, N> {
+    fn any() -> Self {
+        SVector::repeat(E::from_f64(0.0))
+    }
+
+    fn vector(&self) -> SVector<E, N> {
+        *self
+    }
+
+    #[inline(always)]
+    fn number(&self, index: usize) -> E {
+        self.data.0[0][index]
+    }
+}
+
+/// The rotation by rows, then the position.
+impl<E: Precision> Numbers<E, 12> for Pose<E> {
+    fn any() -> Self {
+        Pose::identity()
+    }
+
+    fn vector(&self) -> SVector<E, 12> {
+        self.entries()
+    }
+
+    #[inline(always)]
+    fn number(&self, index: usize) -> E {
+        match index {
+            0..9 => self.rotation.data.0[index % 3][index / 3],
+            _ => self.position.data.0[0][index - 9],
+        }
+    }
+}
+
+/// The numbers of each state beside each other.
 #[derive(Clone, Copy)]
-pub struct Rows<'a, E, const N: usize>(&'a [SVector<E, N>]);
+pub struct Rows<'a, X>(&'a [X]);
 
 /// Room for a value for each state.
 pub struct RowsMut<'a, A: Arrangement, E: Precision>(&'a mut [Of<A, E>]);
 
-impl<'a, E: Precision, const N: usize> Source<Entries<N, 1>, E> for Rows<'a, E, N> {
-    type Room = [SVector<E, N>; MOST_LANES];
+impl<'a, X: Numbers<E, N>, E: Precision, const N: usize> Source<Entries<N, 1>, E> for Rows<'a, X> {
+    type Room = [X; MOST_LANES];
     type Copied<'r>
-        = Rows<'r, E, N>
+        = Rows<'r, X>
     where
         Self: 'r;
 
@@ -33,14 +80,14 @@ impl<'a, E: Precision, const N: usize> Source<Entries<N, 1>, E> for Rows<'a, E, 
     }
 
     fn state(&self, state: usize) -> SVector<E, N> {
-        self.0[state]
+        self.0[state].vector()
     }
 
     fn room() -> Self::Room {
-        [SVector::repeat(E::from_f64(0.0)); MOST_LANES]
+        [X::any(); MOST_LANES]
     }
 
-    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Rows<'r, E, N>
+    fn padded<'r>(&self, states: usize, room: &'r mut Self::Room) -> Rows<'r, X>
     where
         Self: 'r,
     {
@@ -59,7 +106,7 @@ impl<'a, E: Precision, const N: usize> Source<Entries<N, 1>, E> for Rows<'a, E, 
                 E::Native::<S>::from_fn(
                     simd,
                     #[inline(always)]
-                    |lane| states[lane].data.0[0][joint],
+                    |lane| states[lane].number(joint),
                 )
             },
         )
@@ -134,7 +181,7 @@ macro_rules! impl_rows {
         impl<'a, E: Precision, const N: usize $(, const $length: usize)?> States<N, E>
             for &'a $vectors
         {
-            type Source = Rows<'a, E, N>;
+            type Source = Rows<'a, SVector<E, N>>;
 
             fn source(self) -> Self::Source {
                 Rows(self)
@@ -153,6 +200,24 @@ macro_rules! impl_rows {
             }
         }
     )*};
+}
+
+macro_rules! impl_poses {
+    ($($poses:ty $(, $length:ident)?;)*) => {$(
+        impl<'a, E: Precision $(, const $length: usize)?> States<12, E> for &'a $poses {
+            type Source = Rows<'a, Pose<E>>;
+
+            fn source(self) -> Self::Source {
+                Rows(self)
+            }
+        }
+    )*};
+}
+
+impl_poses! {
+    [Pose<E>];
+    Vec<Pose<E>>;
+    [Pose<E>; L], L;
 }
 
 impl_rows! {
