@@ -48,7 +48,7 @@ pub(super) fn random_pose(random: &mut SplitMix64) -> Pose<Number> {
 impl<R: Lift> Pose<R> {
     /// The pose with its derivative, if the frame has these velocities in its own axes.
     fn moving(&self, [v, w]: BaseVelocity<R>) -> Pose<Dual<R>> {
-        let rate = self.rotation.product(&cross_matrix(w));
+        let rate = self.rotation.product(&cross(w));
         let entry = |i: usize, j: usize| Dual::new(self.rotation.0[i][j], rate.0[i][j]);
         let (origin, rate) = (self.origin, self.rotation.apply(v));
         Pose {
@@ -62,7 +62,7 @@ impl Pose<Number> {
     /// The pose displaced by R (d_1 e_1 + d_2 e_2) and turned by exp([phi_1]x e_1 + [phi_2]x e_2). With e_1^2 = e_2^2 = 0 the
     /// exponential is 1 + [phi_1]x e_1 + [phi_2]x e_2 + 1/2 ([phi_1]x [phi_2]x + [phi_2]x [phi_1]x) e_1 e_2.
     fn displaced(&self, [[d1, phi1], [d2, phi2]]: [BaseVelocity<Number>; 2]) -> Pose<Twice> {
-        let [first, second] = [phi1, phi2].map(cross_matrix);
+        let [first, second] = [phi1, phi2].map(cross);
         let (both, other) = (first.product(&second), second.product(&first));
         let mixed =
             Matrix3([0, 1, 2].map(|i| [0, 1, 2].map(|j| HALF * (both.0[i][j] + other.0[i][j]))));
@@ -81,10 +81,8 @@ impl Pose<Number> {
 }
 
 /// [w]x
-fn cross_matrix<R: Lift>(w: Vector3<R>) -> Matrix3<R> {
-    let zero = R::lift(Number::ZERO);
-    let [x, y, z] = w.0;
-    Matrix3([[zero, -z, y], [z, zero, -x], [-y, x, zero]])
+fn cross<R: Lift>(w: Vector3<R>) -> Matrix3<R> {
+    Matrix3::cross(w, R::lift(Number::ZERO))
 }
 
 impl Definition {
@@ -146,5 +144,55 @@ impl Definition {
     /// The degrees of freedom of the base.
     pub(super) fn of_base(&self) -> core::ops::Range<usize> {
         0..self.floating.as_ref().map_or(0, |_| Base::FREEDOMS)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ZERO: Number = Number::ZERO;
+
+    fn axes() -> [BaseVelocity<Number>; 2] {
+        let vector = |first: u64| Vector3([first, first + 1, first * first].map(Number::new));
+        [[vector(3), vector(5)], [vector(7), vector(11)]]
+    }
+
+    /// To second order: exp(phi) is a rotation for every phi, the displacements are exchangeable, and in one direction
+    /// alone they are a motion.
+    #[test]
+    fn displacements_are_rotations_to_second_order() {
+        let pose = random_pose(&mut SplitMix64::new(5));
+        let [first, second] = axes();
+        let both = pose.displaced([first, second]);
+        let unit = both.rotation.transpose().product(&both.rotation);
+        for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+            let expected = Twice::lift(Number::new(u64::from(i == j)));
+            assert_eq!(unit.0[i][j], expected, "{i} {j}");
+            let exchanged = pose.displaced([second, first]).rotation.0[i][j];
+            let entry = both.rotation.0[i][j];
+            assert_eq!(entry.derivative.derivative, exchanged.derivative.derivative);
+            assert_eq!(entry.value, pose.moving(first).rotation.0[i][j]);
+            assert_eq!(
+                entry.derivative.value,
+                pose.moving(second).rotation.0[i][j].derivative
+            );
+        }
+        for i in 0..3 {
+            assert_eq!(both.origin[i].value, pose.moving(first).origin[i]);
+            assert_eq!(both.origin[i].derivative.derivative, ZERO);
+        }
+    }
+
+    /// A turn that goes on: the second derivative is R [w]x [w]x, for a displacement as for a motion.
+    #[test]
+    fn one_axis_twice_is_a_steady_turn() {
+        let pose = random_pose(&mut SplitMix64::new(6));
+        let [_, w] = axes()[0];
+        let still = Vector3::splat(ZERO);
+        let displaced = pose.displaced([[still, w]; 2]);
+        let steady = [still, w].map(|x| Vector3(x.0.map(Dual::<Number>::lift)));
+        let moved = pose.moving([still, w]).moving(steady);
+        assert_eq!(displaced.rotation.0, moved.rotation.0);
     }
 }
