@@ -26,24 +26,36 @@ use crate::robot::Base;
 /// The numbers of the rotations among the degrees of freedom.
 const ROTATIONS: core::ops::Range<usize> = 3..Base::FREEDOMS;
 
+/// What is constant while velocities change.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Held {
+    /// The accelerations of all joints, as in the recursions.
+    Accelerations,
+    /// The rates of the velocities, as where forces are differentiated on the graph.
+    Rates,
+}
+
 /// What the derivatives need of a base that moves.
 struct Displaced<'g> {
     zero: Expr<'g>,
     half: Expr<'g>,
     /// M of the joints that move by themselves.
     mass_matrix: Matrix<Expr<'g>>,
-    /// d(D u)/du: column k for the velocity k.
+    /// d(D u)/du: column k for the velocity k; zero where the derivatives have it.
     added: Vec<[Expr<'g>; Base::FREEDOMS]>,
     /// g in the axes of the base.
     gravity: Vector3<Expr<'g>>,
 }
 
 impl<'g> Displaced<'g> {
-    fn new(symbols: &Symbols<'g>, chain: &Chain<Expr<'g>>) -> Self {
+    fn new(symbols: &Symbols<'g>, chain: &Chain<Expr<'g>>, held: Held) -> Self {
         let (zero, one) = (chain.zero, chain.one);
         // D u is a quadratic form, so that its derivative along e is D(w) e + D(w of e) u.
         let u = core::array::from_fn(|k| symbols.joint(k).qd);
         let slope = |k: usize| {
+            if held == Held::Rates {
+                return [zero; Base::FREEDOMS];
+            }
             let unit = core::array::from_fn(|i| if i == k { one } else { zero });
             let own = symbols.base_rate().times(unit);
             let [.., x, y, z] = unit;
@@ -81,11 +93,12 @@ pub(super) fn first<'g>(
     symbols: &Symbols<'g>,
     chain: &Chain<Expr<'g>>,
     derivatives: &mut ForceDerivatives<Expr<'g>>,
+    held: Held,
 ) {
     if !symbols.arm().freedoms().has_base() {
         return;
     }
-    let base = Displaced::new(symbols, chain);
+    let base = Displaced::new(symbols, chain, held);
     let ForceDerivatives {
         by_position,
         by_velocity,
@@ -106,11 +119,12 @@ pub(super) fn second<'g>(
     symbols: &Symbols<'g>,
     chain: &Chain<Expr<'g>>,
     derivatives: &mut SecondDerivatives<Expr<'g>>,
+    held: Held,
 ) {
     if !symbols.arm().freedoms().has_base() {
         return;
     }
-    let base = Displaced::new(symbols, chain);
+    let base = Displaced::new(symbols, chain, held);
     let n = base.mass_matrix.len();
     let zero = base.zero;
     let of_base = 0..Base::FREEDOMS;
@@ -149,17 +163,16 @@ pub(super) fn second<'g>(
                 |unit: [Expr<'g>; 6]| crate::mechanism::BaseRate([unit[3], unit[4], unit[5]]);
             let (first, other) = (rate(unit(j)).times(unit(k)), rate(unit(k)).times(unit(j)));
             let added: [_; 6] = core::array::from_fn(|l| first[l] + other[l]);
-            let by_velocity = &mut derivatives.by_velocity[i][j][k];
-            *by_velocity = *by_velocity + sum_of_products(zero, mass, &added);
+            if held == Held::Accelerations {
+                let by_velocity = &mut derivatives.by_velocity[i][j][k];
+                *by_velocity = *by_velocity + sum_of_products(zero, mass, &added);
+            }
             if ROTATIONS.contains(&j) && ROTATIONS.contains(&k) {
                 let turned = base.turned_twice(j - 3, k - 3);
                 derivatives.by_position[i][j][k] = sum_of_products(zero, mass, &turned.0);
             }
         }
-        for k in of_base.clone() {
-            let rows = derivatives.by_both[i].iter_mut().take(Base::FREEDOMS);
-            let _ = k;
-            rows.for_each(|row| row.fill(zero));
-        }
+        let rows = derivatives.by_both[i].iter_mut().take(Base::FREEDOMS);
+        rows.for_each(|row| row.fill(zero));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use super::derivatives::{ForceDerivatives, Matrix};
+use super::displacement::Held;
 use super::joints::Joints;
 use super::passivity::Rates;
 use super::second_derivatives::SecondDerivatives;
@@ -152,7 +153,7 @@ impl<'g> Equations<'_, 'g> {
             Function::Jacobian => kinematics::jacobian(self.symbols, frame),
             Function::InverseDynamicsDerivatives => {
                 let of_links = derivatives::recursion(chain, &self.qd, &self.qdd);
-                self.force_derivatives(of_links.of_joints(self.symbols))
+                self.force_derivatives(of_links.of_joints(self.symbols), Held::Accelerations)
             }
             Function::ForwardDynamicsDerivatives => {
                 self.acceleration_derivatives(|factors, b| factors.solve(b))
@@ -192,7 +193,7 @@ impl<'g> Equations<'_, 'g> {
                 let of_links =
                     second_derivatives::recursion(self.symbols, chain, &self.qd, &self.qdd);
                 let of_joints = of_links.of_joints(self.symbols);
-                self.second_force_derivatives(of_joints)
+                self.second_force_derivatives(of_joints, Held::Accelerations)
             }
         }
     }
@@ -201,7 +202,10 @@ impl<'g> Equations<'_, 'g> {
     fn assembled(&mut self, function: Function) -> Vector<'g> {
         let (chain, zero) = (self.chain, self.chain.zero);
         match function {
-            Function::CoriolisVector => contracted(zero, &self.christoffel(), [&self.qd, &self.qd]),
+            Function::CoriolisVector => {
+                let motion = self.assembled_motion();
+                self.with_still(motion)
+            }
             Function::CoriolisMatrix => {
                 let symbols = self.christoffel();
                 let matrix = symbols.iter().map(|c| times(zero, c, &self.qd)).collect();
@@ -209,13 +213,12 @@ impl<'g> Equations<'_, 'g> {
                     .concat()
             }
             Function::BiasForce => {
-                let motion = self.assembled(Function::CoriolisVector);
-                let gravity = energy::gravity_vector(chain);
-                self.with_joint_forces(sum(motion, &gravity))
+                let bias = self.assembled_bias();
+                self.with_still(bias)
             }
             Function::InverseDynamics | Function::TaylorSeries => {
                 let inertial = times(zero, &composite::mass_matrix(chain), &self.qdd);
-                sum(inertial, &self.assembled(Function::BiasForce))
+                sum(inertial, &self.assembled_bias())
             }
             Function::GravityVector => {
                 let still = vec![zero; chain.links.len()];
@@ -224,7 +227,7 @@ impl<'g> Equations<'_, 'g> {
             Function::InverseDynamicsDerivatives => {
                 let motion: [&[_]; 2] = [&self.qd, &self.qdd];
                 let of_links = derivatives::differentiated(self.symbols, chain, motion);
-                self.force_derivatives(of_links)
+                self.force_derivatives(of_links, Held::Rates)
             }
             Function::ForwardDynamicsDerivatives => {
                 self.acceleration_derivatives(|factors, b| times(zero, &factors.inverse(), &b))
@@ -252,10 +255,31 @@ impl<'g> Equations<'_, 'g> {
             Function::InverseDynamicsSecondDerivatives => {
                 let (qd, qdd) = (&self.qd, &self.qdd);
                 let of_links = second_derivatives::differentiated(self.symbols, chain, qd, qdd);
-                self.second_force_derivatives(of_links)
+                self.second_force_derivatives(of_links, Held::Rates)
             }
             _ => self.of_rows(function, Form::Recursive),
         }
+    }
+
+    /// sum c_ijk qd_j qd_k: V, but for the accelerations that the motion of a base adds.
+    fn assembled_motion(&self) -> Vector<'g> {
+        contracted(self.chain.zero, &self.christoffel(), [&self.qd, &self.qd])
+    }
+
+    /// The same with G + K + F.
+    fn assembled_bias(&mut self) -> Vector<'g> {
+        let motion = self.assembled_motion();
+        let gravity = energy::gravity_vector(self.chain);
+        self.with_joint_forces(sum(motion, &gravity))
+    }
+
+    /// Forces with M D u added, of the accelerations D u that the motion of a base adds.
+    fn with_still(&self, forces: Vector<'g>) -> Vector<'g> {
+        if !self.has_base() {
+            return forces;
+        }
+        let matrix = composite::mass_matrix(self.chain);
+        sum(forces, &times(self.chain.zero, &matrix, &self.still))
     }
 
     /// The functions that are written by the composite bodies of M, beside that.
@@ -452,8 +476,12 @@ impl<'g> Equations<'_, 'g> {
     }
 
     /// d tau/dq and d tau/dqd, from those of M qdd + V + G, of the joints that move by themselves.
-    fn force_derivatives(&mut self, mut derivatives: ForceDerivatives<Expr<'g>>) -> Vector<'g> {
-        displacement::first(self.symbols, self.chain, &mut derivatives);
+    fn force_derivatives(
+        &mut self,
+        mut derivatives: ForceDerivatives<Expr<'g>>,
+        held: Held,
+    ) -> Vector<'g> {
+        displacement::first(self.symbols, self.chain, &mut derivatives, held);
         joint_forces::add_slopes(self.symbols, &mut derivatives);
         let matrices = [derivatives.by_position, derivatives.by_velocity];
         matrices.concat().concat()
@@ -463,8 +491,9 @@ impl<'g> Equations<'_, 'g> {
     fn second_force_derivatives(
         &mut self,
         mut derivatives: SecondDerivatives<Expr<'g>>,
+        held: Held,
     ) -> Vector<'g> {
-        displacement::second(self.symbols, self.chain, &mut derivatives);
+        displacement::second(self.symbols, self.chain, &mut derivatives, held);
         joint_forces::add_curvatures(self.symbols, &mut derivatives);
         let SecondDerivatives {
             by_position,
@@ -492,7 +521,7 @@ impl<'g> Equations<'_, 'g> {
             qdd = sum(qdd, &self.still);
         }
         let of_links = derivatives::recursion(self.chain, &self.qd, &qdd);
-        let forces = self.force_derivatives(of_links.of_joints(self.symbols));
+        let forces = self.force_derivatives(of_links.of_joints(self.symbols), Held::Accelerations);
         let mut values = forces.clone();
         for (b, x) in forces.chunks(n * n).zip(values.chunks_mut(n * n)) {
             for column in 0..n {

@@ -25,6 +25,8 @@ pub(super) struct Joints<R> {
     followers: Vec<(usize, usize, R)>,
     /// How many joints there are.
     count: usize,
+    /// How many of them, the first ones, are of a base that moves.
+    of_base: usize,
 }
 
 impl<'g> Joints<Expr<'g>> {
@@ -36,6 +38,7 @@ impl<'g> Joints<Expr<'g>> {
             free: arm.free().collect(),
             followers: arm.following().filter_map(follower).collect(),
             count: arm.joints.len(),
+            of_base: arm.freedoms().base,
         }
     }
 }
@@ -83,9 +86,9 @@ impl<R: Ring> Joints<R> {
     }
 
     /// Of values for the joint of every row, in that arrangement, those of the joints that move by
-    /// themselves. An array has the values of each joint's own link.
+    /// themselves. An array has the values of each joint's own link, and none of the base.
     pub(super) fn outputs(&self, shape: &Shape, of_all: Vec<R>) -> Vec<R> {
-        if self.free.len() == self.count {
+        if self.free.len() == self.count && self.of_base == 0 {
             return of_all;
         }
         let sizes = Sizes {
@@ -99,10 +102,15 @@ impl<R: Ring> Joints<R> {
         match shape {
             Shape::Number => of_all.to_vec(),
             Shape::Matrix(rows, columns) => self.of_matrix(*rows, *columns, sizes, of_all),
-            Shape::Each(_, one) => {
+            Shape::Each(count, one) => {
+                let first = if *count == Size::Joints {
+                    self.of_base
+                } else {
+                    0
+                };
                 let entries = one.entries(sizes);
                 let of_joint = |&i: &usize| &of_all[i * entries..(i + 1) * entries];
-                let moving = self.free.iter().map(of_joint);
+                let moving = self.free[first..].iter().map(of_joint);
                 moving
                     .flat_map(|part| self.of_shape(one, sizes, part))
                     .collect()
@@ -152,6 +160,7 @@ mod tests {
             free: moving.to_vec(),
             followers: followers.to_vec(),
             count,
+            of_base: 0,
         }
     }
 
@@ -199,5 +208,10 @@ mod tests {
         const POSES: Shape =
             Shape::Each(Size::Joints, &Shape::Matrix(Size::Fixed(1), Size::Fixed(1)));
         assert_eq!(joints.outputs(&POSES, vec![4, 5, 6]), [4, 6]);
+        let on_moving_base = Joints {
+            of_base: 1,
+            ..joints
+        };
+        assert_eq!(on_moving_base.outputs(&POSES, vec![4, 5, 6]), [6]);
     }
 }

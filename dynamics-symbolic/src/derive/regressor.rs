@@ -67,7 +67,13 @@ pub(super) fn of_energies<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>
     let qd = symbols.all(|joint| joint.qd);
     let units = Units::new(symbols);
     let velocities = momenta::velocities(chain, &qd);
-    let heights = heights(chain);
+    // A base that stands adds a constant to U, which is left out.
+    let base = if symbols.arm().freedoms().has_base() {
+        chain.datum
+    } else {
+        chain.zero
+    };
+    let heights = heights(chain, base);
     let energies = units.bodies(chain).map(|(i, body)| match body {
         Some(body) => {
             let (gravity, above) = heights[i];
@@ -80,14 +86,15 @@ pub(super) fn of_energies<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>
     [kinetic, potential].concat()
 }
 
-/// Gravity in the axes of every frame, and g.p with p the frame's origin from that of frame 0.
-fn heights<'g>(chain: &Chain<Expr<'g>>) -> Vec<(Vector3<Expr<'g>>, Expr<'g>)> {
-    let base = (chain.gravity, chain.zero);
-    chain.tree.outward(base, |i, &(gravity, above)| {
-        let joint = chain.joint(i);
-        let above = above + gravity.dot(joint.position());
-        (joint.enter(gravity), above)
-    })
+/// Gravity in the axes of every frame, and g.p with p the frame's origin, which is `base` for frame 0.
+fn heights<'g>(chain: &Chain<Expr<'g>>, base: Expr<'g>) -> Vec<(Vector3<Expr<'g>>, Expr<'g>)> {
+    chain
+        .tree
+        .outward((chain.gravity, base), |i, &(gravity, above)| {
+            let joint = chain.joint(i);
+            let above = above + gravity.dot(joint.position());
+            (joint.enter(gravity), above)
+        })
 }
 
 /// A regressor by rows. `joint_forces` has the component of a force on link i along each joint.

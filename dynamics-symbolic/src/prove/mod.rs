@@ -213,7 +213,7 @@ mod tests {
     use crate::exact::Rational;
     use crate::program::{Constant, ConstantPool, Instruction, Operand, Output};
     use crate::robot::{
-        Body, Carrier, Convention, Frame, JointType, Placement, Row, Symbol, Value,
+        Base, Body, Carrier, Convention, Frame, JointType, Placement, Row, Symbol, Value,
     };
 
     fn one_joint(mass: Value) -> Robot {
@@ -391,6 +391,17 @@ mod tests {
         });
         of_table(|robot| robot.rows[0].at.push(origin()));
         of_table(|robot| robot.frames.push(loaded_frame()));
+        for mass in [1, 2] {
+            let body = loaded_frame().body.map(|body| Body {
+                mass: Value::integer(mass),
+                ..body
+            });
+            let robot = Robot {
+                base: body.map(Base::Floating),
+                ..table.clone()
+            };
+            known.push(seeds(&robot, &functions, &sound)[0]);
+        }
         let count = known.len();
         known.sort_unstable();
         known.dedup();

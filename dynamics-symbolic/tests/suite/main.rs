@@ -10,6 +10,7 @@ mod damage;
 mod definite;
 mod degrees;
 mod emission;
+mod floating;
 mod formulas;
 mod forward_dynamics;
 mod frame_functions;

@@ -130,7 +130,7 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
 }
 
 /// Those of these functions that the robot has, and those of its frames.
-fn prove_parts(
+pub(crate) fn prove_parts(
     robot: &Robot,
     count: usize,
     functions: &[Function],
@@ -152,7 +152,7 @@ fn prove_parts(
     }
 }
 
-fn assert_proven(robot: &Robot, count: usize, part: Part, program: &Program) {
+pub(crate) fn assert_proven(robot: &Robot, count: usize, part: Part, program: &Program) {
     let proof = prove(robot, part, program);
     assert_eq!(proof, Ok(()), "table {count}: {robot:#?}");
     arms::assert_zeros_are_constants(robot, part, program);

@@ -2,13 +2,11 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
+use super::configuration::Configuration;
 use super::elimination::{solve, with_pivots};
 use super::equations::{constant, sum};
-use super::pose::Position;
+use super::pose::Lift;
 use super::{Definition, Matrix, Vector};
-
-/// Dual numbers over dual numbers: x + x_j e_1 + x_k e_2 + x_jk e_1 e_2.
-type Twice = Dual<Dual<Number>>;
 
 impl Definition {
     /// The first derivative of tau by time, then the second one. Coulomb friction is constant.
@@ -27,22 +25,15 @@ impl Definition {
         [sum(&first, &of_friction), sum(&second, &second_of_friction)].concat()
     }
 
-    /// The positions with two steps in time.
-    pub(super) fn accelerating(&self) -> Vec<Position<Twice>> {
-        let rates = self.qd.iter().zip(&self.qdd);
-        let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
-        self.moving(&self.moving(&self.q, &self.qd), &speeds)
-    }
-
     /// d tau/dq and d tau/dqd at accelerations qdd, by rows. Coulomb friction is constant.
     fn force_derivatives(&self, qdd: &[Number]) -> (Matrix, Matrix) {
         let [friction, _] = self.friction_derivatives();
         let (qd, qdd) = (constant(&self.qd), constant(qdd));
-        let derivative = |q: &[Position<_>], qd: &[_]| -> Vector {
+        let derivative = |q: &Configuration<_>, qd: &[_]| -> Vector {
             let force = self.euler_lagrange(q, qd, &qdd);
             force.iter().map(|x: &Dual<_>| x.derivative).collect()
         };
-        let still: Vec<_> = self.q.iter().map(|q| q.moving(Number::ZERO)).collect();
+        let still = self.moving(&self.q, &vec![Number::ZERO; self.dof()]);
         let by_position = |k: usize| derivative(&self.along(k), &qd);
         let by_velocity = |k: usize| {
             let mut qd: Vec<Dual<_>> = qd.clone();
@@ -54,7 +45,7 @@ impl Definition {
         (self.by_columns(by_position), self.by_columns(by_velocity))
     }
 
-    /// The matrix of these columns, one for each free joint.
+    /// The matrix of these columns, one for each degree of freedom.
     pub(super) fn by_columns(&self, column: impl Fn(usize) -> Vector) -> Matrix {
         transpose(&(0..self.dof()).map(column).collect())
     }
@@ -96,31 +87,25 @@ impl Definition {
     /// then j, then k. Coulomb friction is constant.
     pub(super) fn second_derivatives(&self) -> Vector {
         let n = self.dof();
-        let symbols = self.christoffel();
-        let pairs: Vec<Vec<Pair>> = (0..n)
-            .map(|j| (0..=j).map(|k| self.along_both(j, k)).collect())
+        let by_positions: Vec<Vec<Vector>> = (0..n)
+            .map(|j| (0..=j).map(|k| self.force_by_positions(j, k)).collect())
             .collect();
-        let pair = |j: usize, k: usize| &pairs[j.max(k)][j.min(k)];
+        let by_position = |i: usize, j: usize, k: usize| by_positions[j.max(k)][j.min(k)][i];
+        let by_velocities = self.slopes_of_motion_forces(&self.q, &self.unit_velocities());
         let [_, curvatures] = self.friction_derivatives();
         let by_velocity = |i: usize, j: usize, k: usize| {
-            // V_i = sum c_ijk qd_j qd_k
-            let motion = symbols[i][j][k] + symbols[i][k][j];
+            let motion = by_velocities[j][k][i];
             if i == j && j == k {
                 motion + curvatures[i]
             } else {
                 motion
             }
         };
-        // d2 V_i/dq_j dqd_k = 2 sum dc_ikm/dq_j qd_m, from the second derivatives of M.
-        let by_both = |i: usize, j: usize, k: usize| {
-            let term = |m: usize| {
-                let slope = |a: usize, b: usize, c: usize| pair(j, c).inertia[a][b];
-                (slope(i, k, m) + slope(i, m, k) - slope(k, m, i)) * self.qd[m]
-            };
-            (0..n).fold(Number::ZERO, |sum, m| sum + term(m))
-        };
-        let by_position = |i: usize, j: usize, k: usize| pair(j, k).forces[i];
-        let inertia_slope = |i: usize, j: usize, k: usize| symbols[i][j][k] + symbols[j][i][k];
+        let slopes = |j: usize| self.slopes_of_motion_forces(&self.along(j), &[constant(&self.qd)]);
+        let by_both: Vec<_> = (0..n).map(|j| slopes(j).remove(0)).collect();
+        let by_both = |i: usize, j: usize, k: usize| by_both[j][k][i].derivative;
+        let matrices: Vec<_> = (0..n).map(|k| self.mass_matrix(&self.along(k))).collect();
+        let inertia_slope = |i: usize, j: usize, k: usize| matrices[k][i][j].derivative;
         [
             entries(n, by_position),
             entries(n, by_velocity),
@@ -130,14 +115,36 @@ impl Definition {
         .concat()
     }
 
-    fn along_both(&self, j: usize, k: usize) -> Pair {
-        let q = self.moving(&self.moving(&self.q, &self.unit(j)), &self.unit(k));
+    /// d2 tau/dq_j dq_k
+    fn force_by_positions(&self, j: usize, k: usize) -> Vector {
+        let q = self.along_both(j, k);
         let forces = self.euler_lagrange(&q, &constant(&self.qd), &constant(&self.qdd));
-        let mixed = |row: &Vec<Twice>| row.iter().map(|x| x.derivative.derivative).collect();
-        Pair {
-            inertia: self.mass_matrix(&q).iter().map(mixed).collect(),
-            forces: mixed(&forces),
-        }
+        forces.iter().map(|x| x.derivative.derivative).collect()
+    }
+
+    fn unit_velocities(&self) -> Vec<Vector> {
+        (0..self.dof()).map(|k| self.unit(k)).collect()
+    }
+
+    /// dV/dqd_k at each of some velocities: V(qd + e_k) - V(qd) - V(e_k), for V is quadratic in qd.
+    fn slopes_of_motion_forces<R: Lift>(
+        &self,
+        q: &Configuration<R>,
+        velocities: &[Vec<R>],
+    ) -> Vec<Vec<Vec<R>>> {
+        let forces = |qd: &[R]| self.motion_forces(q, qd);
+        let units: Vec<Vec<R>> = (0..self.dof()).map(|k| self.unit(k)).collect();
+        let of_units: Vec<_> = units.iter().map(|unit| forces(unit)).collect();
+        let at = |qd: &Vec<R>| {
+            let here = forces(qd);
+            let slope = |k: usize| {
+                let shifted: Vec<_> = qd.iter().zip(&units[k]).map(|(&a, &b)| a + b).collect();
+                let terms = forces(&shifted).into_iter().zip(&here).zip(&of_units[k]);
+                terms.map(|((sum, &a), &b)| sum - a - b).collect()
+            };
+            (0..self.dof()).map(slope).collect()
+        };
+        velocities.iter().map(at).collect()
     }
 }
 
@@ -151,14 +158,6 @@ fn negative(m: &Matrix) -> Matrix {
     m.iter()
         .map(|row| row.iter().map(|&x| -x).collect())
         .collect()
-}
-
-/// Second derivatives by the positions of two joints.
-struct Pair {
-    /// d2M/dq_j dq_k
-    inertia: Matrix,
-    /// d2 tau/dq_j dq_k
-    forces: Vector,
 }
 
 /// All entries, the last index first to change.

@@ -2,14 +2,17 @@
 
 use super::super::assignment::{HALF, Number};
 use super::super::dual::Dual;
+use super::configuration::Configuration;
 use super::friction::Velocity;
-use super::pose::{Lift, Position};
+use super::pose::Lift;
 use super::row::Row;
 use super::{Definition, Matrix, Vector};
+use crate::linear::Vector3;
+use core::ops::Range;
 
 impl Definition {
     /// d2T/dqd_i dqd_j = T(e_i + e_j) - T(e_i) - T(e_j), for T is quadratic in qd.
-    pub(super) fn mass_matrix<R: Lift>(&self, q: &[Position<R>]) -> Vec<Vec<R>> {
+    pub(super) fn mass_matrix<R: Lift>(&self, q: &Configuration<R>) -> Vec<Vec<R>> {
         let n = self.dof();
         let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
         let energy = |axes: &[usize]| {
@@ -46,27 +49,39 @@ impl Definition {
     }
 
     /// dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
-    pub(super) fn generalized_momentum(&self) -> Vector {
-        let energy = |qd: &[Number]| self.kinetic_energy(&self.q, qd);
-        let whole = energy(&self.qd);
+    pub(super) fn momenta<R: Lift>(
+        &self,
+        q: &Configuration<R>,
+        qd: &[R],
+        freedoms: Range<usize>,
+    ) -> Vec<R> {
+        let whole = self.kinetic_energy(q, qd);
         let momentum = |i: usize| {
-            let unit: Vector = self.unit(i);
-            energy(&sum(&self.qd, &unit)) - whole - energy(&unit)
+            let unit = self.unit(i);
+            let shifted: Vec<_> = qd.iter().zip(&unit).map(|(&a, &b)| a + b).collect();
+            self.kinetic_energy(q, &shifted) - whole - self.kinetic_energy(q, &unit)
         };
-        (0..self.dof()).map(momentum).collect()
+        freedoms.map(momentum).collect()
     }
 
-    /// dT/dq - G - K - F: by Lagrange d/dt (dT/dqd) = tau + dT/dq - dU/dq - F.
+    /// dT/dqd
+    pub(super) fn generalized_momentum(&self) -> Vector {
+        self.momenta(&self.q, &self.qd, 0..self.dof())
+    }
+
+    /// dT/dq - G - K - F: by Lagrange d/dt (dT/dqd) = tau + dT/dq - dU/dq - F. Of a base that moves Hamel's terms are on
+    /// the right side too.
     pub(super) fn momentum_bias(&self) -> Vector {
         let qd = constant(&self.qd);
         let slope = |i: usize| self.kinetic_energy(&self.along(i), &qd).derivative;
         let forces = sum(&self.gravity_vector(), &self.joint_forces());
+        let forces = sum(&forces, &self.turning_of_base(&self.q, &self.qd));
         let forces = forces.into_iter().enumerate();
         forces.map(|(i, force)| slope(i) - force).collect()
     }
 
-    /// d/dt (dT/dqd) - dT/dq
-    fn inertial_forces<R: Lift>(&self, q: &[Position<R>], qd: &[R], qdd: &[R]) -> Vec<R> {
+    /// d/dt (dT/dqd) - dT/dq, and Hamel's terms of a base that moves.
+    fn inertial_forces<R: Lift>(&self, q: &Configuration<R>, qd: &[R], qdd: &[R]) -> Vec<R> {
         let zero = R::lift(Number::ZERO);
         // d/dt: q changes at the rate qd, qd at the rate qdd.
         let moving = self.moving(q, qd);
@@ -74,6 +89,7 @@ impl Definition {
         let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
         let rate = |qd: &[Dual<R>]| self.kinetic_energy(&moving, qd).derivative;
         let along_motion = rate(&speeds);
+        let turning = self.turning_of_base(q, qd);
         let still: Vec<_> = qd.iter().map(|&x| Dual::new(x, zero)).collect();
         let force = |i: usize| {
             // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
@@ -81,13 +97,32 @@ impl Definition {
             let shifted: Vec<_> = speeds.iter().zip(&axis).map(|(&a, &b)| a + b).collect();
             let momentum_rate = rate(&shifted) - along_motion - rate(&axis);
             let displaced = self.moving(q, &self.unit(i));
-            momentum_rate - self.kinetic_energy(&displaced, &still).derivative
+            momentum_rate - self.kinetic_energy(&displaced, &still).derivative + turning[i]
         };
         (0..self.dof()).map(force).collect()
     }
 
+    /// What Hamel's equations add to d/dt (dT/du) for the axes of the base, which turn: w x dT/dv to the forces, and
+    /// w x dT/dw + v x dT/dv to the moments (Hamel 1904; Kirchhoff's equations of a body by itself).
+    fn turning_of_base<R: Lift>(&self, q: &Configuration<R>, u: &[R]) -> Vec<R> {
+        let mut forces = vec![R::lift(Number::ZERO); self.dof()];
+        if let Some([v, w]) = self.velocity_of_base(u) {
+            let momenta = self.momenta(q, u, self.of_base());
+            let momentum = |first: usize| Vector3([0, 1, 2].map(|k| momenta[first + k]));
+            let (linear, angular) = (momentum(0), momentum(3));
+            forces[..3].copy_from_slice(&w.cross(linear).0);
+            forces[3..6].copy_from_slice(&(w.cross(angular) + v.cross(linear)).0);
+        }
+        forces
+    }
+
     /// The Euler-Lagrange equations, d/dt (dT/dqd) - dT/dq + dU/dq: tau without friction.
-    pub(super) fn euler_lagrange<R: Lift>(&self, q: &[Position<R>], qd: &[R], qdd: &[R]) -> Vec<R> {
+    pub(super) fn euler_lagrange<R: Lift>(
+        &self,
+        q: &Configuration<R>,
+        qd: &[R],
+        qdd: &[R],
+    ) -> Vec<R> {
         let slope = |i| {
             self.potential_energy(&self.moving(q, &self.unit(i)))
                 .derivative
@@ -98,7 +133,12 @@ impl Definition {
 
     /// V = d/dt (dT/dqd) - dT/dq at qdd = 0, which is sum c_ijk qd_j qd_k.
     pub(super) fn coriolis_vector(&self) -> Vector {
-        self.inertial_forces(&self.q, &self.qd, &vec![Number::ZERO; self.dof()])
+        self.motion_forces(&self.q, &self.qd)
+    }
+
+    /// V of these velocities.
+    pub(super) fn motion_forces<R: Lift>(&self, q: &Configuration<R>, qd: &[R]) -> Vec<R> {
+        self.inertial_forces(q, qd, &constant(&vec![Number::ZERO; self.dof()]))
     }
 
     /// M qdd + V + G
@@ -143,8 +183,11 @@ impl Definition {
         sum(&conservative, &self.joint_forces())
     }
 
-    /// C_ij = sum_k c_ijk qd_k
+    /// C_ij = sum_k c_ijk qd_k; of a base that moves the sum of J' (I dJ/dt + B J), see `coriolis`.
     pub(super) fn coriolis_matrix(&self) -> Matrix {
+        if self.floating.is_some() {
+            return self.coriolis_matrix_of_bodies();
+        }
         let symbols = self.christoffel();
         symbols.iter().map(|c| product(c, &self.qd)).collect()
     }

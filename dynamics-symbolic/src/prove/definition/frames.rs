@@ -3,8 +3,9 @@
 use super::super::assignment::{Assignment, Number};
 use super::Definition;
 use super::body::Body;
+use super::configuration::Configuration;
 use super::place::{self, Frames};
-use super::pose::{Lift, Pose, Position};
+use super::pose::{Lift, Pose};
 use crate::robot::{self, Robot};
 
 /// A frame that is fixed to the link of a row, or to the base.
@@ -15,9 +16,10 @@ pub(super) struct Frame {
     place: Option<Pose<Number>>,
 }
 
-/// A body that is fixed to a link.
+/// A body that is fixed to a link, or to a base that moves.
 pub(super) struct FixedBody {
-    row: usize,
+    /// `None` for the base.
+    row: Option<usize>,
     /// As of a [`Frame`].
     place: Option<Pose<Number>>,
     body: Body,
@@ -55,19 +57,23 @@ impl Frame {
 }
 
 impl FixedBody {
-    /// The tool at the tip and the bodies of frames. Bodies on the base do not move.
+    /// The tool at the tip and the bodies of frames. Bodies on a base that stands do not move.
     pub(super) fn all(point: &mut Assignment, robot: &Robot) -> Vec<FixedBody> {
         let tool = robot.tool.as_ref().and_then(|tool| {
             let Frame { row, place } = Frame::tip(point, robot)?;
             Some(FixedBody {
-                row: row?,
+                row: Some(row?),
                 place,
                 body: Body::new(point, &tool.mass, &tool.com, &tool.inertia),
             })
         });
-        let mut fixed_to_link = |frame: &robot::Frame| {
-            let (row, body) = (frame.on?, frame.body.as_ref()?);
-            point.note([row as u64]);
+        let base_stands = robot.floating().is_none();
+        let mut fixed = |frame: &robot::Frame| {
+            let (row, body) = (frame.on, frame.body.as_ref()?);
+            if row.is_none() && base_stands {
+                return None;
+            }
+            point.note([row.map_or(u64::MAX, |row| row as u64)]);
             let place = Some(place::product(point, &frame.places));
             Some(FixedBody {
                 row,
@@ -75,49 +81,51 @@ impl FixedBody {
                 body: Body::new(point, &body.mass, &body.com, &body.inertia),
             })
         };
-        let of_frames = robot.frames.iter().filter_map(&mut fixed_to_link);
+        let of_frames = robot.frames.iter().filter_map(&mut fixed);
         tool.into_iter().chain(of_frames).collect()
     }
 }
 
 impl Definition {
     /// The frames of all rows.
-    pub(super) fn frames<R: Lift>(&self, q: &[Position<R>]) -> Vec<Frames<R>> {
-        let base = Pose::identity().then_fixed(&self.base);
+    pub(super) fn frames<R: Lift>(&self, q: &Configuration<R>) -> Vec<Frames<R>> {
         self.outward(|i, inner: Option<&Frames<R>>| {
-            let base = inner.map_or(base, |inner| inner.link);
+            let base = inner.map_or(q.base, |inner| inner.link);
             let row = &self.rows[i];
-            row.place.frames(&base, row.joint.joint_type, &q[i])
+            row.place.frames(&base, row.joint.joint_type, &q.joints[i])
         })
     }
 
     /// The pose of a frame.
-    pub(super) fn pose<R: Lift>(&self, frame: &Frame, q: &[Position<R>]) -> Pose<R> {
-        let base = Pose::identity().then_fixed(&self.base);
-        let link = frame.row.map_or(base, |row| self.frames(q)[row].link);
+    pub(super) fn pose<R: Lift>(&self, frame: &Frame, q: &Configuration<R>) -> Pose<R> {
+        let link = frame.row.map_or(q.base, |row| self.frames(q)[row].link);
         link.then_fixed(&frame.place)
     }
 
-    /// Every body, the row of its link, and the pose of its frame: the links, then what is fixed to them.
-    pub(super) fn bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(usize, &Body, Pose<R>)> {
+    /// Every body, the row of its link, and the pose of its frame: the links, a base that moves, then what is fixed to them.
+    pub(super) fn bodies<R: Lift>(
+        &self,
+        q: &Configuration<R>,
+    ) -> Vec<(Option<usize>, &Body, Pose<R>)> {
         let frames = self.frames(q);
         let links = self.rows.iter().zip(&frames).enumerate();
-        let links = links.map(|(i, (row, frames))| (i, &row.body, frames.link));
+        let links = links.map(|(i, (row, frames))| (Some(i), &row.body, frames.link));
+        let base = self.floating.iter().map(|body| (None, body, q.base));
         let fixed = self
             .fixed_bodies
             .iter()
             .map(|FixedBody { row, place, body }| {
-                let pose = frames[*row].link.then_fixed(place);
-                (*row, body, pose)
+                let link = row.map_or(q.base, |row| frames[row].link);
+                (*row, body, link.then_fixed(place))
             });
-        links.chain(fixed).collect()
+        links.chain(base).chain(fixed).collect()
     }
 
-    /// The parameters of what is fixed to the link of a row, about the origin of the frame in which the link frame is
-    /// at `link`.
+    /// The parameters of what is fixed to the link of a row or to the base, about the origin of the frame in which the link
+    /// frame is at `link`.
     pub(super) fn parameters_fixed_to(
         &self,
-        row: usize,
+        row: Option<usize>,
         link: &Pose<Number>,
     ) -> impl Iterator<Item = [Number; 11]> {
         let here = self
@@ -127,9 +135,10 @@ impl Definition {
         here.map(|fixed| fixed.body.parameters(&link.then_fixed(&fixed.place)))
     }
 
-    /// The bodies that can move: a joint that carries them is not locked.
-    pub(super) fn moving_bodies<R: Lift>(&self, q: &[Position<R>]) -> Vec<(&Body, Pose<R>)> {
-        let can_move = |row: usize| self.carriers(row).any(|k| !self.rows[k].joint.is_locked);
+    /// The bodies that can move: the base moves, or a joint that carries them is not locked.
+    pub(super) fn moving_bodies<R: Lift>(&self, q: &Configuration<R>) -> Vec<(&Body, Pose<R>)> {
+        let is_free = |row: usize| self.carriers(row).any(|k| !self.rows[k].joint.is_locked);
+        let can_move = |row: Option<usize>| self.floating.is_some() || row.is_some_and(is_free);
         let bodies = self.bodies(q).into_iter();
         let moving = bodies.filter(|(row, ..)| can_move(*row));
         moving.map(|(_, body, pose)| (body, pose)).collect()

@@ -2,10 +2,11 @@
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
+use super::configuration::Configuration;
 use super::derivatives::transpose;
 use super::elimination::{solve, with_pivots};
 use super::equations::product;
-use super::pose::{Lift, Pose, Position};
+use super::pose::{Lift, Pose};
 use super::{Definition, Frame, Matrix, Vector};
 use crate::linear::Vector3;
 
@@ -22,7 +23,7 @@ impl Definition {
         links.flat_map(|i| homogeneous(&frames[i].link)).collect()
     }
 
-    /// By rows: vx vy vz wx wy wz of the frame's origin for unit velocity of each joint.
+    /// By rows: vx vy vz wx wy wz of the frame's origin for unit velocity of each degree of freedom.
     pub(super) fn jacobian(&self, frame: &Frame) -> Matrix {
         let column = |j: usize| velocity(&self.pose(frame, &self.along(j))).to_vec();
         self.by_columns(column)
@@ -47,7 +48,7 @@ impl Definition {
         velocity(&self.pose(frame, &self.moving(&self.q, &self.qd))).to_vec()
     }
 
-    /// The rate of that velocity, where the velocities of the joints change at the rate qdd.
+    /// The rate of that velocity, where the velocities change at the rate qdd.
     pub(super) fn tool_acceleration(&self, frame: &Frame) -> Vector {
         let velocity = velocity(&self.pose(frame, &self.accelerating()));
         velocity.map(|x| x.derivative).to_vec()
@@ -83,14 +84,14 @@ impl Definition {
         with_pivots(values, matrix, computed)
     }
 
-    /// The centre of mass, sum m c / sum m, of the links and the tool that can move; none of an arm without mass.
+    /// The centre of mass, sum m c / sum m, of all bodies that can move; none of an arm without mass.
     pub(super) fn center_of_mass(&self) -> Option<Vector> {
         let mass = self.moving_mass().inverse()?;
         let moment = self.first_moment(&self.q);
         Some(moment.0.iter().map(|&x| x * mass).collect())
     }
 
-    /// Its derivatives by the joint positions, by rows.
+    /// Its derivatives by the degrees of freedom, by rows.
     pub(super) fn center_of_mass_jacobian(&self) -> Option<Vector> {
         let mass = self.moving_mass().inverse()?;
         let column = |j: usize| -> Vector {
@@ -105,7 +106,7 @@ impl Definition {
         bodies.fold(Number::ZERO, |sum, (body, _)| sum + body.mass)
     }
 
-    fn first_moment<R: Lift>(&self, q: &[Position<R>]) -> Vector3<R> {
+    fn first_moment<R: Lift>(&self, q: &Configuration<R>) -> Vector3<R> {
         let none = Vector3::splat(R::lift(Number::ZERO));
         let bodies = self.moving_bodies(q).into_iter();
         bodies.fold(none, |sum, (body, pose)| {

@@ -18,6 +18,8 @@
 //! qd, so that its second derivatives are differences, without a limit.
 
 mod body;
+mod configuration;
+mod coriolis;
 mod derivatives;
 mod elimination;
 mod energy;
@@ -38,17 +40,27 @@ use super::assignment::{Assignment, JointPoint, Number, STATES};
 use crate::function::{Argument, Function, Part};
 use crate::linear::{Matrix3, Vector3};
 use crate::robot::Robot;
+use body::Body;
+use configuration::{Configuration, pose_of_base};
 use frames::{FixedBody, Frame};
-use pose::{Pose, Position};
+use pose::Pose;
 use row::Row;
 
 type Vector = Vec<Number>;
 type Matrix = Vec<Vector>;
 
+/// Functions that a robot whose base moves does not have.
+const OF_STANDING_BASES: [Function; 3] = [
+    Function::CoriolisCoefficients,
+    Function::CentrifugalCoefficients,
+    Function::TaylorSeries,
+];
+
 /// A robot at a random point of the field.
 pub struct Definition {
     gravity: Vector3<Number>,
-    base: Option<Pose<Number>>,
+    /// The body of a base that moves.
+    floating: Option<Body>,
     rows: Vec<Row>,
     /// The tip, if there is one.
     tip: Option<Frame>,
@@ -56,8 +68,8 @@ pub struct Definition {
     frames: Vec<Frame>,
     /// The tool and the bodies of frames.
     fixed_bodies: Vec<FixedBody>,
-    /// The positions of all joints.
-    q: Vec<Position<Number>>,
+    /// Where the base and all joints are.
+    q: Configuration<Number>,
     qd: Vector,
     qdd: Vector,
     tau: Vector,
@@ -83,7 +95,10 @@ impl Definition {
     /// The definition at a point.
     pub fn new(point: &mut Assignment, robot: &Robot) -> Self {
         let mut definition = Definition::read(point, robot);
-        if let Some(neglected) = &robot.neglected {
+        if robot.floating().is_some() && robot.neglected.is_some() {
+            // Nothing is defined: no table neglects parameters on a base that moves.
+            definition.unfaithful = true;
+        } else if let Some(neglected) = &robot.neglected {
             match definition.values_of(&neglected.columns) {
                 Some(values) => definition.neglected = values,
                 None => definition.unfaithful = true,
@@ -106,6 +121,14 @@ impl Definition {
         let rows: Vec<_> = rows.map(|i| Row::new(point, robot, i)).collect();
         let gravity = Vector3([0, 1, 2].map(|k| point.cell(&robot.gravity[k])));
         let base = robot.placement().map(|base| place::placement(point, base));
+        let floating = robot.floating().map(|body| {
+            point.note([u64::MAX]);
+            Body::new(point, &body.mass, &body.com, &body.inertia)
+        });
+        let base = match floating {
+            Some(_) => pose_of_base(point),
+            None => Pose::identity().then_fixed(&base),
+        };
         let tip = Frame::tip(point, robot);
         let frames = Frame::named(point, robot);
         let fixed_bodies = FixedBody::all(point, robot);
@@ -123,11 +146,14 @@ impl Definition {
         let all = |variable: fn(&JointPoint) -> Number| joints.iter().map(variable).collect();
         let mut definition = Definition {
             gravity,
-            base,
+            floating,
             tip,
             frames,
             fixed_bodies,
-            q: rows.iter().map(|row| row.joint.position).collect(),
+            q: Configuration {
+                base,
+                joints: rows.iter().map(|row| row.joint.position).collect(),
+            },
             rows,
             qd: all(|joint| joint.qd),
             qdd: all(|joint| joint.qdd),
@@ -155,6 +181,9 @@ impl Definition {
             return None;
         }
         let Part { function, frame } = part.into();
+        if self.floating.is_some() && OF_STANDING_BASES.contains(&function) {
+            return None;
+        }
         let frame = match frame {
             Some(named) => self.frames.get(named),
             None => self.tip.as_ref(),
@@ -202,7 +231,7 @@ impl Definition {
         })
     }
 
-    /// The number of joints that move by themselves.
+    /// The number of degrees of freedom: six of a base that moves, and the joints that move by themselves.
     fn dof(&self) -> usize {
         self.qd.len()
     }

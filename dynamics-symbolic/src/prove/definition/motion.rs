@@ -1,34 +1,12 @@
 //! How all joints move with the free ones.
 
 use super::super::assignment::{Number, multiple, turned};
-use super::super::dual::Dual;
-use super::pose::{Lift, Position};
+use super::configuration::{Configuration, random_pose};
+use super::pose::Position;
 use super::{Definition, Row, Vector};
 use crate::exact::{SplitMix64, circle_point, common_angles};
 
 impl Definition {
-    /// Positions with their derivatives, if the free joints have these speeds.
-    pub(super) fn moving<R: Lift>(
-        &self,
-        q: &[Position<R>],
-        speeds: &[R],
-    ) -> Vec<Position<Dual<R>>> {
-        let rows = q.iter().zip(&self.rows);
-        rows.map(|(q, row)| q.moving(row.joint.speed(speeds)))
-            .collect()
-    }
-
-    /// The positions with their derivatives in the direction of the free joint k.
-    pub(super) fn along(&self, k: usize) -> Vec<Position<Dual<Number>>> {
-        self.moving(&self.q, &self.unit(k))
-    }
-
-    /// The speeds of the free joints if joint k alone moves, at unit speed.
-    pub(super) fn unit<R: Lift>(&self, k: usize) -> Vec<R> {
-        let speed = |i: usize| if i == k { Number::ONE } else { Number::ZERO };
-        (0..self.dof()).map(|i| R::lift(speed(i))).collect()
-    }
-
     /// The forces on the free joints by forces on all joints: a displacement of a joint moves its followers by
     /// their factors (virtual work).
     pub(super) fn on_free_joints(&self, forces: impl Iterator<Item = Number>) -> Vector {
@@ -65,12 +43,12 @@ impl Definition {
     }
 
     /// Random positions of the free joints, and those of all joints that belong to them. Every joint has a point
-    /// of the circle, by its [`multiples`](Self::multiples), and a value.
-    pub(super) fn random_positions(
+    /// of the circle, by its [`multiples`](Self::multiples), and a value. A base that moves is anywhere.
+    pub(super) fn random_configuration(
         &self,
         multiples: &[Vec<i64>],
         random: &mut SplitMix64,
-    ) -> Vec<Position<Number>> {
+    ) -> Configuration<Number> {
         let values: Vec<_> = (0..self.dof()).map(|_| Number::random(random)).collect();
         let angles: Vec<Vec<_>> = (0..self.dof())
             .map(|_| self.rows.iter().map(|_| circle_point(random)).collect())
@@ -85,6 +63,11 @@ impl Definition {
             let point = turns.fold((Number::ZERO, Number::ONE), turned);
             Position::at(point, joint.speed(&values) + joint.offset)
         };
-        self.rows.iter().zip(multiples).map(position).collect()
+        let joints = self.rows.iter().zip(multiples).map(position).collect();
+        let base = match self.floating {
+            Some(_) => random_pose(random),
+            None => self.q.base,
+        };
+        Configuration { base, joints }
     }
 }

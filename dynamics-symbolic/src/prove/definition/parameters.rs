@@ -6,13 +6,13 @@
 //!   T = 1/2 w.J w + h.(v x w) + 1/2 m v.v + 1/2 I qd_i^2,   U = -m g.p - g.R h.
 //!
 //! The columns of a list over all parameters are, link by link, the six entries of J, the three of h, m, and I if
-//! the link has a motor that moves. The moments h of some prismatic joints' links are written in other axes.
+//! the link has a motor that moves. The moments h of some prismatic joints' links are written in other axes. A base that
+//! moves is the first link, with its parameters in frame 0.
 
 use super::super::assignment::Number;
 use super::super::dual::Dual;
-use super::place::Frames;
-use super::pose::{Lift, Pose, Position};
-use super::row::Row;
+use super::configuration::Configuration;
+use super::pose::{Lift, Pose};
 use super::{Definition, Vector};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::Parameter;
@@ -20,13 +20,13 @@ use crate::robot::Parameter;
 /// The velocities of a link: of its frame, in the frame's own axes, and of its joint.
 #[derive(Clone, Copy)]
 pub(super) struct Twist<R> {
-    w: Vector3<R>,
-    v: Vector3<R>,
-    speed: R,
+    pub(super) w: Vector3<R>,
+    pub(super) v: Vector3<R>,
+    pub(super) speed: R,
 }
 
 /// The polar form of 2 T, for a unit of each of the parameters.
-fn polar<R: Ring>(a: &Twist<R>, b: &Twist<R>) -> [R; 11] {
+pub(super) fn polar<R: Ring>(a: &Twist<R>, b: &Twist<R>) -> [R; 11] {
     let (u, w) = (a.w, b.w);
     let [hx, hy, hz] = (a.v.cross(w) + b.v.cross(u)).0;
     [
@@ -45,18 +45,29 @@ fn polar<R: Ring>(a: &Twist<R>, b: &Twist<R>) -> [R; 11] {
 }
 
 impl Definition {
-    /// The velocities of all links, if the free joints have these speeds.
-    pub(super) fn twists<R: Lift>(&self, q: &[Position<R>], speeds: &[R]) -> Vec<Twist<R>> {
-        let frames = self.frames(&self.moving(q, speeds));
-        let twist = |(row, frames): (&Row, &Frames<Dual<R>>)| {
-            let frame = &frames.parameters;
-            Twist {
-                w: frame.angular_velocity(),
-                v: frame.axes().transpose().apply(frame.velocity()),
-                speed: row.joint.speed(speeds),
-            }
+    /// The rows of the links, `None` for a base that moves.
+    fn links(&self) -> impl Iterator<Item = Option<usize>> {
+        let base = self.floating.iter().map(|_| None);
+        base.chain((0..self.rows.len()).map(Some))
+    }
+
+    /// The frames in which the parameters of the links are.
+    fn parameter_frames<R: Lift>(&self, q: &Configuration<R>) -> Vec<Pose<R>> {
+        let frames = self.frames(q);
+        let frame = |row: Option<usize>| row.map_or(q.base, |row| frames[row].parameters);
+        self.links().map(frame).collect()
+    }
+
+    /// The velocities of all links, if the degrees of freedom have these speeds.
+    pub(super) fn twists<R: Lift>(&self, q: &Configuration<R>, speeds: &[R]) -> Vec<Twist<R>> {
+        let frames = self.parameter_frames(&self.moving(q, speeds));
+        let zero = R::lift(Number::ZERO);
+        let twist = |(row, frame): (Option<usize>, Pose<Dual<R>>)| Twist {
+            w: frame.angular_velocity(),
+            v: frame.axes().transpose().apply(frame.velocity()),
+            speed: row.map_or(zero, |row| self.rows[row].joint.speed(speeds)),
         };
-        self.rows.iter().zip(&frames).map(twist).collect()
+        self.links().zip(frames).map(twist).collect()
     }
 
     /// x' M y of a unit of each parameter: M is its mass matrix, x and y are the speeds of these twists.
@@ -65,11 +76,11 @@ impl Definition {
     }
 
     /// U of a unit of each parameter.
-    pub(super) fn unit_potentials<R: Lift>(&self, q: &[Position<R>]) -> Vec<R> {
-        let frames = self.frames(q);
+    pub(super) fn unit_potentials<R: Lift>(&self, q: &Configuration<R>) -> Vec<R> {
+        let frames = self.parameter_frames(q);
         let gravity = Vector3(self.gravity.0.map(R::lift));
-        self.columns(|i| {
-            let Pose { rotation, origin } = &frames[i].parameters;
+        self.columns(|link| {
+            let Pose { rotation, origin } = &frames[link];
             let mut weights = [R::lift(Number::ZERO); 11];
             for k in 0..3 {
                 weights[6 + k] = -gravity.dot(rotation.column(k));
@@ -81,37 +92,44 @@ impl Definition {
 
     /// Every link's parameters. The tool and the bodies of frames are parts of the links that carry them.
     pub(super) fn standard_parameters(&self) -> Vector {
-        self.columns(|i| {
-            let row = &self.rows[i];
-            let link = row.place.link_in_parameters();
-            let own = row.body.parameters(&link);
-            let fixed = self.parameters_fixed_to(i, &link);
-            let mut parameters = fixed.fold(own, |sum, fixed| {
+        let links: Vec<_> = self.links().collect();
+        self.columns(|link| {
+            let row = links[link].map(|row| &self.rows[row]);
+            let here = row.map_or(Pose::identity(), |row| row.place.link_in_parameters());
+            let own = row.map(|row| &row.body).or(self.floating.as_ref());
+            let own = own.map(|body| body.parameters(&here));
+            let fixed = self.parameters_fixed_to(links[link], &here);
+            let none = [Number::ZERO; 11];
+            let mut parameters = own.into_iter().chain(fixed).fold(none, |sum, fixed| {
                 core::array::from_fn(|k| sum[k] + fixed[k])
             });
-            parameters[10] = row.reflected;
+            parameters[10] = row.map_or(Number::ZERO, |row| row.reflected);
             parameters
         })
     }
 
-    /// The first column of a link.
-    pub(super) fn first_column(&self, link: usize) -> usize {
-        let links = self.rows[..link].iter();
-        let count = |row: &Row| Parameter::of_link(row.has_motor).len();
-        links.map(count).sum()
+    /// The first column of the link of a row.
+    pub(super) fn first_column(&self, row: usize) -> usize {
+        let before = self.links().take_while(|link| *link != Some(row));
+        before.map(|link| self.parameters_of(link)).sum()
     }
 
-    /// A list over all parameters, from the values of each link and its motor.
+    /// The number of parameters of a link.
+    fn parameters_of(&self, link: Option<usize>) -> usize {
+        Parameter::of_link(link.is_some_and(|row| self.rows[row].has_motor)).len()
+    }
+
+    /// A list over all parameters, from the values of each link and its motor; the links are counted with a base that moves.
     pub(super) fn columns<R: Lift>(&self, values: impl Fn(usize) -> [R; 11]) -> Vec<R> {
         let mut columns = Vec::with_capacity(self.first_column(self.rows.len()));
-        for (i, row) in self.rows.iter().enumerate() {
-            let mut own = values(i);
-            if let Some(rotation) = &self.moment_axes[i] {
+        for (number, link) in self.links().enumerate() {
+            let mut own = values(number);
+            if let Some(rotation) = link.and_then(|row| self.moment_axes[row].as_ref()) {
                 let rotation = Matrix3(rotation.0.map(|row| row.map(R::lift)));
                 let moment = Vector3::new(own[6], own[7], own[8]);
                 own[6..9].copy_from_slice(&rotation.apply(moment).0);
             }
-            columns.extend(&own[..Parameter::of_link(row.has_motor).len()]);
+            columns.extend(&own[..self.parameters_of(link)]);
         }
         columns
     }

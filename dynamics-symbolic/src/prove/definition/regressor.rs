@@ -8,8 +8,9 @@
 //! coupled: links that move by themselves come first, then the followers' links.
 
 use super::super::assignment::{HALF, Number};
-use super::equations::{constant, product};
-use super::pose::Position;
+use super::super::dual::Dual;
+use super::configuration::Configuration;
+use super::equations::product;
 use super::{Definition, Matrix, Vector};
 use crate::exact::SplitMix64;
 use crate::robot::Parameter;
@@ -36,16 +37,17 @@ impl Definition {
         self.base().map(|(_, values)| values)
     }
 
-    /// T of a unit of each base parameter, then U = -m g.p - g.R h with p from the origin of frame 0;
+    /// T of a unit of each base parameter, then U = -m g.p - g.R h with p from the origin of frame 0 where that stands;
     /// `None` where the table's forces are not those of its parameters.
     pub(super) fn energy_regressors(&self) -> Option<Vector> {
         let kept = self.base()?.0;
         let twists = self.twists(&self.q, &self.qd);
         let forms = self.inertia_forms(&twists, &twists);
         let kinetic = forms.iter().map(|&twice| HALF * twice).collect();
-        let base = self
-            .base
-            .map_or(Number::ZERO, |base| self.gravity.dot(base.origin));
+        let base = match self.floating {
+            Some(_) => Number::ZERO,
+            None => self.gravity.dot(self.q.base.origin),
+        };
         let frame_0 = self.columns(|_| {
             let mut weights = [Number::ZERO; 11];
             weights[9] = base;
@@ -79,7 +81,7 @@ impl Definition {
         let multiples = self.multiples();
         let mut equations = Equations::default();
         loop {
-            let q = self.random_positions(&multiples, &mut random);
+            let q = self.random_configuration(&multiples, &mut random);
             let mut numbers = || -> Vector {
                 let numbers = (0..self.dof()).map(|_| Number::random(&mut random));
                 numbers.collect()
@@ -119,34 +121,26 @@ impl Definition {
         Some(columns)
     }
 
-    /// M a + C(q, qd) v + G of a unit of each parameter, for each free joint.
-    ///
-    /// C v = sum_jk c_ijk v_j qd_k is, by the derivatives M' of M in the direction of its subscript,
-    /// 1/2 (e_i' M'_qd v + e_i' M'_v qd - v' M'_i qd).
-    fn unit_forces(&self, q: &[Position<Number>], qd: &[Number], [v, a]: [&[Number]; 2]) -> Matrix {
-        // The twists of these speeds, with their derivatives in a direction.
-        let twists = |direction: &[Number]| {
-            let moving = self.moving(q, direction);
-            move |speeds: &[Number]| self.twists(&moving, &constant(speeds))
-        };
-        let (motion, reference) = (twists(qd), twists(v));
-        let (motion_v, reference_qd) = (motion(v), reference(qd));
+    /// M a + C(q, qd) v + G of a unit of each parameter, for each degree of freedom.
+    fn unit_forces(
+        &self,
+        q: &Configuration<Number>,
+        qd: &[Number],
+        [v, a]: [&[Number]; 2],
+    ) -> Matrix {
         let accelerations = self.twists(q, a);
-        let row = |i: usize| -> Vector {
+        let coriolis = self.unit_coriolis_forces(q, qd, v).into_iter().enumerate();
+        let row = |(i, coriolis): (usize, Vector)| -> Vector {
             let unit = self.unit(i);
-            let joint = twists(&unit);
             let inertial = self.inertia_forms(&self.twists(q, &unit), &accelerations);
-            let along_motion = self.inertia_forms(&motion(&unit), &motion_v);
-            let along_reference = self.inertia_forms(&reference(&unit), &reference_qd);
-            let along_joint = self.inertia_forms(&joint(v), &joint(qd));
             let potential = self.unit_potentials(&self.moving(q, &unit));
-            let force = |k: usize| {
-                let coriolis = along_motion[k] + along_reference[k] - along_joint[k];
-                inertial[k] + HALF * coriolis.derivative + potential[k].derivative
+            let forces = inertial.iter().zip(coriolis).zip(potential);
+            let force = |((&inertial, coriolis), potential): ((&_, _), Dual<_>)| {
+                inertial + coriolis + potential.derivative
             };
-            (0..inertial.len()).map(force).collect()
+            forces.map(force).collect()
         };
-        (0..self.dof()).map(row).collect()
+        coriolis.map(row).collect()
     }
 }
 
