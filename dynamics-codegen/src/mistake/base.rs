@@ -26,6 +26,8 @@ mistakes! {
     without_inertia(place: &str) [base: floating("mass: 3, inertia: sphere(0.2)"), allow: allow("odd_mass", place)]
         "nothing resists some turn of the base, and M is singular at every position: write its `inertia`, {base} for \
          example ({allow} accepts it)";
+    missing_joints()
+        "missing `joints`: write `joints: [name: revolute {{ ... }}, ...]`, or `joints: []` for the body of the base alone";
     /// A function whose values are arranged by joints alone.
     coefficients(function: &str)
         "`{function}` is of a robot whose base stands: `coriolis_matrix` and `coriolis_vector` are there for one that \

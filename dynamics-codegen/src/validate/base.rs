@@ -32,6 +32,20 @@ pub(super) fn may_be_alone(table: &Table) -> bool {
     table.floating().is_some() || table.entries.iter().any(is_unread)
 }
 
+/// Whether a table is that of a base that moves, and of no joint.
+pub(super) fn is_alone(table: &Table) -> bool {
+    // The joints of an entry that could not be read are not known.
+    let is_unknown = |entry: &Entry| {
+        matches!(
+            entry,
+            Entry::Joints(_, None) | Entry::Beside(..) | Entry::File(_)
+        )
+    };
+    let is_complete = table.joints().is_none_or(|joints| joints.complete);
+    let has_none = is_complete && table.rows().is_empty();
+    table.floating().is_some() && has_none && !table.entries.iter().any(is_unknown)
+}
+
 /// Reports what a robot on a base that moves does not have: functions that are arranged by joints alone, a share that is
 /// neglected, and a tip where there are no joints.
 pub(super) fn report(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scope) {
@@ -41,8 +55,7 @@ pub(super) fn report(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scop
     if let Some((_, place)) = &parts.neglect {
         scope.error(*place, mistake::neglect());
     }
-    let has_tip = parts.rows.as_ref().is_none_or(|rows| !rows.is_empty())
-        || table.joints().is_some_and(|joints| !joints.complete);
+    let has_tip = !is_alone(table);
     let asked = named(asked).map(|wanted| (wanted.function, wanted.frame.is_some(), wanted.place));
     let needed = table.name.iter().zip(&table.needed);
     let needed = needed.map(|(name, function)| (*function, false, Place::from(name)));

@@ -34,7 +34,7 @@ use crate::description::{self, Asked, Entry, Joints, Name, Table};
 use crate::description::{Allow, Expr};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
-use crate::mistake::{Mistake, entry, file, joint, size, structure};
+use crate::mistake::{Mistake, base as base_mistake, entry, file, joint, size, structure};
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use angle::is_in_whole_degrees;
@@ -222,20 +222,18 @@ impl Parts {
     /// Whether both entries that use fields are there.
     fn have_values(&self, table: &Table) -> bool {
         let rows = self.rows.as_ref();
-        let has_rows = rows.is_some_and(|rows| !rows.is_empty() || base::may_be_alone(table));
+        let has_rows = rows.is_some_and(|rows| !rows.is_empty() || base::is_alone(table));
         self.gravity.is_some() && has_rows
     }
 
     /// Of a body that moves alone a file need not say that it has no joints, nor anybody how these would be placed.
     fn report_missing(&mut self, name: &Name, table: &Table, diagnostics: &Diagnostics) {
         let is_of_file = matches!(Place::from(name), Place::File { .. });
-        if table.floating().is_some() {
+        if base::is_alone(table) {
             if is_of_file {
                 self.rows.get_or_insert_default();
             }
-            if self.rows.as_ref().is_some_and(Vec::is_empty) {
-                self.convention.get_or_insert(Some(Convention::Modified));
-            }
+            self.convention.get_or_insert(Some(Convention::Modified));
         }
         let report = |is_missing: bool, mistake: fn(bool) -> Mistake| {
             if is_missing {
@@ -244,7 +242,14 @@ impl Parts {
         };
         report(self.convention.is_none(), entry::missing_convention);
         report(self.gravity.is_none(), entry::missing_gravity);
-        report(self.rows.is_none(), entry::missing_joints);
+        report(
+            self.rows.is_none(),
+            if table.floating().is_some() {
+                |_| base_mistake::missing_joints()
+            } else {
+                entry::missing_joints
+            },
+        );
     }
 
     /// A test that would compare nothing: a product is compared, and takes both factors.
