@@ -29,6 +29,19 @@ impl Audience {
         }
     }
 
+    /// A base that moves, with these cells of its body.
+    pub(crate) fn floating(self, cells: &str) -> String {
+        match self {
+            Audience::Call => format!("`base: floating {{ {cells} }}`"),
+            Audience::File | Audience::Command => {
+                let cells = cells
+                    .replace("sphere(0.2)", "\"sphere(0.2)\"")
+                    .replace(": ", " = ");
+                format!("`base = {{ floating = true, {cells} }}`")
+            }
+        }
+    }
+
     /// A joint that is made to stand still.
     pub(crate) fn lock(self, joint: &str, position: &str) -> String {
         match self {

@@ -92,6 +92,14 @@ impl Table {
         })
     }
 
+    /// The body of a base that moves, and where that is said.
+    pub(crate) fn floating(&self) -> Option<(Place, &Body)> {
+        self.entries.iter().find_map(|entry| match entry {
+            Entry::Base(Some(base)) => base.floating(),
+            _ => None,
+        })
+    }
+
     /// The frames of all entries, as far as they could be read.
     pub(crate) fn frames(&self) -> impl Iterator<Item = &Frame> {
         let frames = self.entries.iter().filter_map(|entry| match entry {
@@ -126,8 +134,8 @@ pub enum Entry {
     Convention(Option<Convention>),
     /// `gravity: [0, 0, -9.81]`
     Gravity(Option<Vector>),
-    /// `base: { xyz: [0, 0, 0.8] }`
-    Base(Option<Box<Placement>>),
+    /// `base: { xyz: [0, 0, 0.8] }`, or `base: floating { mass: 3 }`
+    Base(Option<Box<Base>>),
     /// `joints: [...]`
     Joints(Place, Option<Joints>),
     /// `joints: { elbow: { friction: { viscous: 0.1 } } }`, cells of the joints of a file.
@@ -253,6 +261,15 @@ pub struct Placement {
     pub rpy: Given<Vector>,
 }
 
+/// The base of a robot.
+#[derive(Debug)]
+pub enum Base {
+    /// `{ xyz, rpy }`: it stands there.
+    Standing(Placement),
+    /// `floating { mass, com, inertia }`: it moves with this body. The place is that of the word.
+    Floating(Place, Body),
+}
+
 /// `{ xyz, rpy, mass, com, inertia }`
 #[derive(Debug, Default)]
 pub struct Tool {
@@ -321,6 +338,30 @@ impl Body {
     pub(crate) fn doubt(&mut self) {
         self.mass.doubt();
         self.com.doubt();
+    }
+
+    /// Where the first of its cells is, as far as they could be read; `allow` is none of them.
+    #[cfg(feature = "files")]
+    pub(crate) fn place(&self) -> Option<Place> {
+        let com = self.com.value().and_then(|com| com.iter().flatten().next());
+        let inertia = self.inertia.value().map(|inertia| match inertia {
+            Inertia::Tensor(tensor) => tensor.place,
+            Inertia::Solid(place, ..) => *place,
+        });
+        let at_origin = self.inertia_at_origin.value().map(|tensor| tensor.place);
+        let mass = self.mass.value().map(|mass| mass.place);
+        let com = com.map(|x| x.place);
+        mass.or(com).or(inertia).or(at_origin)
+    }
+}
+
+impl Base {
+    /// The body of a base that moves, and where that is said.
+    pub fn floating(&self) -> Option<(Place, &Body)> {
+        match self {
+            Base::Standing(_) => None,
+            Base::Floating(place, body) => Some((*place, body)),
+        }
     }
 }
 

@@ -79,6 +79,12 @@ parts! {
     BESIDE_A_FILE: "a joint of the file", "cell", [motor friction spring limits torque_limit velocity_limit allow],
         "`{ friction: { ... }, motor: { ... } }`";
     BASE: "`base`", "base entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
+    /// The body of a base that moves.
+    FLOATING: "`floating`", "base entry", [mass com inertia inertia_at_origin allow],
+        "`{ mass: ..., com: ..., inertia: ... }`";
+    /// The same in a file, where `floating` is one of the words.
+    FLOATING_IN_FILE: "`base`", "base entry", [floating mass com inertia inertia_at_origin allow],
+        "`{ mass: ..., com: ..., inertia: ... }`";
     AT: "`at`", "placement entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
     FRAME: "a frame", "frame entry", [on xyz rpy mass com inertia inertia_at_origin allow],
         "`{ on: joint, xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
@@ -95,6 +101,9 @@ pub(crate) const JOINT_TYPES: &[&str] = word_list![revolute prismatic];
 /// The allowances of a row or the tool.
 pub(crate) const ALLOWANCES_OF_BODY: &[&str] =
     word_list![odd_angle odd_com odd_gear_ratio odd_mass unphysical_inertia];
+
+/// The word for a base that moves.
+pub(crate) const MOVING: &str = "floating";
 
 /// The word for the default set of functions.
 pub(crate) const DEFAULT: &str = "default";

@@ -41,7 +41,8 @@ pub(crate) const MOST_BITS: usize = dynamics_symbolic::exact::MOST_BITS;
 /// seconds.
 pub(crate) const MOST_BITS_IN_ALL: usize = 170_000;
 
-/// Joints of a robot, those that are locked or follow others included. The default set of functions of 64 joints, all cells full, takes ten seconds.
+/// Joints of a robot, those that are locked or follow others included; a base that moves counts as six of them, here and
+/// below. The default set of functions of 64 joints, all cells full, takes ten seconds.
 pub(crate) const MOST_JOINTS: usize = 64;
 
 /// Fixed joints on the ways to all links of a file from those that move them: each is a place of a link's frame.
@@ -58,6 +59,9 @@ pub(crate) const MOST_JOINTS_OF_LONG_FUNCTIONS: usize = 32;
 /// Joints where a function is asked for that has as many values as the cube of their number: a quarter
 /// of a minute, and 57,000 operations for 7,000 values.
 pub(crate) const MOST_JOINTS_OF_CUBIC_FUNCTIONS: usize = 12;
+
+/// The same where the base moves: a quadruped has as many.
+pub(crate) const MOST_OF_CUBIC_FUNCTIONS_ON_A_MOVING_BASE: usize = 18;
 
 /// Such functions of one call, times the cube of the number of joints: two functions of 32 joints, all
 /// six of 22. The two longest of 32 joints have 390,000 operations.

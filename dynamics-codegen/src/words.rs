@@ -196,6 +196,10 @@ const ELSEWHERE: &[(&str, &[&str])] = &[
     ),
     ("cuboid", word_list![box]),
     ("base", word_list![mount mounting world]),
+    (
+        "floating",
+        word_list![float free free_flyer freeflyer free_floating moving mobile],
+    ),
     ("tool", word_list![end_effector gripper payload load]),
     ("xyz", word_list![position translation]),
     ("rpy", word_list![orientation rotation euler]),

@@ -2,7 +2,7 @@
 //! or follow others, and terms that are neglected.
 
 use dynamics_symbolic::robot::{
-    Body, Coupling, Frame, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
+    Base, Body, Coupling, Frame, Neglected, Parameter, Placement, Robot, Row, Tool, Value,
 };
 
 use crate::validate::Model;
@@ -10,7 +10,10 @@ use crate::validate::Model;
 /// The lines; none where there is nothing to say.
 pub(super) fn lines(model: &Model) -> Vec<String> {
     let robot = &model.robot;
-    let base = robot.placement().map(|base| self::base(robot, base));
+    let base = robot.base.as_ref().map(|base| match base {
+        Base::Standing(placement) => standing(robot, placement),
+        Base::Floating(body) => floating(robot, body),
+    });
     let tool = robot.tool.as_ref().map(|tool| self::tool(robot, tool));
     let mut lines: Vec<String> = base.into_iter().chain(tool).flat_map(paragraph).collect();
     lines.extend(carried(robot));
@@ -29,11 +32,20 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     lines
 }
 
-fn base(robot: &Robot, base: &Placement) -> String {
+fn standing(robot: &Robot, base: &Placement) -> String {
     format!(
         " The base frame is placed in the world at {}: gravity, poses, Jacobians and the potential energy are \
          those in the world.",
         placed(robot, base)
+    )
+}
+
+fn floating(robot: &Robot, body: &Body) -> String {
+    format!(
+        " The base moves, with a body of {} kg. Its pose in the world is the argument `base`. Velocities, accelerations and \
+         forces begin with its six: of the origin of its frame, then about that, both in the axes of the base. Gravity, \
+         poses, Jacobians and the potential energy are those in the world.",
+        shown(robot, &body.mass)
     )
 }
 

@@ -4,8 +4,8 @@ use core::fmt::Debug;
 
 use dynamics_symbolic::program::rounded_angle;
 use dynamics_symbolic::robot::{
-    Angle, Body, Carrier, Coupling, Frame, Placement, Quantity, Robot, Row, Spring, Stribeck, Tool,
-    Value,
+    Angle, Base, Body, Carrier, Coupling, Frame, Placement, Quantity, Robot, Row, Spring, Stribeck,
+    Tool, Value,
 };
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -62,9 +62,15 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     let arm = quote! {
         #path::Table::#made(#path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions #frames)
     };
-    let base = robot.placement().map(|base| {
-        let frame = frame(&base.map(&mut cell), path);
-        quote!(base: #frame,)
+    let base = robot.base.as_ref().map(|base| match base.map(&mut cell) {
+        Base::Standing(placement) => {
+            let frame = frame(&placement, path);
+            quote!(base: #frame,)
+        }
+        Base::Floating(body) => {
+            let body = floating(&body, path);
+            quote!(floating: ::core::option::Option::Some(#body),)
+        }
     });
     let tool = robot.tool.as_ref().map(|tool| {
         let tool = self::tool(&tool.map(&mut cell), path);
@@ -110,6 +116,12 @@ fn motion(row: &Row<TokenStream>, path: &TokenStream) -> TokenStream {
 
 fn frame(Placement { xyz, rpy }: &Placement<TokenStream>, path: &TokenStream) -> TokenStream {
     quote!(#path::Frame { xyz: [#(#xyz),*], rpy: [#(#rpy),*] })
+}
+
+/// The body of a base that moves.
+fn floating(body: &Body<TokenStream>, path: &TokenStream) -> TokenStream {
+    let Body { mass, com, inertia } = body;
+    quote!(#path::FloatingBase { mass: #mass, com: [#(#com),*], inertia: [#(#inertia),*] })
 }
 
 fn tool(tool: &Tool<TokenStream>, path: &TokenStream) -> TokenStream {

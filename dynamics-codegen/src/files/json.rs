@@ -1,15 +1,15 @@
 //! JSON, as a tree with the words of TOML.
 //!
 //! The shape is that of published tables: `joints` with the cells `a`, `alpha`, `d`, `theta`, `mass`, `com`,
-//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, and `tool` and
-//! `frames`, whose `inertia` is such a list too, beside notes such as `source`. The words of the macro are read as well.
+//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, and `tool`, `frames` and a `base`
+//! that moves, whose `inertia` is such a list too, beside notes such as `source`. The words of the macro are read as well.
 
 use jsonc_parser::ast::{ObjectProp, Value};
 use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use crate::diagnose::Diagnostics;
-use crate::keys::{KEYS_OF_FILES as KEYS, TENSOR};
+use crate::keys::{KEYS_OF_FILES as KEYS, MOVING, TENSOR};
 use crate::mistake::file as mistake;
 use crate::place::Place;
 use crate::tree::{Key, Kind, Lines, Node};
@@ -30,7 +30,7 @@ const STRICT: ParseOptions = ParseOptions {
 };
 
 /// Reads a document; what is no JSON is reported.
-pub(super) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
+pub(crate) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
     let lines = Lines::new(text);
     match parse_to_ast(text, &CollectOptions::default(), &STRICT) {
         Ok(document) => {
@@ -98,9 +98,11 @@ fn with_words_of_toml(root: &mut Node) {
                     }
                 }
             }
-            "tool" => {
-                let place = value.place;
-                if let Some(cells) = value.items_mut() {
+            "tool" | "base" => {
+                let (place, is_tool) = (value.place, key.word == "tool");
+                if let Some(cells) = value.items_mut()
+                    && (is_tool || has(cells, MOVING))
+                {
                     body(cells, place, is_published);
                 }
             }

@@ -4,7 +4,9 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::beside;
-use super::reading::{ADDING, bytes, decoded, forget_locks, joint_names, read, request};
+use super::reading::{
+    ADDING, bytes, decoded, forget_locks, is_bare_base, joint_names, read, request,
+};
 use super::report_without_file;
 use super::request::Format;
 use crate::audience::Audience;
@@ -48,6 +50,10 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     }
     let table = &mut call.table;
     forget_locks(&mut table.entries, used);
+    if format == Format::Urdf {
+        // It has become that of the file.
+        table.entries.retain(|entry| !is_bare_base(entry));
+    }
     table.notes.extend(read.notes);
     let cells = beside::take(&mut table.entries);
     let in_front = cells.as_ref().map_or(0, |(at, ..)| *at);

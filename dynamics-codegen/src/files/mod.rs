@@ -7,7 +7,7 @@
 #[cfg(feature = "files")]
 mod beside;
 #[cfg(feature = "files")]
-mod json;
+pub(crate) mod json;
 #[cfg(feature = "files")]
 mod load;
 #[cfg(feature = "files")]
@@ -28,7 +28,7 @@ use crate::mistake::file as mistake;
 use load::insert;
 #[cfg(feature = "files")]
 pub use reading::*;
-pub use request::{Format, Request};
+pub use request::{Format, MovingBase, Request};
 
 /// Entries that say something about a file, and mean nothing without one.
 const ABOUT_FILES: [&str; 3] = ["chain", "ignore", "round_angles"];

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use dynamics_symbolic::exact::Rational;
 
-use super::request::{Format, Request};
+use super::request::{Format, MovingBase, Request};
 use super::{beside, json, toml, urdf};
 use crate::description::{Entry, Expr, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
@@ -124,7 +124,7 @@ fn put_name(name: &str, table: &mut Table) {
 /// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled,
 /// frames and what is allowed add to the file's, and cells of `joints` replace those of its rows. Every other entry replaces the file's (a `let` replaces that of the same name);
 /// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
-/// passed over for a table. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
+/// passed over for a table. `base: floating` alone says that the base moves with the body that the file has. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
 pub fn table_beside(
     name: &str,
     text: &str,
@@ -199,6 +199,10 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
         ) {
             continue;
         }
+        // The file has the body of a base of which nothing else is said here.
+        if is_bare_base(&entry) && table.floating().is_some() {
+            continue;
+        }
         let same =
             |other: &Entry| core::mem::discriminant(other) == core::mem::discriminant(&entry);
         table.entries.retain(|other| adds(&entry) || !same(other));
@@ -209,6 +213,14 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     table.audience = beside.audience;
     table.needed = beside.needed;
     table
+}
+
+/// Whether an entry says that the base moves, and nothing of its body.
+pub(super) fn is_bare_base(entry: &Entry) -> bool {
+    match entry {
+        Entry::Base(Some(base)) => base.floating().is_some_and(|(_, body)| !body.is_written()),
+        _ => false,
+    }
 }
 
 /// Puts bindings of names before the entries, in the place of those that bind the same names.
@@ -237,6 +249,12 @@ pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Reques
             Entry::RoundAngles(angle) => {
                 let within = rounded_within(angle.as_ref()?, diagnostics)?;
                 request.round_angles = Some(within);
+            }
+            Entry::Base(Some(base)) => {
+                request.base = base.floating().map(|(_, body)| MovingBase {
+                    body: body.place(),
+                    allow: body.allow.value().copied().unwrap_or_default(),
+                });
             }
             Entry::Beside(_, rows) => {
                 let allowed = |row: &Row| Some((row.name.clone()?, *row.body.allow.value()?));

@@ -5,7 +5,7 @@ use std::path::Path;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 
-use crate::description::{Allow, Name};
+use crate::description::{Allow, Name, Place};
 
 /// A kind of file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +32,15 @@ impl Format {
     }
 }
 
+/// A base that moves: the first link of a file is its body.
+#[derive(Clone, Debug, Default)]
+pub struct MovingBase {
+    /// Where a body is written beside the file, which is a mistake.
+    pub body: Option<Place>,
+    /// What is accepted of the link.
+    pub allow: Allow,
+}
+
 /// A request to a URDF file.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
@@ -43,6 +52,8 @@ pub struct Request {
     pub ignore: Vec<Name>,
     /// Joints that stand still, and where, or `rest`; no position is one that is not known here.
     pub lock: Vec<(Name, Option<Value>)>,
+    /// Whether the base moves.
+    pub base: Option<MovingBase>,
     /// How near an angle is to a multiple of a quarter turn that it is taken for, rad, and which share of an axis is zero.
     pub round_angles: Option<Rational>,
     /// Whether tensors that no body can have are accepted.
@@ -57,12 +68,19 @@ pub struct Request {
 
 #[cfg(feature = "files")]
 impl Request {
-    /// The allowances of a joint.
-    pub(super) fn allowed(&self, joint: &str) -> Allow {
+    /// The allowances of a joint, or of the base.
+    pub(super) fn allowed(&self, joint: Option<&str>) -> Allow {
         let whole = Allow {
             unphysical_inertia: self.unphysical_inertia,
             odd_angle: self.odd_angle,
             ..Allow::default()
+        };
+        let Some(joint) = joint else {
+            let own = self
+                .base
+                .as_ref()
+                .map_or(Allow::default(), |base| base.allow);
+            return whole.or(own);
         };
         let own = self.allow.iter().filter(|(name, _)| name.plain() == joint);
         own.fold(whole, |allowed, (_, allow)| allowed.or(*allow))

@@ -79,6 +79,8 @@ expectations! {
     inertia()
         "a tensor of named entries, `{{ xx, yy, zz, xy, yz, xz }}`, or a solid: `cuboid(x, y, z)`, `cylinder(radius, \
          length)`, `rod(length)` or `sphere(radius)`";
+    base()
+        "`{{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }}`, or `floating {{ mass: ..., inertia: ... }}` of a base that moves";
     /// The axis along which a solid lies.
     axis() "`axis = x`, `axis = y` or `axis = z`";
     /// Another thing, as it follows the word "expected".

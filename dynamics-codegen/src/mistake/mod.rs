@@ -29,6 +29,7 @@ macro_rules! mistakes {
     )*};
 }
 
+pub(crate) mod base;
 pub(crate) mod couple;
 pub(crate) mod entry;
 pub(crate) mod expected;

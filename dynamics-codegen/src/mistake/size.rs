@@ -1,11 +1,13 @@
 //! Calls that ask for too much: see [`limits`](crate::limits).
 
+use dynamics_symbolic::function::Freedoms;
+
 use super::Mistake;
 #[cfg(feature = "files")]
 use crate::limits::MOST_PLACES;
 use crate::limits::{
-    DEEPEST_DELIMITERS, DEEPEST_VALUE, MOST_JOINTS, MOST_LETTERS, MOST_PARTS, MOST_TERMS,
-    MOST_TERMS_IN_ALL, MOST_TOKENS,
+    DEEPEST_DELIMITERS, DEEPEST_VALUE, MOST_LETTERS, MOST_PARTS, MOST_TERMS, MOST_TERMS_IN_ALL,
+    MOST_TOKENS,
 };
 use crate::words::{all, shortened};
 
@@ -18,11 +20,12 @@ mistakes! {
     places()
         "more than {MOST_PLACES} fixed joints on the ways to all links from those that move them: join links that are \
          fixed to each other";
-    joints() "more than {MOST_JOINTS} joints";
-    long_function(name: &str, most_joints: usize) "`{name}` of more than {most_joints} joints would be too long";
+    joints(most: usize, has_base: bool)
+        "more than {most} joints on a base that moves" if has_base else "more than {most} joints";
+    long_function(name: &str, most: Freedoms => more) "`{name}` of {most} would be too long";
     /// A long function besides others.
-    long_functions(name: &str, others: &[&str] => all, joints: usize)
-        "`{name}` besides {others} would be too long for one call with {joints} joints: ask for it in a call of its \
+    long_functions(name: &str, others: &[&str] => all, freedoms: Freedoms => of)
+        "`{name}` besides {others} would be too long for one call with {freedoms}: ask for it in a call of its \
          own, for a second struct with this table";
     terms_written() "a value has at most {MOST_TERMS} terms: name parts of it by `let`";
     nested_value() "nested more than {DEEPEST_VALUE} deep: name parts of it by `let`";
@@ -34,10 +37,23 @@ mistakes! {
     name(name: &str) {start: shortened(name), letters: name.chars().count()}
         "a name has at most {MOST_LETTERS} letters: `{start}` has {letters}";
     /// A function of a frame besides others.
-    of_frames(name: &str, joints: usize)
-        "`{name}` besides the other functions of frames would be too long for one call with {joints} joints: ask for it in a \
+    of_frames(name: &str, freedoms: Freedoms => of)
+        "`{name}` besides the other functions of frames would be too long for one call with {freedoms}: ask for it in a \
          call of its own, for a second struct with this table";
     /// Tuples of functions with too many functions in all.
-    parts(joints: usize) {most: MOST_PARTS / joints.max(1)}
-        "the tuples of one call have at most {most} functions in all with {joints} joints";
+    parts(freedoms: Freedoms) {most: MOST_PARTS / freedoms.all().max(1), all: of(freedoms)}
+        "the tuples of one call have at most {most} functions in all with {all}";
+}
+
+/// The degrees of freedom: of a base that stands the joints.
+fn of(freedoms: Freedoms) -> String {
+    if freedoms.has_base() {
+        format!("{} degrees of freedom", freedoms.all())
+    } else {
+        format!("{} joints", freedoms.joints)
+    }
+}
+
+fn more(most: Freedoms) -> String {
+    format!("more than {}", of(most))
 }

@@ -5,6 +5,10 @@ use crate::audience::Audience;
 use crate::words::{all, number, shortened};
 
 mistakes! {
+    /// A body beside a file, of which the first link is that of the base.
+    body_beside()
+        "the first link of the file is the body of the base: write `floating` alone, and its mass and inertia in the \
+         file";
     no_robot(found: &str => shortened) "expected `<robot>`, found `<{found}>` ({EXPANDED})";
     /// An element or a text of xacro, where a link, a joint or a number is read.
     xacro(what: &str => shortened)

@@ -6,7 +6,7 @@ use super::assigned::{functions, joints, named_tables};
 use super::cursor::Cursor;
 use super::list::one;
 use super::row::rows;
-use super::value::{absent, keyed, stray, value};
+use super::value::{absent, base, keyed, stray, value};
 use crate::keys::KEYS;
 use crate::mistake::{self, expected};
 use crate::tree::{Fault, Key, KeyKind, Kind, Node};
@@ -52,6 +52,7 @@ fn entry(cursor: &mut Cursor) -> ((Key, Node), char, String) {
 /// Reads the value of that key.
 fn value_of(cursor: &mut Cursor, key: &str) -> Node {
     match words::meant(key, KEYS).unwrap_or(key) {
+        "base" => base(cursor),
         "joints" => rows(cursor),
         "frames" => named_tables(cursor, expected::frame),
         "functions" => functions(cursor),

@@ -15,6 +15,23 @@ pub(super) fn value(cursor: &mut Cursor) -> Node {
     Node { kind, ..start }
 }
 
+/// Reads `{ ... }`, or a word and `{ ... }` behind it.
+pub(super) fn base(cursor: &mut Cursor) -> Node {
+    let (start, mut behind) = (absent(cursor), cursor.clone());
+    let Some(word) = behind.take_ident() else {
+        return value(cursor);
+    };
+    let cells = absent(&behind);
+    let Some(group) = behind.take_group(Delimiter::Brace) else {
+        return value(cursor);
+    };
+    let kind = Kind::Table(table(behind.inside(&group), ""));
+    let cells = Box::new(Node { kind, ..cells });
+    *cursor = behind;
+    let kind = Kind::Applied(Name::from(&word), cells, Vec::new());
+    Node { kind, ..start }
+}
+
 /// The node of a value that is not there: something else is, or nothing.
 pub(super) fn absent(cursor: &Cursor) -> Node {
     let (place, found) = cursor.start();

@@ -1,6 +1,7 @@
 //! The meaning of a tree, whatever language it is written in: the words of a table, the values that may stand behind
 //! each of them, and the mistakes.
 
+mod base;
 mod reader;
 mod row;
 mod unknown;
@@ -15,7 +16,7 @@ use crate::description::{
     Vector, Wanted,
 };
 use crate::diagnose::Diagnostics;
-use crate::keys::{BASE, CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
+use crate::keys::{CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
@@ -81,11 +82,7 @@ impl Reader<'_> {
         match item.name {
             "convention" => add(to, Entry::Convention, self.convention(node)),
             "gravity" => add(to, Entry::Gravity, self.gravity(node)),
-            "base" => add(
-                to,
-                Entry::Base,
-                self.placement_by(node, &BASE).map(Box::new),
-            ),
+            "base" => add(to, Entry::Base, self.base(node).map(Box::new)),
             "joints" if matches!(node.kind, Kind::Table(_)) => {
                 let rows = self.joints_beside(node);
                 add(to, |rows| Entry::Beside(place, rows), rows)

@@ -1,7 +1,10 @@
 //! Words that mean nothing where they stand, and those that were probably meant.
 
-use crate::keys::{BESIDE_A_FILE, FRICTION, KEYS_OF_FILES, MOTOR, OF_A_FILE, Part, SPRING, TENSOR};
-use crate::mistake::{self, Mistake, file as wrong};
+use crate::keys::{
+    BASE, BESIDE_A_FILE, FLOATING, FLOATING_IN_FILE, FRICTION, KEYS_OF_FILES, MOTOR, OF_A_FILE,
+    Part, SPRING, TENSOR,
+};
+use crate::mistake::{self, Mistake, base, file as wrong};
 use crate::tree::Language;
 use crate::words;
 
@@ -25,7 +28,29 @@ pub(super) fn unknown_key(part: &Part, word: &str, language: Language) -> Unknow
     match part.item {
         "cell" => unknown_cell(part, word, language),
         item if item == TENSOR.item => unknown_entry(word),
+        item if item == BASE.item => unknown_of_base(part, word),
         item => unknown(item, word, part.keys),
+    }
+}
+
+/// The mistake of a word that is no entry of the base: one that moves has no place, one that stands has no body.
+fn unknown_of_base(part: &Part, word: &str) -> Unknown {
+    let means = |known: &[&'static str]| words::meant(word, known).is_some();
+    let mistake = if means(part.keys) {
+        None
+    } else if !part.keys.contains(&"xyz") {
+        means(BASE.keys).then(|| base::placed(word))
+    } else if means(FLOATING.keys) {
+        Some(base::body_of_standing(word))
+    } else {
+        means(FLOATING_IN_FILE.keys).then(base::word_in_braces)
+    };
+    match mistake {
+        Some(mistake) => Unknown {
+            mistake,
+            meant: None,
+        },
+        None => unknown(part.item, word, part.keys),
     }
 }
 

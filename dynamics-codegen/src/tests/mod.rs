@@ -6,6 +6,10 @@ mod accepted;
 mod beside;
 mod damage;
 mod expansion;
+#[cfg(feature = "files")]
+mod floating;
+#[cfg(feature = "files")]
+mod floating_values;
 mod fragments;
 mod hard_cases;
 mod hostile;

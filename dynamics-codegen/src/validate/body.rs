@@ -69,7 +69,7 @@ fn inertia_about_com(
         Inertia::Tensor(tensor) => {
             let entries = &tensor.values;
             let values = all(entries.each_ref().map(|entry| scope.given(entry)))?;
-            possible(known(entries, &values), tensor.place, scope)?;
+            possible(known(entries, &values, scope), tensor.place, scope)?;
             Some(values)
         }
     })
@@ -140,10 +140,10 @@ fn solid(
 ///
 /// One diagonal entry alone is the moment about one axis, which is all that matters
 /// of a planar arm's link or of the link next to the base: then the other two are
-/// taken as not known. Elsewhere what is left out is zero.
-fn known(entries: &[Given<Expr>; 6], values: &[Value; 6]) -> [Option<Rational>; 6] {
+/// taken as not known. Elsewhere, and of a base that moves, what is left out is zero.
+fn known(entries: &[Given<Expr>; 6], values: &[Value; 6], scope: &Scope) -> [Option<Rational>; 6] {
     let is_absent = |i: usize| i < 3 && entries[i].is_absent();
-    let is_one_moment = (0..3).filter(|i| is_absent(*i)).count() == 2;
+    let is_one_moment = !scope.is_in_base() && (0..3).filter(|i| is_absent(*i)).count() == 2;
     core::array::from_fn(|i| number(&values[i]).filter(|_| !(is_one_moment && is_absent(i))))
 }
 

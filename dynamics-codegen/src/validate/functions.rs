@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
-use dynamics_symbolic::function::{Growth, Part, Request, Set};
+use dynamics_symbolic::function::{Freedoms, Growth, Part, Request, Set};
 use dynamics_symbolic::robot::{Frame, Robot, Row};
 
 use super::scope::Scope;
@@ -13,7 +13,7 @@ use crate::diagnose::Diagnostics;
 use crate::keys::word_list;
 use crate::limits::{
     MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS,
-    MOST_OF_FRAMES, MOST_PARTS,
+    MOST_OF_CUBIC_FUNCTIONS_ON_A_MOVING_BASE, MOST_OF_FRAMES, MOST_PARTS,
 };
 use crate::mistake::{entry as mistake, link, size, value};
 use crate::place::Place;
@@ -137,11 +137,13 @@ pub(crate) fn read_masses(table: &Table) -> bool {
     has_default || functions.any(Function::reads_masses)
 }
 
-/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too.
+/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too. What a base
+/// that moves needs is asked elsewhere.
 pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
     let allow = table.allow();
     let is_allowed =
         allow.no_inertia || allow.odd_mass || !read_masses(table) || has_inertia(robot);
+    let is_allowed = is_allowed || robot.floating().is_some();
     if let (false, Some(name)) = (is_allowed, &table.name) {
         diagnostics.error(name, mistake::no_inertia());
     }
@@ -282,9 +284,9 @@ fn report_parts(name: &Name, parts: &[Wanted], scope: &Scope) {
 
 /// Reports functions that would be too long, or take too long to find, for so many joints: each by itself, or all of
 /// them together.
-pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
-    report_long_functions(asked, joints, scope);
-    report_many_of_frames(asked, joints, scope);
+pub(super) fn report_long(asked: &[Asked], freedoms: Freedoms, scope: &Scope) {
+    report_long_functions(asked, freedoms, scope);
+    report_many_of_frames(asked, freedoms, scope);
     let tuples = asked.iter().filter_map(|asked| match asked {
         Asked::Fused(name, parts) => Some((name, parts.len())),
         Asked::Default(_) | Asked::One(..) | Asked::Unreadable => None,
@@ -292,29 +294,32 @@ pub(super) fn report_long(asked: &[Asked], joints: usize, scope: &Scope) {
     let mut parts = 0;
     for (name, count) in tuples {
         parts += count;
-        if parts * joints > MOST_PARTS {
-            scope.error(name, size::parts(joints));
+        if parts * freedoms.all() > MOST_PARTS {
+            scope.error(name, size::parts(freedoms));
             return;
         }
     }
 }
 
-fn report_many_of_frames(asked: &[Asked], joints: usize, scope: &Scope) {
-    let mut weight = 0;
+fn report_many_of_frames(asked: &[Asked], freedoms: Freedoms, scope: &Scope) {
+    let (mut weight, all) = (0, freedoms.all());
     for wanted in named(asked).filter(|wanted| wanted.frame.is_some()) {
         let solves = wanted.function.row().refuses;
-        weight += if solves { joints.pow(2) } else { joints };
+        weight += if solves { all.pow(2) } else { all };
         if weight > MOST_OF_FRAMES {
-            scope.error(wanted.place, size::of_frames(&wanted.to_string(), joints));
+            let mistake = size::of_frames(&wanted.to_string(), freedoms);
+            scope.error(wanted.place, mistake);
             return;
         }
     }
 }
 
-fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
-    let most_joints = |function: Function| match function.row().growth {
+fn report_long_functions(asked: &[Asked], freedoms: Freedoms, scope: &Scope) {
+    let (all, base) = (freedoms.all(), freedoms.base);
+    let most_freedoms = |function: Function| match function.row().growth {
         Growth::Moderate => None,
         Growth::Steep => Some(MOST_JOINTS_OF_LONG_FUNCTIONS),
+        Growth::Cubic if freedoms.has_base() => Some(MOST_OF_CUBIC_FUNCTIONS_ON_A_MOVING_BASE),
         Growth::Cubic => Some(MOST_JOINTS_OF_CUBIC_FUNCTIONS),
     };
     let mut are_short = true;
@@ -322,7 +327,9 @@ fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
         function, place, ..
     } in named(asked)
     {
-        if let Some(most) = most_joints(*function).filter(|most| joints > *most) {
+        if let Some(most) = most_freedoms(*function).filter(|most| all > *most) {
+            let joints = most - base;
+            let most = Freedoms { base, joints };
             scope.error(*place, size::long_function(function.name(), most));
             are_short = false;
         }
@@ -330,8 +337,8 @@ fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
     if !are_short {
         return;
     }
-    let long = named(asked).filter(|wanted| most_joints(wanted.function).is_some());
-    let most = MOST_LONG_FUNCTIONS / joints.pow(3).max(1);
+    let long = named(asked).filter(|wanted| most_freedoms(wanted.function).is_some());
+    let most = MOST_LONG_FUNCTIONS / all.pow(3).max(1);
     if let Some(Wanted {
         function, place, ..
     }) = long.clone().nth(most)
@@ -340,7 +347,7 @@ fn report_long_functions(asked: &[Asked], joints: usize, scope: &Scope) {
             .map(|wanted| wanted.function.name())
             .take(most)
             .collect();
-        let mistake = size::long_functions(function.name(), &names, joints);
+        let mistake = size::long_functions(function.name(), &names, freedoms);
         scope.error(*place, mistake);
     }
 }

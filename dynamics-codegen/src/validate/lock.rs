@@ -59,14 +59,13 @@ pub(super) fn join(locks: &mut Vec<Lock>, list: Vec<Lock>, scope: &Scope) {
     }
 }
 
-/// Locks the rows' joints, of which one at least must be left. A row that is in error (`None`) is
-/// known by its name alone.
+/// Locks the rows' joints; whether that leaves none. A row that is in error (`None`) is known by its name alone.
 pub(super) fn lock(
     rows: &mut [Option<Row>],
     locks: &[Lock],
     written: &[description::Row],
     scope: &Scope,
-) {
+) -> bool {
     let mut locked = BTreeSet::new();
     for lock in locks {
         let Some(index) = scope.row_of(&lock.name, written) else {
@@ -80,9 +79,7 @@ pub(super) fn lock(
             row.locked = Some(position.value.clone());
         }
     }
-    if locked.len() == written.len() {
-        report_all(locks, scope);
-    }
+    locked.len() == written.len()
 }
 
 /// Reports that no joint is left, where those that follow locked ones are locked too. A table that is in
@@ -99,7 +96,7 @@ pub(super) fn report_all_locked(
     }
 }
 
-fn report_all(locks: &[Lock], scope: &Scope) {
+pub(super) fn report_all(locks: &[Lock], scope: &Scope) {
     if let (Some(first), Some(last)) = (locks.first(), locks.last()) {
         let place = Place::from(&first.name).to(&last.name);
         scope.error(place, mistake::all_locked());

@@ -6,6 +6,7 @@
 
 mod angle;
 mod asked;
+mod base;
 mod body;
 mod couple;
 mod elementary;
@@ -25,14 +26,15 @@ mod units;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::Request;
-use dynamics_symbolic::robot::{Base, Convention, Frame, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::function::Freedoms;
+use dynamics_symbolic::robot::{Base, Convention, Frame, Robot, Row, Tool, Value};
 
 use crate::description::{self, Asked, Entry, Joints, Name, Table};
 #[cfg(feature = "files")]
 use crate::description::{Allow, Expr};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
-use crate::mistake::{Mistake, entry, file, joint, size, structure};
+use crate::mistake::{Mistake, base as base_mistake, entry, file, joint, size, structure};
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use angle::is_in_whole_degrees;
@@ -63,7 +65,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
     let mut parts = Parts::read(table, &mut scope);
     if let Some(name) = &table.name {
         if !parts.has_unread_file {
-            parts.report_missing(name, diagnostics);
+            parts.report_missing(name, table, diagnostics);
         }
         parts.lock_and_couple(table, &scope);
         if !reach::report(&parts, table, &scope) {
@@ -72,7 +74,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         asked::report(&parts, table, &scope);
         neglect::report(&parts, table, diagnostics);
         parts.report_incomparable(diagnostics);
-        if parts.have_values() {
+        if parts.have_values(table) {
             report_unused(table, &scope);
         }
     }
@@ -81,7 +83,8 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
     }
     let mut model = parts.model(table)?;
     let is_good = functions::have_mass(&model.requests, &model.robot, diagnostics)
-        && functions::have_inertia(&model.robot, table, diagnostics);
+        && functions::have_inertia(&model.robot, table, diagnostics)
+        && base::resists(&model.robot, table, diagnostics);
     if table.allow().no_inertia {
         let note = functions::note_on_massless(&model.robot, &model.requests);
         model.notes.extend(note);
@@ -117,7 +120,7 @@ fn report_unused(table: &Table, scope: &Scope) {
 struct Parts {
     convention: Option<Option<Convention>>,
     gravity: Option<Option<[Value; 3]>>,
-    base: Option<Option<Placement>>,
+    base: Option<Option<Base>>,
     rows: Option<Vec<Option<Row>>>,
     tool: Option<Option<Tool>>,
     frames: Vec<Option<Frame>>,
@@ -145,7 +148,7 @@ impl Parts {
                 }
                 Entry::Base(base) => {
                     let base = base.as_ref();
-                    parts.base = Some(base.and_then(|base| link::placement(base, scope)));
+                    parts.base = Some(base.and_then(|base| base::base(base, scope)));
                 }
                 Entry::Tool(_, tool) => {
                     let tool = tool.as_ref();
@@ -153,7 +156,7 @@ impl Parts {
                 }
                 Entry::Joints(place, joints) => {
                     parts.rows = Some(match joints {
-                        Some(joints) if number_is_good(joints, *place, scope) => {
+                        Some(joints) if number_is_good(joints, *place, table, scope) => {
                             row::rows(table, scope)
                         }
                         _ => Vec::new(),
@@ -197,10 +200,13 @@ impl Parts {
         frames::report_names(table, scope);
         if let Some(functions) = &parts.functions {
             if let Some(rows) = &parts.rows {
-                functions::report_long(functions, rows.len(), scope);
+                let freedoms = freedoms(rows.len(), table);
+                functions::report_long(functions, freedoms, scope);
             }
             functions::report(functions, table, scope);
         }
+        let asked = parts.functions.as_deref().unwrap_or_default();
+        base::report(asked, &parts, table, scope);
         parts
     }
 
@@ -214,12 +220,21 @@ impl Parts {
     }
 
     /// Whether both entries that use fields are there.
-    fn have_values(&self) -> bool {
-        self.gravity.is_some() && self.rows.as_ref().is_some_and(|rows| !rows.is_empty())
+    fn have_values(&self, table: &Table) -> bool {
+        let rows = self.rows.as_ref();
+        let has_rows = rows.is_some_and(|rows| !rows.is_empty() || base::is_alone(table));
+        self.gravity.is_some() && has_rows
     }
 
-    fn report_missing(&self, name: &Name, diagnostics: &Diagnostics) {
+    /// Of a body that moves alone a file need not say that it has no joints, nor anybody how these would be placed.
+    fn report_missing(&mut self, name: &Name, table: &Table, diagnostics: &Diagnostics) {
         let is_of_file = matches!(Place::from(name), Place::File { .. });
+        if base::is_alone(table) {
+            if is_of_file {
+                self.rows.get_or_insert_default();
+            }
+            self.convention.get_or_insert(Some(Convention::Modified));
+        }
         let report = |is_missing: bool, mistake: fn(bool) -> Mistake| {
             if is_missing {
                 diagnostics.error(name, mistake(is_of_file));
@@ -227,7 +242,14 @@ impl Parts {
         };
         report(self.convention.is_none(), entry::missing_convention);
         report(self.gravity.is_none(), entry::missing_gravity);
-        report(self.rows.is_none(), entry::missing_joints);
+        report(
+            self.rows.is_none(),
+            if table.floating().is_some() {
+                |_| base_mistake::missing_joints()
+            } else {
+                entry::missing_joints
+            },
+        );
     }
 
     /// A test that would compare nothing: a product is compared, and takes both factors.
@@ -241,7 +263,7 @@ impl Parts {
     }
 
     /// Locks the joints that are to be locked, and couples those that follow others. One at least must be left that
-    /// moves by itself.
+    /// moves by itself, unless the base moves.
     fn lock_and_couple(&mut self, table: &Table, scope: &Scope) {
         let is_known = table.joints().is_some_and(|joints| joints.complete);
         let written = table.rows();
@@ -252,11 +274,16 @@ impl Parts {
         else {
             return;
         };
-        lock::lock(rows, &self.lock, written, scope);
+        let needs_one = !base::may_be_alone(table);
+        if lock::lock(rows, &self.lock, written, scope) && needs_one {
+            lock::report_all(&self.lock, scope);
+        }
         if !self.couple.is_empty() {
             let is_good = scope.is_good();
             couple::couple(rows, &self.couple, written, scope);
-            lock::report_all_locked(rows, &self.lock, is_good, scope);
+            if needs_one {
+                lock::report_all_locked(rows, &self.lock, is_good, scope);
+            }
         }
     }
 
@@ -276,9 +303,7 @@ impl Parts {
             rows: self.rows?.into_iter().collect::<Option<_>>()?,
             frames: frames?,
             neglected: None,
-            base: self.base.map_or(Some(None), |base| {
-                base.map(|base| Some(Base::Standing(base)))
-            })?,
+            base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,
         };
         Some(Model {
@@ -291,14 +316,23 @@ impl Parts {
     }
 }
 
-fn number_is_good(joints: &Joints, place: Place, scope: &Scope) -> bool {
-    if joints.rows.is_empty() && joints.complete {
+/// The degrees of freedom of so many rows, none of which is locked.
+fn freedoms(rows: usize, table: &Table) -> Freedoms {
+    Freedoms {
+        base: table.floating().map_or(0, |_| Base::FREEDOMS),
+        joints: rows,
+    }
+}
+
+fn number_is_good(joints: &Joints, place: Place, table: &Table, scope: &Scope) -> bool {
+    if joints.rows.is_empty() && joints.complete && !base::may_be_alone(table) {
         scope.error(place, joint::none());
     }
-    let Some(row) = joints.rows.get(MOST_JOINTS) else {
+    let most = MOST_JOINTS - freedoms(0, table).base;
+    let Some(row) = joints.rows.get(most) else {
         return true;
     };
     let place = row.name.as_ref().map_or(place, Place::from);
-    scope.error(place, size::joints());
+    scope.error(place, size::joints(most, table.floating().is_some()));
     false
 }

@@ -1,6 +1,6 @@
 //! Centres of mass that are far from their links: millimetres, or a point of another frame.
 
-use dynamics_symbolic::robot::{JointType, Row, Value};
+use dynamics_symbolic::robot::{Base, JointType, Row, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
@@ -34,6 +34,10 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) -> bool {
     }
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
         far(&tool.com, &written.body, "tool");
+    }
+    if let (Some(Some(Base::Floating(body))), Some((_, written))) = (&parts.base, table.floating())
+    {
+        far(&body.com, written, "base");
     }
     for (frame, written) in parts.frames(table) {
         if let Some(body) = frame.and_then(|frame| frame.body.as_ref()) {

@@ -17,6 +17,9 @@ use crate::mistake::{Mistake, couple, joint, size, value as mistake};
 use crate::place::Place;
 use crate::words;
 
+/// A base that moves, as messages call what is read.
+pub(super) const BASE: &str = "base";
+
 /// The names that a value may use.
 pub(super) struct Scope<'d> {
     diagnostics: &'d Diagnostics,
@@ -117,9 +120,14 @@ impl<'d> Scope<'d> {
         self.body.map_or(self.everywhere, |(allow, _)| allow)
     }
 
-    /// The row, the tool or the frame that is read, as messages call it.
+    /// The row, the tool, the frame or the base that is read, as messages call it.
     pub(super) fn place(&self) -> &'static str {
         self.body.map_or("row", |(_, place)| place)
+    }
+
+    /// Whether it is a base that moves.
+    pub(super) fn is_in_base(&self) -> bool {
+        self.place() == BASE
     }
 
     /// Where it is allowed, as a message says it.
@@ -127,6 +135,7 @@ impl<'d> Scope<'d> {
         match self.body {
             Some((_, "tool")) => "on the tool",
             Some((_, "frame")) => "on the frame",
+            Some((_, BASE)) => "on the base",
             Some(_) => "on the row",
             None => AT_THE_END,
         }

@@ -1,10 +1,10 @@
 //! Lengths in mm and masses in g: mistakes of the whole table, each reported once, at the largest of the numbers. A
 //! table in which a field matters to the judgement is not judged.
 
-use dynamics_symbolic::robot::Value;
+use dynamics_symbolic::robot::{Base, Value};
 
-use super::Parts;
 use super::scope::{Scope, norm, number};
+use super::{Parts, base};
 use crate::audience::AT_THE_END;
 use crate::description::{Body, Expr, Given, Row, Table, Vector};
 use crate::mistake::joint as mistake;
@@ -31,7 +31,7 @@ const DENSEST: f64 = 1500.0;
 /// Lighter bodies are not judged, kg: a camera on a small head, or a palm with short fingers, may be dense.
 const HEAVY: f64 = 20.0;
 
-/// The body of a row, of the tool or of a frame.
+/// The body of a row, of the tool, of a frame or of a base that moves.
 struct Judged {
     mass: f64,
     /// The way to its centre of mass, or its own length, m: that of the slender rod with the greatest of its moments.
@@ -93,7 +93,7 @@ fn allowed_at(row: &Row, place: &'static str) -> &'static str {
     row.mount.as_ref().map_or(place, |_| "in the call")
 }
 
-/// The bodies of the rows, of the tool and of frames; none where one of them is not known.
+/// The bodies of the rows, of the tool, of frames and of a base that moves; none where one of them is not known.
 fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
     let rows = parts.rows.iter().flatten().zip(table.rows());
     let of_rows = rows.map(|(row, written)| {
@@ -115,7 +115,24 @@ fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
         let numbers = (&body.mass, &body.com, &body.inertia);
         Some(judged(numbers, &written.body, "on the frame", scope))
     });
-    of_rows.chain(of_tool).chain(of_frames).collect()
+    let of_base = match (&parts.base, table.floating()) {
+        (Some(base), Some((_, written))) => Some((base, written)),
+        _ => None,
+    };
+    let of_base = of_base
+        .into_iter()
+        .map(|(base, written)| match base.as_ref()? {
+            Base::Standing(_) => None,
+            Base::Floating(body) => {
+                let numbers = (&body.mass, &body.com, &body.inertia);
+                judged(numbers, written, base::place_of_allow(table), scope)
+            }
+        });
+    of_rows
+        .chain(of_tool)
+        .chain(of_frames)
+        .chain(of_base)
+        .collect()
 }
 
 fn judged(
@@ -139,11 +156,12 @@ fn judged(
 }
 
 /// The lengths that are known, m, and where they stand: those of the rows, of the tool and of frames. How far things on
-/// the base are away, and how far joints slide, says nothing about the size of an arm.
+/// a base that stands are away, and how far joints slide, says nothing about the size of an arm.
 fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
     // A centre of mass that may be far away is not judged here either.
     let is_near = |body: &Body| !scope.with(&body.allow).odd_com;
     let mut cells: Vec<(&Value, Option<Place>)> = Vec::new();
+    let stands = table.floating().is_none();
     let rows = parts.rows.iter().flatten().zip(table.rows());
     for (index, (row, written)) in rows.enumerate() {
         let Some(row) = row else {
@@ -157,7 +175,7 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         // Steps of a URDF file have no places of their own.
         let joint = written.name.as_ref().map(Place::from);
         let tip = row.mount.iter().flat_map(|mount| &mount.tip);
-        let is_on_base = row.on.parent(index).is_none();
+        let is_on_base = row.on.parent(index).is_none() && stands;
         let (of_file, at) = row.at.split_at(written.places.len());
         let steps = of_file.iter().filter(|_| !is_on_base).chain(tip);
         cells.extend(steps.flat_map(|step| &step.xyz).map(|x| (x, joint)));
@@ -171,7 +189,11 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         let Some(frame) = frame else {
             continue;
         };
-        for place in frame.places.iter().filter(|_| frame.on.is_some()) {
+        for place in frame
+            .places
+            .iter()
+            .filter(|_| frame.on.is_some() || !stands)
+        {
             cells.extend(vector(&place.xyz, &written.placement.xyz));
         }
         if let Some(body) = frame.body.as_ref().filter(|_| is_near(&written.body)) {
@@ -183,6 +205,11 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         if is_near(&written.body) {
             cells.extend(vector(&tool.com, &written.body.com));
         }
+    }
+    if let (Some(Some(Base::Floating(body))), Some((_, written))) = (&parts.base, table.floating())
+        && is_near(written)
+    {
+        cells.extend(vector(&body.com, &written.com));
     }
     let known = |(value, place): (&Value, Option<Place>)| number(value).zip(place);
     cells.into_iter().filter_map(known).collect()

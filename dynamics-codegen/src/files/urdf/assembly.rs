@@ -8,8 +8,8 @@ use dynamics_symbolic::robot::{Convention, JointType, Mount, Placement, Value};
 
 use super::document::{Inertial, Joint, Kind, Link, Tree};
 use crate::description::{
-    self, Allow, Coulomb, Entry, Expr, ExprKind, Frame, Friction, Given, Inertia, Joints, Name,
-    Operator, Part, Positioned, Row,
+    self, Allow, Base, Body, Coulomb, Entry, Expr, ExprKind, Frame, Friction, Given, Inertia,
+    Joints, Name, Operator, Part, Positioned, Row,
 };
 use crate::diagnose::Diagnostics;
 use crate::files::Request;
@@ -42,6 +42,7 @@ pub(super) fn entries<'a>(
         coupled: Vec::new(),
         locked: Vec::new(),
         moved: Vec::new(),
+        base: Carried::default(),
         frames: Vec::new(),
         ends: BTreeSet::new(),
     };
@@ -52,6 +53,7 @@ pub(super) fn entries<'a>(
     let is_readable = diagnostics.is_empty();
     assembly.report_without_inertia();
     assembly.place_tip();
+    let place_of_base = assembly.place_of(assembly.first);
     let joints = Joints {
         rows: assembly.moved.into_iter().map(Moved::row).collect(),
         complete: true,
@@ -62,6 +64,11 @@ pub(super) fn entries<'a>(
         Entry::Joints(START, Some(joints)),
         Entry::Frames(START, Some(frames.collect())),
     ];
+    if request.base.is_some() {
+        let body = body(&assembly.base.mass, place_of_base);
+        let base = Base::Floating(place_of_base, body);
+        entries.push(Entry::Base(Some(Box::new(base))));
+    }
     if !assembly.locked.is_empty() {
         entries.push(Entry::Lock(Some(assembly.locked)));
     }
@@ -91,6 +98,8 @@ pub(super) struct Assembly<'a> {
     pub(super) locked: Vec<Positioned>,
     /// The joints of the rows, with what moves with each.
     moved: Vec<Moved<'a>>,
+    /// What moves with the base, if that moves.
+    base: Carried,
     /// The frames of all links that are read.
     frames: Vec<LinkFrame>,
     /// The frames among them of links that carry no other.
@@ -111,9 +120,23 @@ struct Moved<'a> {
     /// Where its link is.
     place: Place,
     /// The bodies of its link and of all that is fixed to it.
+    carried: Carried,
+}
+
+/// The bodies of a link and of all that is fixed to it.
+struct Carried {
     mass: Mass,
     /// Whether the inertia of one of them is known.
     is_known: bool,
+}
+
+impl Default for Carried {
+    fn default() -> Self {
+        Carried {
+            mass: Mass::none(),
+            is_known: false,
+        }
+    }
 }
 
 /// The frame of a link.
@@ -224,6 +247,10 @@ impl<'a> Assembly<'a> {
         self.tree.links.iter().find(|link| link.name == name)
     }
 
+    fn place_of(&self, link: &str) -> Place {
+        self.link(link).map_or(START, |link| link.place)
+    }
+
     /// Whether a joint is left out, by its name or as one of the rest.
     fn is_ignored(&self, joint: &'a Joint) -> bool {
         let is_of_rest = || {
@@ -274,14 +301,16 @@ impl<'a> Assembly<'a> {
     fn arrive(&mut self, mut spot: Spot<'a>) -> Vec<(usize, Rc<Spot<'a>>)> {
         let link = self.link(spot.link);
         if let Some(inertial) = link.and_then(|link| link.inertial.as_ref()) {
-            let moved = spot.row.map(|row| &mut self.moved[row]);
-            let carrier = moved.map_or("", |moved| {
+            let (carried, carrier) = match spot.row.map(|row| &mut self.moved[row]) {
+                Some(moved) => (Some(&mut moved.carried), Some(moved.joint.name.as_str())),
+                None => (self.request.base.is_some().then_some(&mut self.base), None),
+            };
+            if let Some(carried) = carried {
                 let frame = spot.frame.then(&inertial.frame);
                 let mass = Mass::new(&inertial.mass, &inertial.tensor, &frame);
-                moved.mass.add(&mass);
-                moved.is_known = true;
-                &moved.joint.name
-            });
+                carried.mass.add(&mass);
+                carried.is_known = true;
+            }
             self.judge(inertial, carrier);
         }
         spot.index = self.frames.len();
@@ -353,9 +382,8 @@ impl<'a> Assembly<'a> {
                 places,
                 ..row(joint)
             },
-            place: self.link(&joint.child).map_or(START, |link| link.place),
-            mass: Mass::none(),
-            is_known: false,
+            place: self.place_of(&joint.child),
+            carried: Carried::default(),
         });
         Spot::new(&joint.child, Some(number))
     }
@@ -399,11 +427,14 @@ impl<'a> Assembly<'a> {
     /// Reports the links that move without anything being said of their inertia, all of them.
     fn report_without_inertia(&self) {
         let rows = 0..self.moved.len();
-        let known: BTreeSet<usize> = rows
-            .clone()
-            .filter(|&row| self.moved[row].is_known)
-            .filter_map(|row| self.moving(Some(row)))
-            .collect();
+        let said = rows.clone().filter(|&row| self.moved[row].carried.is_known);
+        let said: BTreeSet<_> = said.map(|row| self.moving(Some(row))).collect();
+        let base_is_known = self.base.is_known || said.contains(&None);
+        if self.request.base.is_some() && !base_is_known && !self.request.no_inertia {
+            let mistake = mistake::no_inertial(self.first, None);
+            self.error(self.place_of(self.first), mistake);
+        }
+        let known: BTreeSet<usize> = said.into_iter().flatten().collect();
         // The rows that carry one whose inertia is known.
         let mut carrying = BTreeSet::new();
         for &row in &known {
@@ -458,7 +489,7 @@ impl<'a> Assembly<'a> {
         self.frames[frame].name.as_ref().map_or("", Name::plain)
     }
 
-    fn judge(&self, inertial: &Inertial, carrier: &str) {
+    fn judge(&self, inertial: &Inertial, carrier: Option<&str>) {
         if inertial.mass < Rational::ZERO {
             self.error(inertial.place, mistake::negative_mass());
         }
@@ -500,22 +531,30 @@ impl<'a> Assembly<'a> {
 impl Moved<'_> {
     /// The row, with the body of all that moves with it.
     fn row(self) -> Row {
-        let place = self.place;
-        let number = |x: Rational| Expr::signed(tidy(x), place);
-        let whole = self.mass.body();
-        let mut row = self.row;
-        row.body.mass = Given::As(number(whole.mass));
-        row.body.com = Given::As(whole.com.map(|x| Some(number(x))));
-        let values = whole.inertia.map(|x| Given::As(number(x)));
-        row.body.inertia = Given::As(Inertia::Tensor(Box::new(Part { place, values })));
+        Row {
+            body: body(&self.carried.mass, self.place),
+            ..self.row
+        }
+    }
+}
+
+/// A body, whose numbers are at one place.
+fn body(mass: &Mass, place: Place) -> Body {
+    let number = |x: Rational| Expr::signed(tidy(x), place);
+    let whole = mass.body();
+    let values = whole.inertia.map(|x| Given::As(number(x)));
+    Body {
+        mass: Given::As(number(whole.mass)),
+        com: Given::As(whole.com.map(|x| Some(number(x)))),
+        inertia: Given::As(Inertia::Tensor(Box::new(Part { place, values }))),
         // Each of the bodies was judged where it stands, and angles are taken as they were written.
-        row.body.allow = Given::As(Allow {
+        allow: Given::As(Allow {
             odd_gear_ratio: false,
             odd_limits: false,
             odd_mass: false,
             ..Allow::EVERYTHING
-        });
-        row
+        }),
+        ..Body::default()
     }
 }
 

@@ -378,7 +378,7 @@ impl Reader<'_> {
     fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
         // Of a joint; of an inertia, which has no name.
         let joint = node.attribute("name").unwrap_or_default();
-        let odd_angle = self.request.allowed(joint).odd_angle;
+        let odd_angle = self.request.allowed(Some(joint)).odd_angle;
         let origin = child(node, "origin");
         if let Some(origin) = origin {
             self.spelled(origin, &[], &["xyz", "rpy"]);

@@ -10,7 +10,7 @@ mod span;
 use super::Request;
 use crate::description::Table;
 use crate::diagnose::Diagnostics;
-use crate::mistake::joint;
+use crate::mistake::{joint, urdf};
 
 /// Reads the requested tree from a text, and reports what is wrong. `used` gets the names of the
 /// locked joints that are not on it.
@@ -21,7 +21,11 @@ pub(super) fn read(
     diagnostics: &Diagnostics,
 ) -> Option<Table> {
     let tree = document::read(text, request, diagnostics)?;
-    if tree.joints.is_empty() {
+    if let Some(body) = request.base.as_ref().and_then(|base| base.body) {
+        diagnostics.error(body, urdf::body_beside());
+        return None;
+    }
+    if tree.joints.is_empty() && request.base.is_none() {
         diagnostics.error(assembly::START, joint::none());
         return None;
     }

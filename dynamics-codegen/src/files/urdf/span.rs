@@ -29,7 +29,7 @@ impl<'a> Assembly<'a> {
             }
         }
         let mut joints = self.on_tree.iter().map(|&joint| &self.tree.joints[joint]);
-        if joints.all(|joint| joint.kind == Kind::Fixed) {
+        if self.request.base.is_none() && joints.all(|joint| joint.kind == Kind::Fixed) {
             let last = self.tips().last().map(Name::plain);
             self.at_chain(mistake::nothing_moves(self.first, last));
             return None;
