@@ -15,7 +15,7 @@ pub use assignment::{Assignment, Number};
 pub use definition::Definition;
 
 use crate::exact::SplitMix64;
-use crate::function::{Function, Part, spans};
+use crate::function::{Freedoms, Function, Part, spans};
 use crate::program::Program;
 use crate::robot::Robot;
 use core::fmt;
@@ -129,7 +129,7 @@ fn seeds(robot: &Robot, parts: &[Part], program: &Program) -> [u64; DRAWS] {
 
 /// The proof of any number of programs of the same functions at one point: their definitions are evaluated once.
 pub struct Proof {
-    dof: usize,
+    freedoms: Freedoms,
     parts: Vec<Part>,
     point: Assignment,
     definition: Definition,
@@ -150,7 +150,7 @@ impl Proof {
         let expected =
             |part: &Part| (!part.function.row().refuses).then(|| definition.expected(*part, &[]));
         Proof {
-            dof: robot.dof(),
+            freedoms: robot.freedoms(),
             parts: parts.to_vec(),
             expected: parts.iter().map(expected).collect(),
             point,
@@ -166,7 +166,7 @@ impl Proof {
     pub fn holds(&mut self, program: &Program) -> Result<(), ProofFailure> {
         let computed = program.evaluate(&mut self.point);
         let mut rest = &computed[..];
-        let spans = spans(&self.parts, self.dof, computed.len());
+        let spans = spans(&self.parts, self.freedoms, computed.len());
         for (number, (&part, span)) in self.parts.iter().zip(spans).enumerate() {
             // The last one has to have all that is left.
             let is_last = number + 1 == self.parts.len();
