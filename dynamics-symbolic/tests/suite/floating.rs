@@ -4,11 +4,11 @@
 use arms::{Bodies, Tables};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::functions::Form;
-use dynamics_symbolic::derive::{derive_form, derive_plain};
+use dynamics_symbolic::derive::{derive_form, derive_plain, derive_together};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::function::{Argument, Part};
 use dynamics_symbolic::linear::{Matrix3, Symmetric3, Vector3};
-use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove};
+use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove, prove_together};
 use dynamics_symbolic::robot::{
     Base, Body, Carrier, Convention, Coupling, Frame, Interpretation, JointType, Robot, Row,
     Spring, Symbol, Tool, Value,
@@ -604,6 +604,23 @@ fn damaged_programs_are_refused() {
 fn all_but_of_tip() -> Vec<Function> {
     let functions = functions().into_iter();
     functions.filter(|f| !f.row().of_tip).collect()
+}
+
+/// Arrays over the joints alone stand before arrays over all degrees of freedom.
+#[test]
+fn functions_in_one_program_are_proven_each() {
+    let robot = with_all_cells(Convention::Standard);
+    let parts = [
+        Function::LinkPoses,
+        Function::InverseDynamicsDerivatives,
+        Function::Regressor,
+        Function::LinkJacobians,
+    ];
+    let mut parts = parts.map(Part::from);
+    let program = derive_together(&robot, &parts);
+    assert_eq!(prove_together(&robot, &parts, &program), Ok(()));
+    parts.swap(0, 3);
+    assert!(prove_together(&robot, &parts, &program).is_err());
 }
 
 /// Nothing is defined of functions that a base that moves does not have.

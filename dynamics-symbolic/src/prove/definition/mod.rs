@@ -12,6 +12,13 @@
 //! with q, qd of the joints that move by themselves; those that are locked have constants in their place,
 //! and those that follow others their leader's times the factor, plus the offset.
 //!
+//! A base that moves has the velocities v and w in its own axes, which turn: with displacements d and phi in these axes
+//!
+//!   d/dt (dT/dv) + w x dT/dv - dT/dd + dU/dd = force
+//!   d/dt (dT/dw) + w x dT/dw + v x dT/dv - dT/dphi + dU/dphi = moment
+//!
+//! (Hamel 1904), and `coriolis` has its Coriolis matrix. T and U are those of positions and velocities in the world.
+//!
 //! Where base parameters are neglected, what they contribute to T and U is taken off.
 //!
 //! Velocities are derivatives of positions by dual numbers. T is quadratic in
