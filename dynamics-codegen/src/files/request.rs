@@ -37,7 +37,7 @@ impl Format {
 pub struct MovingBase {
     /// Where a body is written beside the file, which is a mistake.
     pub body: Option<Place>,
-    /// What is accepted of the link.
+    /// Oddities that are accepted of the link.
     pub allow: Allow,
 }
 

@@ -204,7 +204,7 @@ fn singular_bases_are_found() {
         ("{ mass: 3, inertia: rod(0.2) }", &one, false),
         ("", &driven, false),
         ("", &two, false),
-        // What is fixed to the base is a part of it.
+        // Bodies that are fixed to the base are a part of it.
         (
             "{ mass: 3 }",
             "joints: [], frames: { part: { on: base, mass: 1, com: [1, 0, 0], inertia: sphere(0.1) } },",
@@ -271,7 +271,7 @@ fn a_body_beside_a_urdf_file_is_refused() {
             "{errors:?}"
         );
     }
-    // What is accepted of the first link is said as for other bodies, and of no other link.
+    // Oddities of the first link are accepted as those of other bodies, and of no other link.
     let beside = "base: floating { allow: [unphysical_inertia] }, gravity: [0, 0, -9.81],";
     let refused = |beside: &str| {
         let table = table_beside("Legs", &text, Format::Urdf, entries("", beside));

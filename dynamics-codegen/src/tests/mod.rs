@@ -5,9 +5,11 @@ mod accepted;
 #[cfg(feature = "files")]
 mod beside;
 mod damage;
+mod doubles;
 mod expansion;
 #[cfg(feature = "files")]
 mod floating;
+mod floating_identities;
 #[cfg(feature = "files")]
 mod floating_values;
 mod fragments;

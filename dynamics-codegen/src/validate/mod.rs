@@ -226,7 +226,8 @@ impl Parts {
         self.gravity.is_some() && has_rows
     }
 
-    /// Of a body that moves alone a file need not say that it has no joints, nor anybody how these would be placed.
+    /// Reports entries that are missing. A file of a body that moves alone need not say that it has no joints, and nobody how
+    /// these would be placed.
     fn report_missing(&mut self, name: &Name, table: &Table, diagnostics: &Diagnostics) {
         let is_of_file = matches!(Place::from(name), Place::File { .. });
         if base::is_alone(table) {

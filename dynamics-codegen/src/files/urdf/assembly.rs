@@ -98,7 +98,7 @@ pub(super) struct Assembly<'a> {
     pub(super) locked: Vec<Positioned>,
     /// The joints of the rows, with what moves with each.
     moved: Vec<Moved<'a>>,
-    /// What moves with the base, if that moves.
+    /// The bodies that move with the base, if that moves.
     base: Carried,
     /// The frames of all links that are read.
     frames: Vec<LinkFrame>,
