@@ -77,6 +77,15 @@ impl Audience {
         }
     }
 
+    /// An entry that is an option of the command.
+    #[cfg(feature = "files")]
+    pub(crate) fn entry(self, key: &str) -> String {
+        match self {
+            Audience::Call | Audience::File => format!("`{key}`"),
+            Audience::Command => format!("`--{key}`"),
+        }
+    }
+
     /// A frame on the link of a joint.
     pub(crate) fn frame(self, name: &str, joint: &str) -> String {
         let (name, joint) = (quoted(name), shortened(joint));

@@ -186,9 +186,20 @@ fn joint_type(row: &Row) -> &'static str {
     }
 }
 
+/// Places one after the other, but for those that change nothing.
 fn places(places: &[Placement]) -> String {
-    let places: Vec<_> = places.iter().map(place).collect();
-    places.join(", then ")
+    let is_still = |place: &Placement| {
+        [&place.xyz, &place.rpy]
+            .into_iter()
+            .flatten()
+            .all(Value::is_zero)
+    };
+    let mut shown: Vec<_> = places.iter().filter(|place| !is_still(place)).collect();
+    if shown.is_empty() {
+        shown.extend(places.first());
+    }
+    let shown: Vec<_> = shown.into_iter().map(place).collect();
+    shown.join(", then ")
 }
 
 fn place(place: &Placement) -> String {

@@ -93,6 +93,24 @@ fn show_names_carriers_and_frames() {
     assert!(formulas.contains("jacobian_left_hand\n"), "{formulas}");
 }
 
+/// Places of a file that change nothing are not shown.
+#[test]
+fn show_places_links_of_files() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/urdf/trees");
+    let urdf = folder.join("parallel_gripper.urdf").to_string_lossy().into_owned();
+    let functions = "mass_matrix,jacobian(left_pad),forward_kinematics(right_finger),forward_kinematics(mount)";
+    let gravity = ["--gravity", "0,0,-9.81", "--functions", functions];
+    let text = output(&[&["show", &urdf][..], &gravity].concat());
+    for expected in [
+        "right_knuckle_joint  revolute   wrist",
+        "right_finger         frame      on right_finger_joint  xyz [0, 0, 0]  rpy [0, 0, 0]\n",
+        "left_pad             frame      on left_finger_joint  xyz [-0.01, 0, 0.04]  rpy [0, -1.5707963267948966, 0]\n",
+    ] {
+        assert!(text.contains(expected), "{expected}: {text}");
+    }
+    assert!(!text.contains("then xyz [0, 0, 0]  rpy [0, 0, 0]"), "{text}");
+}
+
 /// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are
 /// parallel, on a base that stands askew. The rows are not in the order of a walk along the branches.
 const WORKSHOP: &str = r#"

@@ -90,8 +90,23 @@ fn the_chain_ends_where_it_is_told() {
     assert!(message.contains("`flange`"), "{message}");
     let message = told(&gravity(&["--chain", "base,base"]));
     assert!(
-        message.contains("`base` stands in `chain` twice"),
+        message.contains("`base` stands in `--chain` twice"),
         "{message}"
+    );
+    let beside = errors(
+        &[
+            "show",
+            &file,
+            "--chain",
+            "base,flange",
+            GRAVITY[0],
+            GRAVITY[1],
+        ],
+        1,
+    );
+    assert!(
+        beside.contains("name a tip behind it in `--chain`, lock it"),
+        "{beside}"
     );
     let message = told(&["--chain", "base,table"]);
     assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
