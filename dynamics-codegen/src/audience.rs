@@ -80,10 +80,8 @@ impl Audience {
     /// An entry that is an option of the command.
     #[cfg(feature = "files")]
     pub(crate) fn entry(self, key: &str) -> String {
-        match self {
-            Audience::Call | Audience::File => format!("`{key}`"),
-            Audience::Command => format!("`--{key}`"),
-        }
+        let dashes = if self == Audience::Command { "--" } else { "" };
+        format!("`{dashes}{key}`")
     }
 
     /// A frame on the link of a joint.

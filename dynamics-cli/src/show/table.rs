@@ -188,17 +188,10 @@ fn joint_type(row: &Row) -> &'static str {
 
 /// Places one after the other, but for those that change nothing.
 fn places(places: &[Placement]) -> String {
-    let is_still = |place: &Placement| {
-        [&place.xyz, &place.rpy]
-            .into_iter()
-            .flatten()
-            .all(Value::is_zero)
-    };
-    let mut shown: Vec<_> = places.iter().filter(|place| !is_still(place)).collect();
-    if shown.is_empty() {
-        shown.extend(places.first());
-    }
-    let shown: Vec<_> = shown.into_iter().map(place).collect();
+    let is_still = |x: &Placement| x.xyz.iter().chain(&x.rpy).all(Value::is_zero);
+    let (still, moving): (Vec<_>, Vec<_>) = places.iter().partition(|place| is_still(place));
+    let first = still.into_iter().take(usize::from(moving.is_empty()));
+    let shown: Vec<_> = moving.iter().copied().chain(first).map(place).collect();
     shown.join(", then ")
 }
 

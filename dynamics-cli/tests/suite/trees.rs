@@ -97,8 +97,12 @@ fn show_names_carriers_and_frames() {
 #[test]
 fn show_places_links_of_files() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/urdf/trees");
-    let urdf = folder.join("parallel_gripper.urdf").to_string_lossy().into_owned();
-    let functions = "mass_matrix,jacobian(left_pad),forward_kinematics(right_finger),forward_kinematics(mount)";
+    let urdf = folder
+        .join("parallel_gripper.urdf")
+        .to_string_lossy()
+        .into_owned();
+    let functions =
+        "mass_matrix,jacobian(left_pad),forward_kinematics(right_finger),forward_kinematics(mount)";
     let gravity = ["--gravity", "0,0,-9.81", "--functions", functions];
     let text = output(&[&["show", &urdf][..], &gravity].concat());
     for expected in [
@@ -108,7 +112,10 @@ fn show_places_links_of_files() {
     ] {
         assert!(text.contains(expected), "{expected}: {text}");
     }
-    assert!(!text.contains("then xyz [0, 0, 0]  rpy [0, 0, 0]"), "{text}");
+    assert!(
+        !text.contains("then xyz [0, 0, 0]  rpy [0, 0, 0]"),
+        "{text}"
+    );
 }
 
 /// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are

@@ -61,7 +61,7 @@ fn report_frames(asked: &[Asked], is_unknown: bool, table: &Table, scope: &Scope
 
 /// Reports functions of the tip, and a tool, on a tree in which several rows carry no other.
 fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scope) {
-    let Some(ends) = tips(parts, table).filter(|tips| tips.len() > 1) else {
+    let Some(ends) = tips(parts).filter(|tips| tips.len() > 1) else {
         return;
     };
     let rows = table.rows();
@@ -92,24 +92,23 @@ fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Sco
 }
 
 /// The rows that carry no other; `None` if a row is in error.
-fn tips(parts: &Parts, table: &Table) -> Option<Vec<usize>> {
+fn tips(parts: &Parts) -> Option<Vec<usize>> {
     let rows = parts.rows.as_ref()?.iter().enumerate();
     let carriers = rows.map(|(i, row)| Some(row.as_ref()?.on.parent(i)));
     let carriers: Vec<Option<usize>> = carriers.collect::<Option<_>>()?;
-    let mut rows = (0..table.rows().len()).collect::<Vec<_>>();
-    rows.retain(|row| !carriers.contains(&Some(*row)));
-    Some(rows)
+    let rows = 0..carriers.len();
+    Some(rows.filter(|row| !carriers.contains(&Some(*row))).collect())
 }
 
 /// The names of all frames: first the outermost link on each row that carries no other, where a file has links.
 fn from_the_ends<'t>(ends: &[usize], parts: &Parts, table: &'t Table) -> Vec<&'t str> {
     let frames: Vec<_> = table.frames().zip(&parts.frames).collect();
-    let outermost = ends.iter().filter_map(|row| {
-        let mut links = frames.iter().rev().filter(|(frame, _)| frame.is_link);
-        let is_there = |read: &Option<Frame>| read.as_ref().is_some_and(|f| f.on == Some(*row));
-        let (link, _) = links.find(|(_, read)| is_there(read))?;
-        Some(link.word())
-    });
+    let links = frames.iter().rev().filter(|(frame, _)| frame.is_link);
+    let last = |row: &usize| {
+        let on = |read: &Option<Frame>| read.as_ref().is_some_and(|frame| frame.on == Some(*row));
+        links.clone().find(|(_, read)| on(read))
+    };
+    let outermost = ends.iter().filter_map(last).map(|(frame, _)| frame.word());
     let mut names: Vec<&str> = outermost.collect();
     let others = table.frame_names().map(Name::plain);
     let others: Vec<&str> = others.filter(|name| !names.contains(name)).collect();
