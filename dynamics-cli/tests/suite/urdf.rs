@@ -844,3 +844,31 @@ fn limits_hold_beside_the_chain() {
         "{message}"
     );
 }
+
+/// An arm is the same whether its file is read whole or from its root to its tip.
+#[test]
+fn arms_need_no_chain() {
+    let urdf = |name: &str| {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/urdf");
+        folder.join(name).to_string_lossy().into_owned()
+    };
+    for (name, chain) in [
+        ("z1.urdf", "world,gripperMover"),
+        ("xarm7.urdf", "world,link_eef"),
+        ("double_pendulum.urdf", "base_link,link2"),
+        ("TwoDofs.urdf", "world,Tip"),
+        ("finger_edu.urdf", "base_link,finger_tip_link"),
+        ("so100.urdf", "base,jaw"),
+    ] {
+        let file = urdf(name);
+        let functions = ["--functions", "default,jacobian,forward_kinematics"];
+        let show = [
+            &["show", &file, "--allow", "no_inertia"][..],
+            &GRAVITY,
+            &functions,
+        ]
+        .concat();
+        let with_chain = [&show[..], &["--chain", chain]].concat();
+        assert_eq!(output(&show), output(&with_chain), "{name}");
+    }
+}
