@@ -52,8 +52,10 @@ pub(super) fn table(robot: &Robot) -> String {
             None => cells(robot, row),
         });
     }
-    let mounts = robot.rows.iter().filter_map(|row| row.mount.as_ref());
-    for mount in mounts.filter(|mount| !mount.tip.is_empty()) {
+    let tip = robot
+        .tip_row()
+        .and_then(|row| robot.rows[row].mount.as_ref());
+    if let Some(mount) = tip.filter(|mount| !mount.tip.is_empty()) {
         let tip = places(&mount.tip);
         let _ = writeln!(text, "{:<width$}{:<11}{tip}", "tip", "fixed");
     }

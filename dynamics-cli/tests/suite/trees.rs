@@ -118,6 +118,32 @@ fn show_places_links_of_files() {
     );
 }
 
+/// A branch that stands still is one: no tip is shown, because no function could be asked for it.
+#[test]
+fn show_names_no_tip_beside_a_branch_that_stands_still() {
+    let body = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+    let joint = |name: &str, kind: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name='{name}' type='{kind}'><parent link='{parent}'/><child link='{child}'/>\
+             <origin xyz='0.2 0 0.1'/></joint>"
+        )
+    };
+    let urdf = format!(
+        "<robot name='fork'><link name='root'/><link name='left'>{body}</link><link name='right'>{body}</link>\
+         <link name='point'/>{}{}{}</robot>",
+        joint("one", "continuous", "root", "left"),
+        joint("two", "continuous", "root", "right"),
+        joint("three", "fixed", "left", "point"),
+    );
+    let urdf = file("fork.urdf", urdf);
+    let options = ["--gravity", "0,0,-9.81", "--lock", "two=0.2", "--functions"];
+    let call = |function: &'static str| [&["show", &*urdf][..], &options, &[function]].concat();
+    let text = output(&call("mass_matrix"));
+    assert!(!text.contains("\ntip "), "{text}");
+    let refused = errors(&call("jacobian"), 2);
+    assert!(refused.contains("ask for it at a frame"), "{refused}");
+}
+
 /// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are
 /// parallel, on a base that stands askew. The rows are not in the order of a walk along the branches.
 const WORKSHOP: &str = r#"
