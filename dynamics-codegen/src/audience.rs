@@ -90,6 +90,13 @@ impl Audience {
         }
     }
 
+    /// An entry that is an option of the command.
+    #[cfg(feature = "files")]
+    pub(crate) fn entry(self, key: &str) -> String {
+        let dashes = if self == Audience::Command { "--" } else { "" };
+        format!("`{dashes}{key}`")
+    }
+
     /// A frame on the link of a joint.
     pub(crate) fn frame(self, name: &str, joint: &str) -> String {
         let (name, joint) = (quoted(name), shortened(joint));

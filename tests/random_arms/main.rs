@@ -5,6 +5,7 @@
 
 mod printed;
 mod second_derivatives;
+mod trees;
 
 use arms::{Bodies, Tables};
 use dynamics_evaluation::RuntimeRobot;

@@ -52,8 +52,10 @@ pub(super) fn table(robot: &Robot) -> String {
             None => cells(robot, row),
         });
     }
-    let mounts = robot.rows.iter().filter_map(|row| row.mount.as_ref());
-    for mount in mounts.filter(|mount| !mount.tip.is_empty()) {
+    let tip = robot
+        .tip_row()
+        .and_then(|row| robot.rows[row].mount.as_ref());
+    if let Some(mount) = tip.filter(|mount| !mount.tip.is_empty()) {
         let tip = places(&mount.tip);
         let _ = writeln!(text, "{:<width$}{:<11}{tip}", "tip", "fixed");
     }
@@ -186,9 +188,13 @@ fn joint_type(row: &Row) -> &'static str {
     }
 }
 
+/// Places one after the other, but for those that change nothing.
 fn places(places: &[Placement]) -> String {
-    let places: Vec<_> = places.iter().map(place).collect();
-    places.join(", then ")
+    let is_still = |x: &Placement| x.xyz.iter().chain(&x.rpy).all(Value::is_zero);
+    let (still, moving): (Vec<_>, Vec<_>) = places.iter().partition(|place| is_still(place));
+    let first = still.into_iter().take(usize::from(moving.is_empty()));
+    let shown: Vec<_> = moving.iter().copied().chain(first).map(place).collect();
+    shown.join(", then ")
 }
 
 fn place(place: &Placement) -> String {

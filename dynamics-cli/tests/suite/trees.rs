@@ -93,6 +93,57 @@ fn show_names_carriers_and_frames() {
     assert!(formulas.contains("jacobian_left_hand\n"), "{formulas}");
 }
 
+/// Places of a file that change nothing are not shown.
+#[test]
+fn show_places_links_of_files() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/urdf/trees");
+    let urdf = folder
+        .join("parallel_gripper.urdf")
+        .to_string_lossy()
+        .into_owned();
+    let functions =
+        "mass_matrix,jacobian(left_pad),forward_kinematics(right_finger),forward_kinematics(mount)";
+    let gravity = ["--gravity", "0,0,-9.81", "--functions", functions];
+    let text = output(&[&["show", &urdf][..], &gravity].concat());
+    for expected in [
+        "right_knuckle_joint  revolute   wrist",
+        "right_finger         frame      on right_finger_joint  xyz [0, 0, 0]  rpy [0, 0, 0]\n",
+        "left_pad             frame      on left_finger_joint  xyz [-0.01, 0, 0.04]  rpy [0, -1.5707963267948966, 0]\n",
+    ] {
+        assert!(text.contains(expected), "{expected}: {text}");
+    }
+    assert!(
+        !text.contains("then xyz [0, 0, 0]  rpy [0, 0, 0]"),
+        "{text}"
+    );
+}
+
+/// A branch that stands still is one: no tip is shown, because no function could be asked for it.
+#[test]
+fn show_names_no_tip_beside_a_branch_that_stands_still() {
+    let body = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+    let joint = |name: &str, kind: &str, parent: &str, child: &str| {
+        format!(
+            "<joint name='{name}' type='{kind}'><parent link='{parent}'/><child link='{child}'/>\
+             <origin xyz='0.2 0 0.1'/></joint>"
+        )
+    };
+    let urdf = format!(
+        "<robot name='fork'><link name='root'/><link name='left'>{body}</link><link name='right'>{body}</link>\
+         <link name='point'/>{}{}{}</robot>",
+        joint("one", "continuous", "root", "left"),
+        joint("two", "continuous", "root", "right"),
+        joint("three", "fixed", "left", "point"),
+    );
+    let urdf = file("fork.urdf", urdf);
+    let options = ["--gravity", "0,0,-9.81", "--lock", "two=0.2", "--functions"];
+    let call = |function: &'static str| [&["show", &*urdf][..], &options, &[function]].concat();
+    let text = output(&call("mass_matrix"));
+    assert!(!text.contains("\ntip "), "{text}");
+    let refused = errors(&call("jacobian"), 2);
+    assert!(refused.contains("ask for it at a frame"), "{refused}");
+}
+
 /// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are
 /// parallel, on a base that stands askew. The rows are not in the order of a walk along the branches.
 const WORKSHOP: &str = r#"

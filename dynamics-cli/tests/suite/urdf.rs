@@ -90,8 +90,23 @@ fn the_chain_ends_where_it_is_told() {
     assert!(message.contains("`flange`"), "{message}");
     let message = told(&gravity(&["--chain", "base,base"]));
     assert!(
-        message.contains("`base` stands in `chain` twice"),
+        message.contains("`base` stands in `--chain` twice"),
         "{message}"
+    );
+    let beside = errors(
+        &[
+            "show",
+            &file,
+            "--chain",
+            "base,flange",
+            GRAVITY[0],
+            GRAVITY[1],
+        ],
+        1,
+    );
+    assert!(
+        beside.contains("name a tip behind it in `--chain`, lock it"),
+        "{beside}"
     );
     let message = told(&["--chain", "base,table"]);
     assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
@@ -828,4 +843,32 @@ fn limits_hold_beside_the_chain() {
             && message.contains("1.5 is outside of the limits of `two`, -1 to 1"),
         "{message}"
     );
+}
+
+/// An arm is the same whether its file is read whole or from its root to its tip.
+#[test]
+fn arms_need_no_chain() {
+    let urdf = |name: &str| {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/data/urdf");
+        folder.join(name).to_string_lossy().into_owned()
+    };
+    for (name, chain) in [
+        ("z1.urdf", "world,gripperMover"),
+        ("xarm7.urdf", "world,link_eef"),
+        ("double_pendulum.urdf", "base_link,link2"),
+        ("TwoDofs.urdf", "world,Tip"),
+        ("finger_edu.urdf", "base_link,finger_tip_link"),
+        ("so100.urdf", "base,jaw"),
+    ] {
+        let file = urdf(name);
+        let functions = ["--functions", "default,jacobian,forward_kinematics"];
+        let show = [
+            &["show", &file, "--allow", "no_inertia"][..],
+            &GRAVITY,
+            &functions,
+        ]
+        .concat();
+        let with_chain = [&show[..], &["--chain", chain]].concat();
+        assert_eq!(output(&show), output(&with_chain), "{name}");
+    }
 }

@@ -29,7 +29,8 @@ mistakes! {
         "no joints lead from `{first}` outwards to `{last}`: seen from there inwards the first link is `{root}`";
     two_parents(link: &str => shortened) "the link `{link}` is the child of another joint already: a robot is a tree";
     /// A name that stands in `chain` twice.
-    link_twice(link: &str => shortened) "`{link}` stands in `chain` twice: remove one of the two";
+    link_twice(link: &str => shortened) [chain: entry("chain")]
+        "`{link}` stands in {chain} twice: remove one of the two";
     /// A tip that the joints to another one pass.
     on_the_way(link: &str => shortened, tip: &str => shortened)
         "`{link}` is on the way to `{tip}`, and belongs to the robot without being named: remove it";
@@ -54,8 +55,8 @@ mistakes! {
         "the joint `{joint}` follows itself, by way of others: one of them has to move by itself";
     /// `rest` in both lists.
     rest_twice() "`rest` is locked and ignored: remove one of the two";
-    ignored_on_chain(joint: &str => shortened)
-        "`{joint}` is on the way to a tip that `chain` names, and cannot be left out";
+    ignored_on_chain(joint: &str => shortened) [chain: entry("chain")]
+        "`{joint}` is on the way to a tip that {chain} names, and cannot be left out";
     lock_with_names(joint: &str => shortened)
         "`{joint}` is not on the chain: its position is a sum, product or quotient of numbers and `PI`, without \
          fields and `let`";
@@ -97,8 +98,8 @@ mistakes! {
         {name: shortened(joint.joint)} [way_out: lock_or_leave_out(joint)]
         "the joint `{name}` follows `{leader}` (`<mimic>`), which moves, and is not on the chain itself: {way_out}";
     /// A movable joint that is not on the chain.
-    off_chain(joint: Still) {name: shortened(joint.joint)} [way_out: lock_or_leave_out(joint)]
-        "the joint `{name}` moves, and is not on the chain: name a tip behind it in `chain`, {way_out}";
+    off_chain(joint: Still) {name: shortened(joint.joint)} [chain: entry("chain"), way_out: lock_or_leave_out(joint)]
+        "the joint `{name}` moves, and is not on the chain: name a tip behind it in {chain}, {way_out}";
     /// A joint that stands still beside the chain, by its own lock, as one of the rest, or because it follows another one.
     still_out_of_limits(joint: Still, position: f64 => number, limits: [f64; 2])
         {name: shortened(joint.joint), lower: number(limits[0]), upper: number(limits[1])} [lock: lock_still(joint)]

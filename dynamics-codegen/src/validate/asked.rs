@@ -2,10 +2,12 @@
 
 use std::collections::BTreeSet;
 
+use dynamics_symbolic::robot::Frame;
+
 use super::Parts;
 use super::functions::named;
 use super::scope::Scope;
-use crate::description::{Asked, Entry, Name, Place, Row, Table};
+use crate::description::{Asked, Entry, Name, Place, Table};
 use crate::limits::MOST_LISTED;
 use crate::mistake::{link as mistake, unknown};
 use crate::words;
@@ -59,15 +61,17 @@ fn report_frames(asked: &[Asked], is_unknown: bool, table: &Table, scope: &Scope
 
 /// Reports functions of the tip, and a tool, on a tree in which several rows carry no other.
 fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scope) {
-    let Some(tips) = tips(parts, table).filter(|tips| tips.len() > 1) else {
+    let Some(ends) = tips(parts).filter(|tips| tips.len() > 1) else {
         return;
     };
+    let rows = table.rows();
+    let tips: Vec<&str> = ends.iter().map(|&row| rows[row].word()).collect();
     for entry in &table.entries {
         if let Entry::Tool(place, _) = entry {
             scope.error(*place, mistake::tool_without_tip(&tips));
         }
     }
-    let frames: Vec<&str> = table.frame_names().map(Name::plain).collect();
+    let frames = from_the_ends(&ends, parts, table);
     let asked = named(asked).filter(|wanted| wanted.frame.is_none());
     let asked = asked.map(|wanted| (wanted.function, wanted.place));
     let needed = table.name.iter().zip(&table.needed);
@@ -87,14 +91,29 @@ fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Sco
     }
 }
 
-/// The names of the rows that carry no other; `None` if a row is in error.
-fn tips<'t>(parts: &Parts, table: &'t Table) -> Option<Vec<&'t str>> {
+/// The rows that carry no other; `None` if a row is in error.
+fn tips(parts: &Parts) -> Option<Vec<usize>> {
     let rows = parts.rows.as_ref()?.iter().enumerate();
     let carriers = rows.map(|(i, row)| Some(row.as_ref()?.on.parent(i)));
     let carriers: Vec<Option<usize>> = carriers.collect::<Option<_>>()?;
-    let rows = table.rows().iter().enumerate();
-    let tips = rows.filter(|(row, _)| !carriers.contains(&Some(*row)));
-    Some(tips.map(|(_, row)| Row::word(row)).collect())
+    let rows = 0..carriers.len();
+    Some(rows.filter(|row| !carriers.contains(&Some(*row))).collect())
+}
+
+/// The names of all frames: first the outermost link on each row that carries no other, where a file has links.
+fn from_the_ends<'t>(ends: &[usize], parts: &Parts, table: &'t Table) -> Vec<&'t str> {
+    let frames: Vec<_> = table.frames().zip(&parts.frames).collect();
+    let links = frames.iter().rev().filter(|(frame, _)| frame.is_link);
+    let last = |row: &usize| {
+        let on = |read: &Option<Frame>| read.as_ref().is_some_and(|frame| frame.on == Some(*row));
+        links.clone().find(|(_, read)| on(read))
+    };
+    let outermost = ends.iter().filter_map(last).map(|(frame, _)| frame.word());
+    let mut names: Vec<&str> = outermost.collect();
+    let others = table.frame_names().map(Name::plain);
+    let others: Vec<&str> = others.filter(|name| !names.contains(name)).collect();
+    names.extend(others);
+    names
 }
 
 /// Reports frames of a call that have no body and that no function is about. Those of a file are for all who read it.

@@ -75,3 +75,9 @@ robot_dynamics! {
     struct RestOfWhatIsCarried;
     file: "tests/mistakes/files/planar.urdf", gravity: [0, 0, -9.81], chain: ["trunk"], lock: [rest = 0],
 }
+// The outermost links are named first.
+robot_dynamics! {
+    struct TwoTips;
+    file: "tests/mistakes/files/planar.urdf", chain: ["trunk"], gravity: [0, 0, -9.81], ignore: [float],
+    functions: [mass_matrix, jacobian],
+}

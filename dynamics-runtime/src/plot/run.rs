@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use nalgebra::{Matrix4, SVector};
+
 use super::{Curve, Figure, Outcome, joints};
 use crate::{JointType, Model, Trajectory};
 
@@ -66,6 +68,17 @@ impl<const N: usize> Trajectory<N> {
         }
     }
 
+    /// The path of a frame's origin as curves for a panel, `hand x`, `hand y` and `hand z` for a frame `hand`: `pose` is
+    /// its forward kinematics, `|q| torso.forward_kinematics_hand(q)`.
+    pub fn path(&self, frame: &str, pose: impl Fn(&SVector<f64, N>) -> Matrix4<f64>) -> [Curve; 3] {
+        let origins: Vec<_> = self.q.iter().map(|q| pose(q).column(3).xyz()).collect();
+        let curve = |(i, axis)| {
+            let values = origins.iter().map(|origin| origin[i]);
+            Curve::new(format!("{frame} {axis}"), &self.t, values)
+        };
+        [(0, "x"), (1, "y"), (2, "z")].map(curve)
+    }
+
     fn energy_curves<R: Model<N>>(&self, robot: &R) -> Option<[Curve; 3]> {
         let states = self.q.iter().zip(&self.qd);
         let energies: Option<Vec<[f64; 2]>> = states.map(|(q, qd)| robot.energies(q, qd)).collect();
@@ -83,7 +96,7 @@ impl<const N: usize> Trajectory<N> {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector2;
+    use nalgebra::{Matrix4, Vector2, Vector3};
 
     use crate::test_arms::CRAIG_ARM;
     use crate::{JointType, NewtonEuler, Simulation, Table, Trajectory};
@@ -127,6 +140,19 @@ mod tests {
         let run = Simulation::new(&arm).samples(3).run().unwrap();
         let svg = drawn(&run, &arm, "sliding");
         for text in ["position, rad", "position, m", "force, N", "joint_2"] {
+            assert!(svg.contains(text), "{text}");
+        }
+    }
+
+    #[test]
+    fn frames_have_curves_with_their_names() {
+        let run = Simulation::new(&CRAIG_ARM).samples(5).run().unwrap();
+        let pose = |q: &Vector2<f64>| Matrix4::new_translation(&Vector3::new(q[0], 7.0, -q[1]));
+        let figure = run
+            .figure(&CRAIG_ARM)
+            .panel("position, m", run.path("left hand", pose));
+        let svg = figure.svg().unwrap();
+        for text in ["left hand x", "left hand y", "left hand z", "shoulder"] {
             assert!(svg.contains(text), "{text}");
         }
     }

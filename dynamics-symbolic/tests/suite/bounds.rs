@@ -1,7 +1,7 @@
 //! What the documentation of generated methods says of rounding over the joint limits. That the bounds hold is
 //! measured in tests/files, on arms whose files have limits.
 
-use dynamics_symbolic::robot::{JointType, Robot, Value};
+use dynamics_symbolic::robot::{Frame, JointType, Robot, Value};
 use dynamics_symbolic::{Function, Request, expand};
 use expect_test::expect_file;
 use quote::quote;
@@ -57,6 +57,19 @@ fn documentation_says_how_large_rounding_errors_are_within_the_limits() {
     ];
     let fused = Request::fused("terms", parts);
     text += &listed(&robot, lines(&robot, &[fused]));
+    for name in ["hyq", "panda_with_fingers"] {
+        let mut robot = limited(arms::tree(name));
+        robot.frames.push(Frame {
+            name: "foot".to_owned(),
+            on: Some(2),
+            places: Vec::new(),
+            body: None,
+        });
+        let at_foot = Request::of_frame(Function::Jacobian, robot.frames.len() - 1, "foot");
+        let functions = Function::default_set(false).into_iter().map(Request::from);
+        let requests: Vec<Request> = functions.chain([at_foot]).collect();
+        text += &listed(&robot, lines(&robot, &requests));
+    }
     expect_file!["../golden/bounds.txt"].assert_eq(&text);
 }
 

@@ -3,7 +3,7 @@
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive_plain;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::program::Arithmetic;
+use dynamics_symbolic::program::{Arithmetic, Operand, Program};
 use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove};
 use dynamics_symbolic::robot::{
     Body, Carrier, Convention, Coupling, Frame, Interpretation, JointType, Mount, Placement, Robot,
@@ -448,5 +448,104 @@ fn a_tree_is_no_longer_than_the_chain_it_was_cut_from() {
         tree.rows[row].on = on;
         let cut = crate::derive(&tree, Function::InverseDynamics).operations();
         assert!(cut.total() <= whole.total());
+    }
+}
+
+/// How many operations read the fields of the robot alone.
+fn operations_on_fields(program: &Program) -> usize {
+    let is_constant = |known: &[bool], operand: &Operand| match *operand {
+        Operand::Constant(_) => true,
+        Operand::Input(i) => matches!(program.inputs[i as usize], Symbol::Field(_)),
+        Operand::Result(i) => known[i as usize],
+    };
+    let instructions = program.instructions.iter();
+    let known = instructions.fold(Vec::new(), |mut known, instruction| {
+        let operands = instruction.operands();
+        known.push(operands.iter().all(|operand| is_constant(&known, operand)));
+        known
+    });
+    known.into_iter().filter(|is_known| *is_known).count()
+}
+
+/// A finger of three joints by its fields, so many times on a waist that turns, at places on both sides of it.
+fn waist_with_fingers(count: i64) -> Robot {
+    let field = |i: usize| Value::field(i);
+    let names = [
+        "m1", "m2", "m3", "x1", "x2", "x3", "y2", "i1", "i2", "i3", "l1", "l2",
+    ];
+    let link = |k: usize| Row {
+        mass: field(k),
+        com: [
+            field(3 + k),
+            if k == 1 { field(6) } else { Value::zero() },
+            Value::zero(),
+        ],
+        inertia: [
+            field(7 + k),
+            field(7 + k),
+            field(7 + k),
+            Value::zero(),
+            Value::zero(),
+            Value::zero(),
+        ],
+        ..Row::new("finger", JointType::Revolute)
+    };
+    let quarter = || Value::Pi * ratio(1, 2);
+    let mut rows = vec![Row {
+        mass: Value::integer(9),
+        com: vector([1, 0, 1]),
+        inertia: [3, 2, 2, 0, 0, 0].map(Value::integer),
+        ..Row::new("waist", JointType::Revolute)
+    }];
+    for side in 0..count {
+        let first = rows.len();
+        for k in 0..3 {
+            rows.push(link(k));
+        }
+        rows[first].on = Carrier::Row(0);
+        rows[first].at = at(vector([1, 1 - 2 * side, 2]));
+        rows[first].alpha = quarter();
+        rows[first + 1].a = field(10);
+        rows[first + 1].alpha = quarter();
+        rows[first + 2].a = field(11);
+    }
+    Robot {
+        name: "Waist".to_owned(),
+        fields: names.map(str::to_owned).to_vec(),
+        gravity: vector([0, 0, -20]),
+        rows,
+        ..y_tree(Convention::Modified)
+    }
+}
+
+/// A second hand takes the constants of the first one.
+#[test]
+fn equal_hands_have_the_same_constants() {
+    let hands = [1, 2].map(waist_with_fingers);
+    for function in Function::default_set(false) {
+        let [one, two] = hands.each_ref().map(|robot| crate::derive(robot, function));
+        let constants = [&one, &two].map(|program| operations_on_fields(program));
+        // Gravity may act on both hands together, whose masses are then added.
+        assert!(
+            constants[1] <= constants[0] + 4,
+            "{function:?} {constants:?}"
+        );
+    }
+    let [one, two] = hands.map(|robot| counts(&robot, Function::BaseParameters));
+    assert_eq!(one, two);
+}
+
+/// Two fingers that slide by themselves add a seventh to the forces of the arm that carries them.
+#[test]
+fn two_free_fingers_take_little() {
+    let arm = crate::without_friction("panda");
+    let hand = arms::tree("panda_with_fingers");
+    assert_eq!(hand.dof(), arm.dof() + 2);
+    for function in [Function::InverseDynamics, Function::CoriolisVector] {
+        let [arm, hand] = [&arm, &hand].map(|robot| counts(robot, function).iter().sum::<u32>());
+        assert!(
+            f64::from(hand) <= 1.15 * f64::from(arm),
+            "{function:?} {hand} {arm}"
+        );
     }
 }

@@ -36,6 +36,11 @@ instruction is read once in a call: where a function outgrows the first instruct
 on the usual machines, some 1,900 operations) an operation takes up to twice as long.",
 ];
 
+const TREE: &str = "\
+Two legs of six joints, a trunk of two, a neck of two and two arms of seven, all of generic links
+(`humanoid` of `testkit/arms`): expansion in an optimised engine and rustc, as above. Entries of M
+between branches are zero and take no operations. `growth -- --tree` prints this section alone.";
+
 /// The document, with the machine and the date.
 pub(crate) fn document(chains: &[Chain]) -> Outcome<String> {
     let mut text = INTRODUCTION.to_owned() + &origin()?;
@@ -45,6 +50,25 @@ pub(crate) fn document(chains: &[Chain]) -> Outcome<String> {
         text += &powers(panel);
     }
     Ok(text)
+}
+
+/// The section about a tree, with the machine and the date.
+pub(crate) fn section(tree: &Chain) -> String {
+    let heads = ["joints", "expansion, s", "L", "release, s", "dev, s"];
+    let mut table = Table::new("", &heads);
+    table.row([
+        tree.joints.to_string(),
+        seconds(Some(tree.expansion)),
+        format!("{:.0}", tree.length),
+        seconds(Some(tree.release)),
+        seconds(Some(tree.dev)),
+    ]);
+    format!(
+        "\n## A tree\n\n{TREE}\n\n{}\nMeasured on {}, {}.\n",
+        table.markdown_rows(),
+        machine::now()[0],
+        machine::processor(),
+    )
 }
 
 /// When, where and how the numbers were measured.

@@ -4,11 +4,12 @@
 //! ```text
 //! cargo run --release -p growth
 //! taskset -c 1 cargo run --release -p growth -- --full
+//! taskset -c 1 cargo run --release -p growth -- --tree
 //! ```
 //!
 //! The first is a look at a few chains, in which one of 30 axes expands and compiles. The second
 //! measures up to 30 joints, in an unoptimised engine as well, and writes `docs/GROWTH.md`. Both
-//! write plots to `examples/output/`.
+//! write plots to `examples/output/`. The third prints the section about a tree alone.
 
 mod chain;
 mod compile;
@@ -21,19 +22,25 @@ mod source;
 mod unoptimised;
 
 use chain::Outcome;
-use document::document;
-use measure::measure;
+use document::{document, section};
+use measure::{measure, measure_tree};
 use plot::plots;
 
 fn main() -> Outcome<()> {
     let effort = match std::env::args().nth(1).as_deref() {
         None => Effort::QUICK,
         Some("--full") => Effort::FULL,
-        Some(other) => return Err(format!("`{other}` is not known: --full, or nothing").into()),
+        Some("--tree") => {
+            println!("{}", section(&measure_tree()?));
+            return Ok(());
+        }
+        Some(other) => {
+            return Err(format!("`{other}` is not known: --full, --tree, or nothing").into());
+        }
     };
     let chains = measure(effort.joints, effort.is_full)?;
     plots(&chains)?;
-    let document = document(&chains)?;
+    let document = document(&chains)? + &section(&measure_tree()?);
     println!("{document}");
     if effort.is_full {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/GROWTH.md");

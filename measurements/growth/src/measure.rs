@@ -20,17 +20,22 @@ pub(crate) fn measure(joints: &[usize], unoptimised_too: bool) -> Outcome<Vec<Ch
     let chains = joints.iter().zip(unoptimised);
     chains
         .map(|(&joints, unoptimised)| {
-            let chain = measure_chain(&compiler, joints, unoptimised)?;
+            let chain = measure_robot(&compiler, &arms::generic_chain(joints), unoptimised)?;
             println!("{joints:2} joints measured");
             Ok(chain)
         })
         .collect()
 }
 
-fn measure_chain(compiler: &Compiler, joints: usize, unoptimised: Option<f64>) -> Outcome<Chain> {
-    let robot = arms::generic_chain(joints);
+/// Measures a tree of 30 joints.
+pub(crate) fn measure_tree() -> Outcome<Chain> {
+    measure_robot(&Compiler::new()?, &arms::tree("humanoid"), None)
+}
+
+fn measure_robot(compiler: &Compiler, robot: &Robot, unoptimised: Option<f64>) -> Outcome<Chain> {
+    let joints = robot.dof();
     let functions = Function::default_set(false);
-    let (expansion, methods) = expansion(&robot, &functions)?;
+    let (expansion, methods) = expansion(robot, &functions)?;
     let source = source::library(joints, &functions, &methods);
     let dev = compiler.library(&source, &compile::DEV)?;
     let release = compiler.library(&source, &compile::RELEASE)?;
