@@ -7,14 +7,14 @@ use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{c_source, javascript_module};
 
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read, requests};
+use crate::load::{file_of, programs, read_on_any_base, requests};
 use crate::rust;
 use crate::write::{make_folder, write};
 
 /// Writes the files, and says which.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read(path, given)?;
+    let model = read_on_any_base(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
         Some("rust") => vec![rust::source(path, model)?],
         language => other(language, path, &model)?,

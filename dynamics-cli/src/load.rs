@@ -32,6 +32,12 @@ pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     read_for(path, given, Vec::new())
 }
 
+/// As [`read`], of a robot whose base may move.
+pub(crate) fn read_on_any_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    about_links(given, &[path])?;
+    read_any(path, with_values(given, path, None, "chain")?, Vec::new())
+}
+
 /// As [`read`], of which functions are needed besides.
 fn read_for(path: &Path, given: &ArgMatches, needed: Vec<Function>) -> Result<Model, Failure> {
     about_links(given, &[path])?;
@@ -86,8 +92,22 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     })
 }
 
-/// The model of a file, of which functions are needed besides those that are asked for.
+/// The model of a file, of which functions are needed besides those that are asked for. Its base must stand.
 fn read_with(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result<Model, Failure> {
+    let model = read_any(path, options, needed)?;
+    if model.robot.freedoms().has_base() {
+        let message = format!(
+            "{}: the base moves, which this command does not know: `robot-dynamics generate` and the macro write the \
+             functions of such a robot",
+            path.display()
+        );
+        return Err(Failure::after(String::new(), message));
+    }
+    Ok(model)
+}
+
+/// The same on any base.
+fn read_any(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result<Model, Failure> {
     read_file(path, &options.for_command(needed)).map_err(|error| match &error {
         // A mistake without a file is one of the command line.
         FileError::Mistakes(mistakes) if mistakes.iter().all(|mistake| mistake.file.is_none()) => {
@@ -301,7 +321,7 @@ pub(crate) fn programs(
         progress.doing(request.name());
         let proven = proven_program(robot, request);
         let program = proven.map_err(|error| Failure::of_file(path, error))?;
-        programs.push((request.clone(), program));
+        programs.push((robot.request(request.clone()), program));
         progress.done(index + 1);
     }
     Ok(programs)

@@ -32,8 +32,9 @@ impl Compiled {
     ) -> Result<Self, BuildError> {
         let too_long = |_| BuildError::TooLong(request.name().to_owned());
         let tape = Tape::new(proven).map_err(too_long)?;
-        let (joints, outputs) = (robot.dof(), proven.program.outputs.len());
-        let layout = Layout::new(&request, joints, outputs);
+        let request = robot.request(request);
+        let (freedoms, outputs) = (robot.freedoms(), proven.program.outputs.len());
+        let layout = Layout::new(&request, freedoms, outputs);
         let arguments = request.arguments().into_iter().filter_map(|argument| {
             let shape = argument.shape()?;
             Some((argument, shape.entries(layout.sizes)))

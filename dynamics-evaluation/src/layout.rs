@@ -2,7 +2,7 @@
 
 use dynamics_runtime::{Scalar, SingularMassMatrix};
 use dynamics_symbolic::Request;
-use dynamics_symbolic::function::{Shape, Sizes, sizes_of, spans};
+use dynamics_symbolic::function::{Freedoms, Shape, Sizes, sizes_of, spans};
 
 /// The outputs of a program.
 #[derive(Clone, Debug)]
@@ -38,10 +38,11 @@ impl Test {
 }
 
 impl Layout {
-    /// The outputs of a program, which are so many, of an arm of so many joints.
-    pub(crate) fn new(request: &Request, joints: usize, outputs: usize) -> Self {
-        let sizes = sizes_of(request.parts(), joints, outputs);
-        let spans = spans(request.parts(), joints, outputs);
+    /// The outputs of a program, which are so many, of a robot with these degrees of freedom.
+    pub(crate) fn new(request: &Request, freedoms: Freedoms, outputs: usize) -> Self {
+        let sizes = sizes_of(request.parts(), freedoms, outputs);
+        let spans = spans(request.parts(), freedoms, outputs);
+        let joints = freedoms.all();
         let (mut places, mut values, mut tests) = (Vec::new(), Vec::new(), Vec::new());
         for (function, span) in request.functions().zip(spans) {
             let start = places.len();

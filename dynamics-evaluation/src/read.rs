@@ -36,23 +36,33 @@ pub(crate) fn parameter<T: Scalar>(
 /// The joint of an index of [`Symbol`], which moves by itself or follows another one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axis<T> {
-    /// The joint by which it moves.
-    joint: usize,
+    /// The degree of freedom by which it moves.
+    freedom: usize,
+    /// The entry of q: none of the degrees of freedom of a base.
+    position: usize,
     /// The factor of a follower's positions and velocities; none if the joint moves by itself.
     factor: Option<T>,
     /// Stribeck's velocity; 1 where the joint has none, which nothing reads.
     stribeck: T,
 }
 
-/// The joints that move by themselves, then their followers, in the order of the indices of [`Symbol`].
+/// The degrees of freedom, then the followers, in the order of the indices of [`Symbol`].
 pub(crate) fn axes<T: Scalar>(
     robot: &Robot,
     fields: &[f64],
     constant: &impl Fn(f64) -> T,
 ) -> Vec<Axis<T>> {
     let cell = |value: &Value| cell(value, fields, constant);
-    let axis = |row: &Row, joint: usize, factor: Option<&Value>| Axis {
-        joint,
+    let base = robot.freedoms().base;
+    let of_base = (0..base).map(|freedom| Axis {
+        freedom,
+        position: 0,
+        factor: None,
+        stribeck: constant(1.0),
+    });
+    let axis = |row: &Row, freedom: usize, factor: Option<&Value>| Axis {
+        freedom,
+        position: freedom - base,
         factor: factor.map(cell),
         stribeck: match &row.stribeck {
             Some(stribeck) => cell(&stribeck.velocity),
@@ -60,12 +70,12 @@ pub(crate) fn axes<T: Scalar>(
         },
     };
     let rows = robot.joints().enumerate();
-    let joints = rows.map(|(joint, row)| axis(row, joint, None));
+    let joints = rows.map(|(joint, row)| axis(row, base + joint, None));
     let followers = robot.followers().map(|(row, coupling)| {
         let leader = robot.joint_of(coupling.leader);
         axis(row, leader, Some(&coupling.factor))
     });
-    joints.chain(followers).collect()
+    of_base.chain(joints).chain(followers).collect()
 }
 
 /// The entry of an argument that a symbol is read of, for a follower times the factor.
@@ -106,10 +116,19 @@ impl<T: Scalar> Source<T> {
             }
             _ => return None,
         };
-        let Axis { joint, factor, .. } = axes[axis];
+        let Axis {
+            freedom,
+            position,
+            factor,
+            ..
+        } = axes[axis];
+        let entry = match argument {
+            Argument::Position => position,
+            _ => freedom,
+        };
         Some(Source {
             argument,
-            entry: joint,
+            entry,
             factor,
             read,
         })

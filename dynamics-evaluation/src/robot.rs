@@ -144,7 +144,7 @@ impl RuntimeRobot {
         table(&self.robot, &self.fields)
     }
 
-    /// Number of joints that move.
+    /// Number of joints that move, and six more of a base that moves.
     pub fn dof(&self) -> usize {
         self.robot.dof()
     }

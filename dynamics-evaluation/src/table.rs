@@ -2,8 +2,8 @@
 
 use dynamics_runtime::{
     table::{
-        self, Carrier, Convention, FixedFrame, Frame, JointMotion, JointType, Row, RuntimeTable,
-        Spring, Stribeck, Tool,
+        self, Carrier, Convention, FixedFrame, FloatingBase, Frame, JointMotion, JointType, Row,
+        RuntimeTable, Spring, Stribeck, Tool,
     },
     turned,
 };
@@ -27,6 +27,14 @@ pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
         .collect();
     let mut arm = RuntimeTable::with_frames(convention, gravity, &rows, &motions, &frames);
     arm.base = cells.frame(robot.placement());
+    arm.floating = robot.floating().map(|body| {
+        let body = body.map(&mut cells.cell());
+        FloatingBase {
+            mass: body.mass,
+            com: body.com,
+            inertia: body.inertia,
+        }
+    });
     if let Some(tool) = &robot.tool {
         arm.tool = cells.tool(tool);
     }

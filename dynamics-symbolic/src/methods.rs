@@ -115,10 +115,7 @@ pub fn expand_with<R: Clone + Into<Request>>(
     let mut methods: Vec<Method> = Vec::with_capacity(requests.len());
     let mut failures = Vec::new();
     for (index, request) in requests.iter().enumerate() {
-        let mut request: Request = request.clone().into();
-        if robot.freedoms().has_base() {
-            request = request.on_moving_base();
-        }
+        let request = robot.request(request.clone().into());
         let program = derive(robot, request.parts());
         let mut notes = neglected(robot, &request, &program, derive);
         notes.extend(plain(&program));

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod compiled;
+mod floating;
 mod generated;
 mod mimic;
 mod tables;

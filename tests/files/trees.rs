@@ -13,26 +13,26 @@ use super::text;
 
 /// Values of a robot, as Pinocchio computes them from its file.
 #[derive(Deserialize)]
-struct Reference {
-    joints: Vec<String>,
-    states: Vec<State>,
+pub(crate) struct Reference {
+    pub(crate) joints: Vec<String>,
+    pub(crate) states: Vec<State>,
 }
 
 #[derive(Deserialize)]
 #[allow(non_snake_case, reason = "the names of the quantities")]
-struct State {
-    q: Vec<f64>,
-    v: Vec<f64>,
-    a: Vec<f64>,
-    tau: Vec<f64>,
-    M: Vec<Vec<f64>>,
-    nle: Vec<f64>,
-    g: Vec<f64>,
-    kinetic_energy: f64,
+pub(crate) struct State {
+    pub(crate) q: Vec<f64>,
+    pub(crate) v: Vec<f64>,
+    pub(crate) a: Vec<f64>,
+    pub(crate) tau: Vec<f64>,
+    pub(crate) M: Vec<Vec<f64>>,
+    pub(crate) nle: Vec<f64>,
+    pub(crate) g: Vec<f64>,
+    pub(crate) kinetic_energy: f64,
     /// Centre of mass of the links that move.
-    com: Vec<f64>,
+    pub(crate) com: Vec<f64>,
     /// Transforms of links, by rows.
-    leaf_poses: BTreeMap<String, Vec<Vec<f64>>>,
+    pub(crate) leaf_poses: BTreeMap<String, Vec<Vec<f64>>>,
 }
 
 impl State {
@@ -54,7 +54,7 @@ impl State {
     }
 }
 
-fn reference(name: &str) -> Reference {
+pub(crate) fn reference(name: &str) -> Reference {
     let text = text(&format!("urdf/trees/{name}.json"));
     serde_json::from_str(&text).expect("a reference")
 }
@@ -90,7 +90,7 @@ fn robot(path: impl AsRef<Path>, links: &[&str]) -> RuntimeRobot {
 
 /// The largest difference, relative to a scale.
 #[track_caller]
-fn assert_near(what: &str, found: &[f64], expected: &[f64], scale: f64) {
+pub(crate) fn assert_near(what: &str, found: &[f64], expected: &[f64], scale: f64) {
     assert_eq!(found.len(), expected.len(), "{what}");
     for (found, expected) in found.iter().zip(expected) {
         let error = (found - expected).abs();
@@ -98,7 +98,7 @@ fn assert_near(what: &str, found: &[f64], expected: &[f64], scale: f64) {
     }
 }
 
-fn largest(values: &[f64]) -> f64 {
+pub(crate) fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest, x| largest.max(x.abs()))
 }
 

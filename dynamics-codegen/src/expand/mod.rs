@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 use dynamics_symbolic::formula::Equation;
 use dynamics_symbolic::function::Freedoms;
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Base, Robot};
 use dynamics_symbolic::{
     Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_trait,
 };
@@ -80,11 +80,23 @@ pub(crate) fn robot(
 /// of the code around the call.
 pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream) -> TokenStream {
     let names = joint_names(entries);
-    let target = Target::new(structure, names.len(), path);
-    let requests = requests_to_stub(entries);
+    let joints = names.len();
+    let is_moving_base =
+        |entry: &Entry| matches!(entry, Entry::Base(Some(base)) if base.floating().is_some());
+    let base_moves = entries.iter().any(is_moving_base);
+    let base = if base_moves && joints > 0 {
+        Base::FREEDOMS
+    } else {
+        0
+    };
+    let target = Target::new(structure, Freedoms { base, joints }, path);
+    let mut requests = requests_to_stub(entries);
+    if base_moves {
+        requests = requests.into_iter().map(Request::on_moving_base).collect();
+    }
     let unimplemented = quote!(::core::unimplemented!());
     let provided = requests.iter().filter_map(|request| {
-        let function = request.function()?;
+        let function = request.function().filter(|_| !base_moves)?;
         Some((
             function,
             stub_of_trait(function, target.freedoms.joints, path)?,

@@ -35,7 +35,7 @@ pub use spring::Spring;
 pub use symbol::Symbol;
 pub use value::Value;
 
-use crate::function::{Argument, Freedoms};
+use crate::function::{Argument, Freedoms, Request};
 
 /// How a row of the table places link frame i in link frame i-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -190,6 +190,15 @@ impl Robot {
         match argument {
             Argument::Position => freedom - self.freedoms().base,
             _ => freedom,
+        }
+    }
+
+    /// What is asked for, of this robot: functions of one whose base moves take where that stands.
+    pub fn request(&self, request: Request) -> Request {
+        if self.freedoms().has_base() {
+            request.on_moving_base()
+        } else {
+            request
         }
     }
 

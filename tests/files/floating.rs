@@ -1,0 +1,211 @@
+//! Robots on a base that moves, compiled: HyQ beside the values that Pinocchio has from the same file, a free body, and
+//! batches, tuples and other numbers beside single calls.
+
+use robot_dynamics::nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
+use robot_dynamics::{Batch, Certified, DoubleDouble, Pose, robot_dynamics};
+
+use super::trees::{Reference, State, assert_near, largest, reference};
+
+robot_dynamics! {
+    /// Four legs on a trunk that moves.
+    struct Hyq;
+    file: "../data/urdf/trees/hyq_no_sensors.urdf",
+    base: floating,
+    gravity: [0, 0, -9.81],
+    allow: [unphysical_inertia],
+    functions: [
+        default, bias_force, center_of_mass, jacobian(lf_foot), wrench_torques(lf_foot), forward_kinematics(lf_foot),
+        forward_kinematics(rh_foot), inverse_dynamics_derivatives,
+        control_terms = (mass_matrix, coriolis_vector, gravity_vector),
+    ],
+}
+
+robot_dynamics! {
+    /// A body without joints.
+    struct Stone { m: f64 }
+    gravity: [0, 0, -9.81],
+    base: floating { mass: m, com: [0.1, 0, 0.2], inertia: { xx: 0.5, yy: 0.4, zz: 0.6 } },
+    joints: [],
+}
+
+type Velocity = SVector<f64, 18>;
+
+/// The state of a reference, in the order of the joints here.
+fn state(reference: &Reference, state: &State) -> (Pose<f64>, SVector<f64, 12>, [Velocity; 3]) {
+    let place = |name: &&str| reference.joints.iter().position(|joint| joint == name);
+    // The first joint of Pinocchio is the base.
+    let order: Vec<usize> = Hyq::JOINT_NAMES
+        .iter()
+        .map(|name| place(name).expect("a joint of the reference") - 1)
+        .collect();
+    let [x, y, z, i, j, k, w] = [0, 1, 2, 3, 4, 5, 6].map(|index| state.q[index]);
+    let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+    let pose = Pose {
+        rotation: rotation.to_rotation_matrix().into_inner(),
+        position: Vector3::new(x, y, z),
+    };
+    let of_joints = SVector::from_fn(|k, _| state.q[7 + order[k]]);
+    let in_order = |values: &[f64]| {
+        Velocity::from_fn(|k, _| match k.checked_sub(6) {
+            Some(joint) => values[6 + order[joint]],
+            None => values[k],
+        })
+    };
+    let vectors = [&state.v, &state.a, &state.tau].map(|values| in_order(values));
+    (pose, of_joints, vectors)
+}
+
+#[test]
+fn a_quadruped_moves_as_pinocchio_says() {
+    assert_eq!((Hyq::DOF, Hyq::JOINT_NAMES.len()), (18, 12));
+    let reference = reference("hyq_no_sensors_free");
+    for of_state in &reference.states {
+        let (base, q, [v, a, tau]) = state(&reference, of_state);
+        let found = Hyq.inverse_dynamics(&base, &q, &v, &a);
+        assert_near("tau", found.as_slice(), tau.as_slice(), 10.0 * tau.amax());
+        let energy = Hyq.kinetic_energy(&q, &v);
+        assert_near("T", &[energy], &[of_state.kinetic_energy], 10.0 * energy);
+        let center = Hyq.center_of_mass(&base, &q);
+        assert_near("com", center.as_slice(), &of_state.com, 1.0);
+        let foot = Hyq.forward_kinematics_lf_foot(&base, &q).transpose();
+        let expected = of_state.leaf_poses["lf_foot"].concat();
+        assert_near("foot", foot.as_slice(), &expected, 10.0);
+        // M a + V + G + F = tau, and back.
+        let (m, bias) = (Hyq.mass_matrix(&q), Hyq.bias_force(&base, &q, &v));
+        assert_near(
+            "M a",
+            (m * a + bias).as_slice(),
+            found.as_slice(),
+            100.0 * tau.amax(),
+        );
+        let back = Hyq
+            .forward_dynamics(&base, &q, &v, &found)
+            .expect("M is definite");
+        assert_near(
+            "a",
+            back.as_slice(),
+            a.as_slice(),
+            1e4 * largest(a.as_slice()),
+        );
+    }
+}
+
+/// The power of a force at a foot is that of the torques which it makes.
+#[test]
+fn a_push_at_a_foot_is_handed_to_base_and_joints() {
+    let reference = reference("hyq_no_sensors_free");
+    let (base, q, [v, ..]) = state(&reference, &reference.states[0]);
+    let wrench = SVector::from([10.0, -5.0, 80.0, 0.3, 0.2, -0.1]);
+    let torques = Hyq.wrench_torques_lf_foot(&base, &q, &wrench);
+    let power = wrench.dot(&(Hyq.jacobian_lf_foot(&base, &q) * v));
+    assert!((torques.dot(&v) - power).abs() < 1e-11 * power.abs().max(1.0));
+    // The whole robot is pushed as its base is: the force is the same, in the axes of the base.
+    let force = base.rotation.transpose() * Vector3::new(10.0, -5.0, 80.0);
+    assert!((torques.fixed_rows::<3>(0) - force).amax() < 1e-12);
+}
+
+#[test]
+fn batches_tuples_and_other_numbers_are_single_calls() {
+    let reference = reference("hyq_no_sensors_free");
+    let states: Vec<_> = (0..37)
+        .map(|k| state(&reference, &reference.states[k % reference.states.len()]))
+        .collect();
+    let poses: Vec<Pose<f64>> = states.iter().map(|(pose, ..)| *pose).collect();
+    let q: Vec<_> = states.iter().map(|(_, q, _)| *q).collect();
+    let [v, a] = [0, 1].map(|i| states.iter().map(|state| state.2[i]).collect::<Vec<_>>());
+    let mut tau = vec![Velocity::zeros(); states.len()];
+    Hyq.inverse_dynamics_batch(&poses, &q, &v, &a, &mut tau)
+        .expect("as many");
+    // Twelve columns, the rotation by rows.
+    let columns: [Vec<f64>; 12] = core::array::from_fn(|k| {
+        let entry = |pose: &Pose<f64>| match k {
+            0..9 => pose.rotation[(k / 3, k % 3)],
+            _ => pose.position[k - 9],
+        };
+        poses.iter().map(entry).collect()
+    });
+    let mut by_columns: [Vec<f64>; 18] = core::array::from_fn(|_| vec![0.0; states.len()]);
+    Hyq.inverse_dynamics_batch(&columns, &q, &v, &a, &mut by_columns)
+        .expect("as many");
+    for (k, (base, q, [v, a, _])) in states.iter().enumerate() {
+        let single = Hyq.inverse_dynamics(base, q, v, a);
+        assert_near("batch", tau[k].as_slice(), single.as_slice(), single.amax());
+        let row: Vec<f64> = by_columns.iter().map(|column| column[k]).collect();
+        assert_near("columns", &row, single.as_slice(), single.amax());
+        let (m, coriolis, gravity) = Hyq.control_terms(base, q, v);
+        let whole = m * a + coriolis + gravity + Hyq.friction_vector(v);
+        assert_near(
+            "terms",
+            whole.as_slice(),
+            single.as_slice(),
+            100.0 * single.amax(),
+        );
+        // Thirty-one digits say how far the doubles are off, and certified bounds know it.
+        let exact = Hyq.inverse_dynamics(
+            &precise(base),
+            &q.map(DoubleDouble::from),
+            &v.map(DoubleDouble::from),
+            &a.map(DoubleDouble::from),
+        );
+        let certified = Hyq.inverse_dynamics(
+            &certain(base),
+            &q.map(Certified::exact),
+            &v.map(Certified::exact),
+            &a.map(Certified::exact),
+        );
+        for i in 0..18 {
+            let error = f64::from(exact[i] - DoubleDouble::from(certified[i].value())).abs();
+            assert!(error <= certified[i].bound(), "{error}");
+            assert!((single[i] - f64::from(exact[i])).abs() < 1e-14 * single.amax());
+        }
+    }
+}
+
+fn precise(pose: &Pose<f64>) -> Pose<DoubleDouble> {
+    Pose {
+        rotation: pose.rotation.map(DoubleDouble::from),
+        position: pose.position.map(DoubleDouble::from),
+    }
+}
+
+fn certain(pose: &Pose<f64>) -> Pose<Certified> {
+    Pose {
+        rotation: pose.rotation.map(Certified::exact),
+        position: pose.position.map(Certified::exact),
+    }
+}
+
+/// Newton's and Euler's equations of a body about the origin of its frame.
+#[test]
+fn a_free_body_obeys_newton_and_euler() {
+    assert_eq!(Stone::DOF, 6);
+    let stone = Stone { m: 3.0 };
+    let base = Pose {
+        rotation: UnitQuaternion::from_euler_angles(0.3, -0.8, 1.1)
+            .to_rotation_matrix()
+            .into_inner(),
+        position: Vector3::new(1.0, 2.0, 3.0),
+    };
+    let none = SVector::<f64, 0>::zeros();
+    let [linear, w] = [Vector3::new(0.2, -0.4, 0.9), Vector3::new(1.1, 0.6, -0.7)];
+    let [linear_rate, rate] = [Vector3::new(-0.3, 0.8, 0.1), Vector3::new(0.5, -0.9, 0.4)];
+    let join = |a: Vector3<f64>, b: Vector3<f64>| SVector::from([a.x, a.y, a.z, b.x, b.y, b.z]);
+    let (v, a) = (join(linear, w), join(linear_rate, rate));
+    let c = Vector3::new(0.1, 0.0, 0.2);
+    let tensor = Matrix3::from_diagonal(&Vector3::new(0.5, 0.4, 0.6));
+    let gravity = base.rotation.transpose() * Vector3::new(0.0, 0.0, -9.81);
+    let of_center = linear_rate + w.cross(&linear) + rate.cross(&c) + w.cross(&w.cross(&c));
+    let force = 3.0 * (of_center - gravity);
+    let moment = tensor * rate + w.cross(&(tensor * w)) + c.cross(&force);
+    let found = stone.inverse_dynamics(&base, &none, &v, &a);
+    assert!((found - join(force, moment)).amax() < 1e-13, "{found}");
+    let back = stone
+        .forward_dynamics(&base, &none, &v, &found)
+        .expect("a mass");
+    assert!((back - a).amax() < 1e-13);
+    let height = (base.position + base.rotation * c).z;
+    assert!((stone.potential_energy(&base, &none) - 3.0 * 9.81 * height).abs() < 1e-12);
+    // Without mass there is no acceleration; the base is named.
+    let error = Stone { m: 0.0 }.forward_dynamics(&base, &none, &v, &found);
+    assert!(error.is_err_and(|error| error.to_string().contains("base")));
+}
