@@ -456,7 +456,7 @@ fn every_function_of_random_trees_is_proven() {
 #[test]
 #[ignore = "takes a minute: .ci/run runs it"]
 fn every_function_of_many_random_trees_is_proven() {
-    prove_random(32, 300);
+    prove_random(32, 60);
 }
 
 fn prove_random(seed: u64, count: usize) {

@@ -13,7 +13,6 @@ use super::{Definition, Row};
 use crate::exact::{SplitMix64, rotation_point};
 use crate::function::Argument;
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::Base;
 
 /// Dual numbers over dual numbers: x + x_j e_1 + x_k e_2 + x_jk e_1 e_2.
 pub(super) type Twice = Dual<Dual<Number>>;
@@ -139,11 +138,6 @@ impl Definition {
     pub(super) fn unit<R: Lift>(&self, k: usize) -> Vec<R> {
         let speed = |i: usize| if i == k { Number::ONE } else { Number::ZERO };
         (0..self.dof()).map(|i| R::lift(speed(i))).collect()
-    }
-
-    /// The degrees of freedom of the base.
-    pub(super) fn of_base(&self) -> core::ops::Range<usize> {
-        0..self.floating.as_ref().map_or(0, |_| Base::FREEDOMS)
     }
 }
 

@@ -3,29 +3,60 @@
 use super::super::assignment::{HALF, Number};
 use super::Definition;
 use super::configuration::Configuration;
+use super::parameters::Twist;
 use super::pose::Lift;
 use crate::linear::Vector3;
 
+/// The velocities of everything that has inertia.
+pub(super) struct Velocities<R> {
+    /// Of each body's centre of mass, and its angular velocity in its own axes.
+    bodies: Vec<(Vector3<R>, Vector3<R>)>,
+    joints: Vec<R>,
+    /// Of the links, if parameters are neglected.
+    twists: Vec<Twist<R>>,
+}
+
 impl Definition {
-    /// T = sum 1/2 (m c'.c' + w.I w) + sum 1/2 r^2 J_m qd^2, where c' is the
-    /// derivative of c and w in the link frame that of the rotation: [w]x = R^T R'.
-    pub(super) fn kinetic_energy<R: Lift>(&self, q: &Configuration<R>, qd: &[R]) -> R {
-        let mut twice = R::lift(Number::ZERO);
-        for (_, body, pose) in self.bodies(&self.moving(q, qd)) {
-            let velocity = Vector3(body.center(&pose).0.map(|x| x.derivative));
-            let w = pose.angular_velocity();
-            let linear = R::lift(body.mass) * velocity.dot(velocity);
-            twice = twice + linear + w.dot(body.tensor().apply(w));
-        }
-        for row in &self.rows {
-            let speed = row.joint.speed(qd);
-            twice = twice + R::lift(row.reflected) * speed * speed;
-        }
-        let neglected = self.neglected(|| {
-            let twists = self.twists(q, qd);
-            self.inertia_forms(&twists, &twists)
+    /// The velocities at which T is, if the degrees of freedom have these speeds.
+    pub(super) fn velocities<R: Lift>(&self, q: &Configuration<R>, qd: &[R]) -> Velocities<R> {
+        let bodies = self.bodies(&self.moving(q, qd)).into_iter();
+        let bodies = bodies.map(|(_, body, pose)| {
+            let linear = Vector3(body.center(&pose).0.map(|x| x.derivative));
+            (linear, pose.angular_velocity())
         });
-        R::lift(HALF) * (twice - neglected)
+        let twists = if self.neglected.is_empty() {
+            Vec::new()
+        } else {
+            self.twists(q, qd)
+        };
+        Velocities {
+            bodies: bodies.collect(),
+            joints: self.rows.iter().map(|row| row.joint.speed(qd)).collect(),
+            twists,
+        }
+    }
+
+    /// The polar form of 2 T = sum m c'.c' + w.I w + sum r^2 J_m qd^2, where c' is the derivative of c and w in the link
+    /// frame that of the rotation: [w]x = R^T R'. Velocities are linear in qd, so that x' M y has this value at those of x
+    /// and of y.
+    pub(super) fn inertia_form<R: Lift>(&self, x: &Velocities<R>, y: &Velocities<R>) -> R {
+        let mut sum = R::lift(Number::ZERO);
+        let velocities = x.bodies.iter().zip(&y.bodies);
+        for (body, (&(v, w), &(other_v, other_w))) in self.all_bodies().zip(velocities) {
+            let linear = R::lift(body.mass) * v.dot(other_v);
+            sum = sum + linear + w.dot(body.tensor().apply(other_w));
+        }
+        let speeds = x.joints.iter().zip(&y.joints);
+        for (row, (&speed, &other)) in self.rows.iter().zip(speeds) {
+            sum = sum + R::lift(row.reflected) * speed * other;
+        }
+        sum - self.neglected(|| self.inertia_forms(&x.twists, &y.twists))
+    }
+
+    /// T
+    pub(super) fn kinetic_energy<R: Lift>(&self, q: &Configuration<R>, qd: &[R]) -> R {
+        let velocities = self.velocities(q, qd);
+        R::lift(HALF) * self.inertia_form(&velocities, &velocities)
     }
 
     /// A value for all parameters that are neglected, by the values for a unit of each parameter.

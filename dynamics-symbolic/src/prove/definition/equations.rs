@@ -8,30 +8,15 @@ use super::pose::Lift;
 use super::row::Row;
 use super::{Definition, Matrix, Vector};
 use crate::linear::Vector3;
-use core::ops::Range;
 
 impl Definition {
-    /// d2T/dqd_i dqd_j = T(e_i + e_j) - T(e_i) - T(e_j), for T is quadratic in qd.
+    /// d2T/dqd_i dqd_j, for T is quadratic in qd.
     pub(super) fn mass_matrix<R: Lift>(&self, q: &Configuration<R>) -> Vec<Vec<R>> {
-        let n = self.dof();
-        let (zero, one) = (R::lift(Number::ZERO), R::lift(Number::ONE));
-        let energy = |axes: &[usize]| {
-            let mut qd = vec![zero; n];
-            for &axis in axes {
-                qd[axis] = one;
-            }
-            self.kinetic_energy(q, &qd)
-        };
-        let single: Vec<_> = (0..n).map(|i| energy(&[i])).collect();
-        let mut matrix = vec![vec![zero; n]; n];
-        for i in 0..n {
-            matrix[i][i] = single[i] + single[i];
-            for j in 0..i {
-                matrix[i][j] = energy(&[i, j]) - single[i] - single[j];
-                matrix[j][i] = matrix[i][j];
-            }
-        }
-        matrix
+        let units: Vec<_> = (0..self.dof())
+            .map(|i| self.velocities(q, &self.unit(i)))
+            .collect();
+        let row = |x| units.iter().map(|y| self.inertia_form(x, y)).collect();
+        units.iter().map(row).collect()
     }
 
     /// c_ijk, Christoffel symbols of the first kind, indexed `[i][j][k]`.
@@ -48,25 +33,11 @@ impl Definition {
         (0..n).map(matrix).collect()
     }
 
-    /// dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
-    pub(super) fn momenta<R: Lift>(
-        &self,
-        q: &Configuration<R>,
-        qd: &[R],
-        freedoms: Range<usize>,
-    ) -> Vec<R> {
-        let whole = self.kinetic_energy(q, qd);
-        let momentum = |i: usize| {
-            let unit = self.unit(i);
-            let shifted: Vec<_> = qd.iter().zip(&unit).map(|(&a, &b)| a + b).collect();
-            self.kinetic_energy(q, &shifted) - whole - self.kinetic_energy(q, &unit)
-        };
-        freedoms.map(momentum).collect()
-    }
-
     /// dT/dqd
     pub(super) fn generalized_momentum(&self) -> Vector {
-        self.momenta(&self.q, &self.qd, 0..self.dof())
+        let motion = self.velocities(&self.q, &self.qd);
+        let momentum = |i| self.inertia_form(&motion, &self.velocities(&self.q, &self.unit(i)));
+        (0..self.dof()).map(momentum).collect()
     }
 
     /// dT/dq - G - K - F: by Lagrange d/dt (dT/dqd) = tau + dT/dq - dU/dq - F. Of a base that moves Hamel's terms are on
@@ -75,7 +46,8 @@ impl Definition {
         let qd = constant(&self.qd);
         let slope = |i: usize| self.kinetic_energy(&self.along(i), &qd).derivative;
         let forces = sum(&self.gravity_vector(), &self.joint_forces());
-        let forces = sum(&forces, &self.turning_of_base(&self.q, &self.qd));
+        let turning = self.turning_of_base(&self.generalized_momentum(), &self.qd);
+        let forces = sum(&forces, &turning);
         let forces = forces.into_iter().enumerate();
         forces.map(|(i, force)| slope(i) - force).collect()
     }
@@ -87,27 +59,27 @@ impl Definition {
         let moving = self.moving(q, qd);
         let rates = qd.iter().zip(qdd);
         let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
-        let rate = |qd: &[Dual<R>]| self.kinetic_energy(&moving, qd).derivative;
-        let along_motion = rate(&speeds);
-        let turning = self.turning_of_base(q, qd);
+        let motion = self.velocities(&moving, &speeds);
+        let momentum =
+            |i: usize| self.inertia_form(&motion, &self.velocities(&moving, &self.unit(i)));
+        let momenta: Vec<Dual<R>> = (0..self.dof()).map(momentum).collect();
         let still: Vec<_> = qd.iter().map(|&x| Dual::new(x, zero)).collect();
-        let force = |i: usize| {
-            // dT/dqd_i = T(qd + e_i) - T(qd) - T(e_i), for T is quadratic in qd.
-            let axis: Vec<_> = self.unit(i);
-            let shifted: Vec<_> = speeds.iter().zip(&axis).map(|(&a, &b)| a + b).collect();
-            let momentum_rate = rate(&shifted) - along_motion - rate(&axis);
+        let slope = |i: usize| {
             let displaced = self.moving(q, &self.unit(i));
-            momentum_rate - self.kinetic_energy(&displaced, &still).derivative + turning[i]
+            self.kinetic_energy(&displaced, &still).derivative
         };
-        (0..self.dof()).map(force).collect()
+        let values: Vec<_> = momenta.iter().map(|momentum| momentum.value).collect();
+        let turning = self.turning_of_base(&values, qd).into_iter().enumerate();
+        turning
+            .map(|(i, turning)| momenta[i].derivative - slope(i) + turning)
+            .collect()
     }
 
     /// What Hamel's equations add to d/dt (dT/du) for the axes of the base, which turn: w x dT/dv to the forces, and
     /// w x dT/dw + v x dT/dv to the moments (Hamel 1904; Kirchhoff's equations of a body by itself).
-    fn turning_of_base<R: Lift>(&self, q: &Configuration<R>, u: &[R]) -> Vec<R> {
+    fn turning_of_base<R: Lift>(&self, momenta: &[R], u: &[R]) -> Vec<R> {
         let mut forces = vec![R::lift(Number::ZERO); self.dof()];
         if let Some([v, w]) = self.velocity_of_base(u) {
-            let momenta = self.momenta(q, u, self.of_base());
             let momentum = |first: usize| Vector3([0, 1, 2].map(|k| momenta[first + k]));
             let (linear, angular) = (momentum(0), momentum(3));
             forces[..3].copy_from_slice(&w.cross(linear).0);

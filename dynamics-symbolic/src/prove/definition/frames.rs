@@ -121,6 +121,13 @@ impl Definition {
         links.chain(base).chain(fixed).collect()
     }
 
+    /// The bodies in the same order.
+    pub(super) fn all_bodies(&self) -> impl Iterator<Item = &Body> {
+        let links = self.rows.iter().map(|row| &row.body);
+        let fixed = self.fixed_bodies.iter().map(|fixed| &fixed.body);
+        links.chain(&self.floating).chain(fixed)
+    }
+
     /// The parameters of what is fixed to the link of a row or to the base, about the origin of the frame in which the link
     /// frame is at `link`.
     pub(super) fn parameters_fixed_to(

@@ -21,8 +21,8 @@
 //!
 //! Where base parameters are neglected, what they contribute to T and U is taken off.
 //!
-//! Velocities are derivatives of positions by dual numbers. T is quadratic in
-//! qd, so that its second derivatives are differences, without a limit.
+//! Velocities are derivatives of positions by dual numbers. They are linear in qd, and T is quadratic in them, so that its second
+//! derivatives are its polar form.
 
 mod body;
 mod configuration;
