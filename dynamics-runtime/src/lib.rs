@@ -85,7 +85,7 @@ pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
     MassMatrix, Model,
 };
-pub use newton_euler::{NewtonEuler, NumericArm};
+pub use newton_euler::{FloatingNewtonEuler, NewtonEuler, NumericArm, NumericFloating};
 pub use operations::Operations;
 pub use pose::Pose;
 pub use scalar::Scalar;
