@@ -42,6 +42,7 @@ mod function;
 mod inputs;
 #[cfg(feature = "std")]
 mod integrate;
+pub mod layouts;
 mod macros;
 mod model;
 mod momenta;
@@ -85,7 +86,7 @@ pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
     MassMatrix, Model,
 };
-pub use newton_euler::{NewtonEuler, NumericArm};
+pub use newton_euler::{FloatingNewtonEuler, NewtonEuler, NumericArm, NumericFloating};
 pub use operations::Operations;
 pub use pose::Pose;
 pub use scalar::Scalar;
@@ -94,7 +95,7 @@ pub use shared_sines::SharedSines;
 pub use simulation::{Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory};
 pub use singular::SingularMassMatrix;
 pub use size::Size;
-pub use state::{AccelerationDerivatives, SecondDerivatives, State};
+pub use state::{AccelerationDerivatives, FloatingState, SecondDerivatives, State};
 pub use trajectory::Cycloidal;
 
 // The items that generated code and other crates of this workspace name, besides.
@@ -115,7 +116,9 @@ pub use equations_of_motion::SizedModel;
 pub use equations_of_motion::{EquationsOfMotion, Responses};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use evaluation::{Arguments, Evaluate, Evaluation, FunctionValue};
+pub use evaluation::{
+    Arguments, Evaluate, Evaluation, FloatingArguments, FloatingEvaluate, FunctionValue,
+};
 #[doc(hidden)]
 pub use function::{Arrangement, Entries, Function, Number, functions};
 #[doc(hidden)]

@@ -1,7 +1,8 @@
 //! A state of an arm, and types of the values of functions there.
 
-use nalgebra::{Const, SMatrix, Vector6};
+use nalgebra::{Const, SMatrix, SVector, Vector6};
 
+use crate::Pose;
 use crate::size::Size;
 
 /// Position, velocity and acceleration of all joints. [`State`] is that of an arm whose number of joints the compiler
@@ -53,6 +54,30 @@ impl<D: Size> SizedState<D> {
     #[doc(hidden)]
     pub fn wrench() -> Vector6<f64> {
         Vector6::new(5.0, -3.0, 8.0, 2.0, -1.0, 0.5)
+    }
+}
+
+/// Place, position, velocity and acceleration of `N` joints on a base that moves; `V` is 6 + N.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloatingState<const N: usize, const V: usize> {
+    /// Where the base stands.
+    pub base: Pose<f64>,
+    /// Joint positions, rad or m.
+    pub q: SVector<f64, N>,
+    /// Linear and angular velocity of the base in its own axes, m/s and rad/s, then those of the joints.
+    pub v: SVector<f64, V>,
+    /// The rates of `v`.
+    pub a: SVector<f64, V>,
+}
+
+impl<const N: usize, const V: usize> FloatingState<N, V> {
+    /// Its velocities and accelerations as those of a state, which makes further arguments of functions of them.
+    pub(crate) fn motion(&self) -> State<V> {
+        State {
+            q: SVector::zeros(),
+            qd: self.v,
+            qdd: self.a,
+        }
     }
 }
 

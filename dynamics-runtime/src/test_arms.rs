@@ -1,11 +1,12 @@
 //! Arms for the tests: one whose equations of motion are printed in a book, one with everything.
 
-use nalgebra::{Matrix2, SVector, Vector2};
+use nalgebra::{Matrix2, Rotation3, SVector, Vector2};
 
 use crate::check::random::SplitMix64;
 use crate::{
-    Convention, Energy, Evaluate, Evaluation, ForwardDynamics, Frame, JointType, Model, Row,
-    Scalar, SingularMassMatrix, Spring, State, Table, Tool,
+    Carrier, Convention, Energy, Evaluate, Evaluation, FixedFrame, FloatingBase, ForwardDynamics,
+    Frame, JointType, Model, Placement, Pose, Row, Scalar, SingularMassMatrix, Spring, State,
+    Table, Tool,
 };
 
 /// The two-link arm with point masses at the ends of its links, Craig (6.60) to (6.62).
@@ -214,6 +215,55 @@ fn general_row(random: &mut SplitMix64) -> Row {
             rest: 0.4,
         },
         ..Row::new(JointType::Revolute)
+    }
+}
+
+/// A tree of at least four rows on a base that moves: branches on the base and on row 0, frames with bodies on the base, on row 1
+/// and on the last row.
+pub(crate) fn floating_table<const N: usize>(convention: Convention, seed: u64) -> Table<N> {
+    let table = mounted_table::<N>(convention, seed);
+    let others: [Table<1>; 4] =
+        core::array::from_fn(|i| mounted_table(convention, 9 * seed + i as u64));
+    let mut rows = table.rows;
+    for (k, row) in rows.iter_mut().enumerate() {
+        row.on = [
+            Carrier::Above,
+            Carrier::Row(0),
+            Carrier::Row(0),
+            Carrier::Base,
+        ][k % 4];
+        if k % 4 != 0 {
+            row.mount = Placement::of_frames(&[others[k % 4].base]);
+        }
+    }
+    let frame = |on: Option<usize>| FixedFrame {
+        mass: 0.7,
+        com: others[0].tool.com,
+        inertia: [0.02, 0.03, 0.02, 0.001, -0.002, 0.0],
+        ..FixedFrame::new(on, Placement::of_frames(&[others[1].tool.frame]))
+    };
+    Table {
+        base: Frame::IDENTITY,
+        floating: Some(FloatingBase {
+            mass: 5.0,
+            com: others[2].rows[0].com,
+            inertia: [0.3, 0.4, 0.5, 0.02, -0.01, 0.03],
+        }),
+        rows,
+        frames: [frame(None), frame(Some(1)), frame(N.checked_sub(1))]
+            .iter()
+            .collect(),
+        tool: Tool::NONE,
+        ..table
+    }
+}
+
+/// A base somewhere, turned by some angles.
+pub(crate) fn random_pose(seed: u64) -> Pose<f64> {
+    let State { q, qd, .. } = random_state::<3>(seed ^ 77);
+    Pose {
+        rotation: Rotation3::from_euler_angles(q.x, q.y, q.z).into_inner(),
+        position: qd,
     }
 }
 

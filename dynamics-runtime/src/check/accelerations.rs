@@ -63,10 +63,10 @@ fn unreadable() -> Option<Vec<Entry>> {
 
 /// The equations of motion as far as the accelerations do not satisfy them: M qdd + bias - tau = 0.
 pub(super) fn accelerations<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<Entry>> {
-    let Some([qdd]) = matrices(found, [(at.joints(), 1)]) else {
+    let Some([qdd]) = matrices(found, [(at.freedoms(), 1)]) else {
         return unreadable();
     };
-    let bias = at.numeric.bias_force(at.q, at.qd);
+    let bias = at.bias_force();
     let residual = of::<T>(&at.mass_matrix) * &qdd + of_vector(&bias) - of_vector(at.tau);
     let scale = at.scale.inverse_dynamics + at.scale.mass_matrix * amax(&qdd);
     Some(entries(residual, scale).collect())
@@ -80,11 +80,11 @@ pub(super) fn acceleration_derivatives<T: Measured>(
     at: &At<'_>,
     found: &[T],
 ) -> Option<Vec<Entry>> {
-    let n = at.joints();
+    let n = at.freedoms();
     let Some([by_position, by_velocity, by_force]) = matrices(found, [(n, n); 3]) else {
         return unreadable();
     };
-    let (scale, forces) = (&at.scale, at.force_derivatives());
+    let (scale, forces) = (&at.scale, at.inverse_dynamics_derivatives());
     let condition = scale.mass_matrix * amax(&by_force);
     let residual = |derivative: &DMatrix<T>, forces: &DMatrix<f64>, size: f64| {
         let scale = size + scale.mass_matrix * amax(derivative);
@@ -123,16 +123,20 @@ pub(super) fn task_space<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<En
 /// as the series does not satisfy them: M qdd + bias - tau = 0 with qdd = 2 q_2, and, since tau is
 /// constant, M jerk + tau_q qd + tau_qd qdd = 0 with jerk = 6 q_3.
 pub(super) fn series_residuals<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<Entry>> {
-    let shapes = [(at.joints(), 1); MAX_TAYLOR_ORDER + 1];
+    if at.first() > 0 {
+        // There are no series of a base that moves.
+        return None;
+    }
+    let shapes = [(at.freedoms(), 1); MAX_TAYLOR_ORDER + 1];
     let Some([q, qd, second, third, ..]) = matrices(found, shapes) else {
         return unreadable();
     };
-    let (numeric, scale) = (at.numeric, &at.scale);
+    let scale = &at.scale;
     let (qdd, jerk) = (second * T::of(2.0), third * T::of(6.0));
-    let doubles = DVector::from_iterator(at.joints(), qdd.iter().map(|x| x.double()));
-    let (by_position, by_velocity) = numeric.inverse_dynamics_derivatives(at.q, at.qd, &doubles);
+    let doubles = DVector::from_iterator(at.freedoms(), qdd.iter().map(|x| x.double()));
+    let (by_position, by_velocity) = at.derivatives_at(&doubles);
     let mass_matrix = of::<T>(&at.mass_matrix);
-    let bias = of_vector(&numeric.bias_force(at.q, at.qd));
+    let bias = of_vector(&at.bias_force());
     let force = &mass_matrix * &qdd + bias - of_vector(at.tau);
     let rate =
         mass_matrix * &jerk + of_vector(&(by_position * at.qd)) + of::<T>(&by_velocity) * &qdd;

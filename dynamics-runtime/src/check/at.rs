@@ -2,14 +2,17 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 
+use super::numeric::Numeric;
 use super::scale::Scale;
 use crate::table::{AsArm as _, Moving};
-use crate::{JointType, NumericArm, RuntimeTable, SizedState};
+use crate::{JointType, Pose, RuntimeTable, SizedState};
 
 /// A state at which functions are compared, and the magnitudes of their values there.
 pub(super) struct At<'a> {
-    pub(super) numeric: &'a NumericArm<Dyn>,
+    pub(super) numeric: &'a Numeric,
     pub(super) table: &'a RuntimeTable,
+    /// Where a base that moves stands.
+    pub(super) base: &'a Pose<f64>,
     pub(super) state: &'a SizedState<Dyn>,
     pub(super) q: &'a DVector<f64>,
     pub(super) qd: &'a DVector<f64>,
@@ -29,14 +32,24 @@ pub(super) type Unit = (f64, Option<usize>);
 
 /// The units of entries.
 impl At<'_> {
-    /// The number of joints.
-    pub(super) fn joints(&self) -> usize {
-        self.q.len()
+    /// The number of velocities: of joints, and six more where the base moves.
+    pub(super) fn freedoms(&self) -> usize {
+        self.qd.len()
     }
 
-    /// Row i of a matrix of N rows belongs to joint i.
+    /// How many velocities there are before those of the joints.
+    pub(super) fn first(&self) -> usize {
+        self.qd.len() - self.q.len()
+    }
+
+    /// Row i of a matrix belongs to velocity i.
     pub(super) fn joint(&self, k: usize, scale: f64) -> Unit {
-        (scale, Some(k % self.joints()))
+        (scale, Some(k % self.freedoms()))
+    }
+
+    /// A list with so many numbers for each joint belongs to the joints.
+    pub(super) fn each_joint(&self, k: usize, numbers: usize, scale: f64) -> Unit {
+        (scale, Some(self.first() + k / numbers % self.q.len()))
     }
 
     /// Directions in a transform are of size 1.
@@ -49,9 +62,17 @@ impl At<'_> {
     }
 
     /// Axes in a Jacobian are of size 1, velocities of revolute joints as large as the distance from their axis. A column
-    /// is the sum of that of a joint and of those that follow it, each times its factor.
-    pub(super) fn jacobian(&self, k: usize) -> Unit {
-        let joint = k / 6 % self.joints();
+    /// is the sum of that of a joint and of those that follow it, each times its factor. The base turns and is pushed along
+    /// its three axes.
+    pub(super) fn column(&self, k: usize) -> Unit {
+        let velocity = k / 6 % self.freedoms();
+        let Some(joint) = velocity.checked_sub(self.first()) else {
+            let is_lever = k % 6 < 3 && velocity >= 3;
+            return (
+                if is_lever { self.scale.position } else { 1.0 },
+                Some(velocity),
+            );
+        };
         let of_joint = self
             .table
             .arm()
@@ -61,7 +82,7 @@ impl At<'_> {
             let is_lever = k % 6 < 3 && moving.row.joint_type == JointType::Revolute;
             moving.factor.abs() * if is_lever { self.scale.position } else { 1.0 }
         });
-        (sizes.sum(), Some(joint))
+        (sizes.sum(), Some(velocity))
     }
 
     /// A motion of the tip for joints that move by `size`. Its linear part is as large as the distance from the base
@@ -76,18 +97,19 @@ impl At<'_> {
 /// Numeric values that are put together.
 impl<'a> At<'a> {
     pub(super) fn new(
-        numeric: &'a NumericArm<Dyn>,
+        numeric: &'a Numeric,
         table: &'a RuntimeTable,
-        state: &'a SizedState<Dyn>,
+        (base, state): (&'a Pose<f64>, &'a SizedState<Dyn>),
         tau: &'a DVector<f64>,
     ) -> Self {
         let SizedState { q, qd, qdd } = state;
         let mass_matrix = numeric.mass_matrix(q);
         At {
-            scale: Scale::new(table.arm(), &mass_matrix, state),
+            scale: Scale::new(table.arm(), &mass_matrix, base, state),
             datum: 0.0,
             numeric,
             table,
+            base,
             state,
             q,
             qd,
@@ -107,38 +129,33 @@ impl<'a> At<'a> {
     /// The transform of the tip, or of the frame.
     pub(super) fn tip_pose(&self) -> Matrix4<f64> {
         match self.frame {
-            None => self.numeric.forward_kinematics(self.q),
-            Some(frame) => self.numeric.frame_pose(frame, self.q),
+            None => self.forward_kinematics(),
+            Some(frame) => self.frame_pose(frame),
         }
     }
 
     /// The Jacobian of the tip, or of the frame.
     pub(super) fn tip_jacobian(&self) -> Matrix6xX<f64> {
         match self.frame {
-            None => self.numeric.jacobian(self.q),
-            Some(frame) => self.numeric.frame_jacobian(frame, self.q),
+            None => self.jacobian(),
+            Some(frame) => self.frame_jacobian(frame),
         }
     }
 
     /// The rate of that Jacobian.
     pub(super) fn tip_jacobian_rate(&self) -> Matrix6xX<f64> {
         match self.frame {
-            None => self.numeric.jacobian_rate(self.q, self.qd),
-            Some(frame) => self.numeric.frame_jacobian_rate(frame, self.q, self.qd),
+            None => self.jacobian_rate(),
+            Some(frame) => self.frame_jacobian_rate(frame),
         }
-    }
-
-    /// d tau/dq and d tau/dqd.
-    pub(super) fn force_derivatives(&self) -> (DMatrix<f64>, DMatrix<f64>) {
-        self.numeric
-            .inverse_dynamics_derivatives(self.q, self.qd, self.qdd)
     }
 
     /// B(q) by columns: V is quadratic in qd, so that its polarisation `V(e_j + e_k) - V(e_j) - V(e_k)` is the column
     /// of the pair (j, k).
     pub(super) fn coriolis_coefficients(&self) -> Vec<DVector<f64>> {
         let squares = self.centrifugal_coefficients();
-        let pairs = (0..self.joints()).flat_map(|j| (j + 1..self.joints()).map(move |k| (j, k)));
+        let size = self.freedoms();
+        let pairs = (0..size).flat_map(|j| (j + 1..size).map(move |k| (j, k)));
         let column = |(j, k)| {
             let both = self
                 .numeric
@@ -150,8 +167,8 @@ impl<'a> At<'a> {
 
     /// C(q): column j is V at the unit velocity of joint j.
     pub(super) fn centrifugal_coefficients(&self) -> DMatrix<f64> {
-        let mut coefficients = DMatrix::zeros(self.joints(), self.joints());
-        for j in 0..self.joints() {
+        let mut coefficients = DMatrix::zeros(self.freedoms(), self.freedoms());
+        for j in 0..self.freedoms() {
             let column = self.numeric.coriolis_vector(self.q, &self.unit(j));
             coefficients.set_column(j, &column);
         }
@@ -165,23 +182,23 @@ impl<'a> At<'a> {
             moving.row.spring.energy(position)
         };
         let springs: f64 = self.table.arm().chain().map(energy).sum();
-        self.numeric.potential_energy(self.q) - springs
+        self.potential_energy() - springs
     }
 
     /// K + F.
     pub(super) fn joint_forces(&self) -> DVector<f64> {
-        self.numeric.spring_vector(self.q) + self.numeric.friction_vector(self.qd)
+        self.spring_vector() + self.friction_vector()
     }
 
     /// M qdd_r + C qd_r + G for the reference motion of the state.
     pub(super) fn passivity(&self) -> DVector<f64> {
-        let coriolis = self.numeric.coriolis_matrix(self.q, self.qd);
+        let coriolis = self.coriolis_matrix();
         &self.mass_matrix * self.state.reference_acceleration()
             + coriolis * self.state.reference_velocity()
-            + self.numeric.gravity_vector(self.q)
+            + self.gravity_vector()
     }
 
     fn unit(&self, joint: usize) -> DVector<f64> {
-        DVector::from_fn(self.joints(), |i, _| if i == joint { 1.0 } else { 0.0 })
+        DVector::from_fn(self.freedoms(), |i, _| if i == joint { 1.0 } else { 0.0 })
     }
 }

@@ -2,9 +2,10 @@
 
 use nalgebra::{DMatrix, DVector, Dyn};
 
+use super::numeric::Numeric;
 use super::random::SplitMix64;
-use super::{Checked, Evaluate, OfSize};
-use crate::{NumericArm, RuntimeTable, SizedState};
+use super::{Checkable, Checked};
+use crate::{Pose, RuntimeTable, SizedState};
 
 /// The matrix K of `b = K x`: the base parameters b of `base_parameters` and `regressor` as combinations of the
 /// links' standard parameters x.
@@ -14,6 +15,9 @@ use crate::{NumericArm, RuntimeTable, SizedState};
 /// - the ten [standard parameters](crate::Table::standard_parameters) of each joint's link, from the base outwards;
 /// - [those of the followers' links](crate::Table::standard_parameters_of_followers);
 /// - the reflected inertia `gear_ratio^2 inertia` of each joint's motor, and of each follower's.
+///
+/// Where the base moves, the ten [standard parameters of the base](crate::Table::standard_parameters_of_base) come before all
+/// of these, and K has ten more columns.
 ///
 /// K depends on the geometry alone. Torques cannot tell two sets of links with the same K x apart.
 ///
@@ -47,51 +51,52 @@ use crate::{NumericArm, RuntimeTable, SizedState};
 /// let b = map * robot_dynamics::nalgebra::DVector::from(x);
 /// assert!((b - Rod.base_parameters::<f64>()).amax() < 1e-12);
 /// ```
-pub fn base_parameter_map<R: Evaluate<N>, const N: usize>(robot: &R) -> Option<DMatrix<f64>> {
-    base_parameter_map_any(&OfSize(robot))
+pub fn base_parameter_map<R: Checkable<K>, K>(robot: &R) -> Option<DMatrix<f64>> {
+    base_parameter_map_any(&*robot.checked())
 }
 
 /// [`base_parameter_map`] of a robot whose number of joints is known at run time alone.
 pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
     let table = robot.runtime_table();
-    let numeric = NumericArm::<Dyn>::new(&table);
+    let numeric = Numeric::new(&table);
     let mut random = SplitMix64(1);
-    let joints = table.rows.len();
-    let links = joints + table.followers().count();
+    let of_base = if table.floating.is_some() { 6 } else { 0 };
+    let freedoms = of_base + table.rows.len();
+    let links = of_base / 6 + table.rows.len() + table.followers().count();
     let state = |random: &mut SplitMix64| {
         let mut vector =
-            |size: f64| DVector::from_fn(joints, |_, _| random.within(&(-size..=size)));
+            |count: usize| DVector::from_fn(count, |_, _| random.within(&(-2.0..=2.0)));
         SizedState {
-            q: vector(2.0),
-            qd: vector(2.0),
-            qdd: vector(2.0),
+            q: vector(table.rows.len()),
+            qd: vector(freedoms),
+            qdd: vector(freedoms),
         }
     };
-    let rest = DVector::zeros(joints);
+    let rest = DVector::zeros(freedoms);
     let regressor = |state: &SizedState<Dyn>| -> Option<Vec<f64>> {
-        robot.values(state, &rest).get("regressor")
+        robot
+            .values_on(&Pose::identity(), state, &rest)
+            .get("regressor")
     };
     let first = state(&mut random);
-    let count = regressor(&first)?.len() / joints.max(1);
+    let count = regressor(&first)?.len() / freedoms.max(1);
     // Four times as many equations as the least.
-    let states = 4 * count.div_ceil(joints.max(1)) + 4;
-    let mut base = DMatrix::zeros(states * joints, count);
-    let mut standard = DMatrix::zeros(states * joints, 11 * links);
+    let states = 4 * count.div_ceil(freedoms.max(1)) + 4;
+    let mut base = DMatrix::zeros(states * freedoms, count);
+    let mut standard = DMatrix::zeros(states * freedoms, 11 * links);
     for k in 0..states {
         let state = state(&mut random);
-        let rows = k * joints;
-        let columns = DMatrix::from_vec(joints, count, regressor(&state)?);
-        base.rows_mut(rows, joints).copy_from(&columns);
-        let SizedState { q, qd, qdd } = &state;
-        let own = numeric.standard_regressor(q, qd, qdd).into_iter();
-        let of_followers = numeric.standard_regressor_of_followers(q, qd, qdd);
-        for (link, block) in own.chain(of_followers).enumerate() {
+        let rows = k * freedoms;
+        let columns = DMatrix::from_vec(freedoms, count, regressor(&state)?);
+        base.rows_mut(rows, freedoms).copy_from(&columns);
+        for (link, block) in numeric.standard_regressors(&state).iter().enumerate() {
             standard
-                .view_mut((rows, 10 * link), (joints, 10))
-                .copy_from(&block);
+                .view_mut((rows, 10 * link), (freedoms, 10))
+                .copy_from(block);
         }
         for (motor, (joint, factor)) in motors(&table).enumerate() {
-            standard[(rows + joint, 10 * links + motor)] = factor * factor * qdd[joint];
+            standard[(rows + of_base + joint, 10 * links + motor)] =
+                factor * factor * state.qdd[of_base + joint];
         }
     }
     let factors = base.qr();

@@ -2,9 +2,11 @@
 
 mod accelerations;
 mod at;
+mod checked;
 mod deviation;
 mod functions;
 mod identification;
+mod numeric;
 pub(crate) mod random;
 mod report;
 mod scale;
@@ -14,16 +16,18 @@ use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 use std::collections::BTreeMap;
 
-use nalgebra::{DMatrix, DVector, Dyn, SVector};
+use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::certified::accelerations_near;
 use crate::table::AsArm as _;
-use crate::{Certified, NumericArm, RuntimeTable, SizedState, State};
+use crate::{Certified, Pose, SizedState};
 use at::At;
 use functions::for_deviations;
+use numeric::Numeric;
 use report::Of;
 
-pub use crate::evaluation::{Evaluate, Evaluation, FunctionValue, Numbers};
+pub use crate::evaluation::{Evaluate, Evaluation, FloatingEvaluate, FunctionValue, Numbers};
+pub use checked::{Checkable, Checked, FloatingRobot, StandingRobot};
 pub use identification::{base_parameter_map, base_parameter_map_any};
 pub use report::{FunctionReport, Report};
 
@@ -46,9 +50,16 @@ pub use report::{FunctionReport, Report};
 /// println!("{report}");
 /// report.assert_ok();
 /// ```
-pub fn check_against_rnea<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
+///
+/// The base may move: the robot is compared with [`FloatingNewtonEuler`](crate::FloatingNewtonEuler) then.
+pub fn check_against_rnea<R: Checkable<K>, K>(robot: &R) -> Report {
     Check::new().certify(robot)
 }
+
+/// The numbers of a base that moves, before those of the joints.
+const NAMES_OF_BASE: [&str; 6] = [
+    "base vx", "base vy", "base vz", "base wx", "base wy", "base wz",
+];
 
 /// Settings of a comparison with the numeric recursive Newton-Euler algorithm.
 ///
@@ -133,8 +144,8 @@ impl Check {
     }
 
     /// Compares every generated function of the robot at all states.
-    pub fn run<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
-        self.run_any(&OfSize(robot))
+    pub fn run<R: Checkable<K>, K>(&self, robot: &R) -> Report {
+        self.run_any(&*robot.checked())
     }
 
     /// The same, and beside the largest error of each function the largest proven bound of its rounding errors. For the
@@ -144,8 +155,8 @@ impl Check {
     ///
     /// There are no bounds for arms that were not generated, nor for the parts of a method that returns several
     /// functions.
-    pub fn certify<R: Evaluate<N>, const N: usize>(&self, robot: &R) -> Report {
-        self.certify_any(&OfSize(robot))
+    pub fn certify<R: Checkable<K>, K>(&self, robot: &R) -> Report {
+        self.certify_any(&*robot.checked())
     }
 
     /// [`run`](Check::run) of a robot whose number of joints is known at run time alone.
@@ -162,7 +173,7 @@ impl Check {
     fn report(&self, robot: &dyn Checked, is_certified: bool) -> Report {
         let table = robot.runtime_table();
         let arm = table.arm();
-        let numeric = NumericArm::<Dyn>::new(&table);
+        let numeric = Numeric::new(&table);
         let mut farthest = vec![1.0_f64; arm.rows.len()];
         for follower in table.followers() {
             let farthest = &mut farthest[follower.leader];
@@ -171,14 +182,23 @@ impl Check {
         let joints: Vec<_> = arm.rows.iter().map(|row| row.joint_type).collect();
         let mut states = self.states(&joints, &farthest);
         states.extend(self.slow_states(arm));
-        let tolerance = self.tolerance * arm.chain().count() as f64;
-        let mut report = Report::new(robot.names(), states.len(), self.seed);
+        let (mut names, mut bases) = (robot.names(), Vec::new());
+        let mut bodies = arm.chain().count();
+        if arm.floating.is_some() {
+            bases = self.on_moving_base(&mut states);
+            names.splice(..0, NAMES_OF_BASE.map(String::from));
+            bodies += 1;
+        }
+        let tolerance = self.tolerance * bodies as f64;
+        let mut report = Report::new(names, states.len(), self.seed);
         // The regressor of the potential energy leaves a constant open: that of the first state.
         let mut data = BTreeMap::new();
-        for (label, state) in &states {
+        for (k, (label, state)) in states.iter().enumerate() {
+            let moving = bases.get(k);
+            let base = &moving.copied().unwrap_or_else(Pose::identity);
             report.note_conditioning(label, numeric.conditioning(&state.q));
-            let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-            let mut at = At::new(&numeric, &table, state, &tau);
+            let tau = numeric.inverse_dynamics(base, state);
+            let mut at = At::new(&numeric, &table, (base, state), &tau);
             let mut compare = |method: Option<&str>, evaluation: Evaluation| {
                 let open = || {
                     let energies: Option<(f64, f64)> = evaluation.get("energies_form");
@@ -187,102 +207,22 @@ impl Check {
                 at.datum = *data.entry(method.map(String::from)).or_insert_with(open);
                 for_deviations(&evaluation, &mut at, |frame, deviation| {
                     let of = Of { method, frame };
-                    report.record(of, &deviation, tolerance, label, state);
+                    report.record(of, &deviation, tolerance, label, (moving, state));
                 });
             };
-            compare(None, robot.values(state, &tau));
-            robot.values_of_parts(state, &tau, &mut |method, parts| {
+            compare(None, robot.values_on(base, state, &tau));
+            robot.values_of_parts_on(base, state, &tau, &mut |method, parts| {
                 compare(Some(method), parts)
             });
             if is_certified {
-                let certified = by_residuals(robot.certified_values(state, &tau), state, &tau);
+                let certified = robot.certified_values_on(base, state, &tau);
+                let certified = by_residuals(certified, state, &tau);
                 for_deviations(&certified, &mut at, |frame, deviation| {
                     report.note_rounding(frame, &deviation);
                 });
             }
         }
         report
-    }
-}
-
-/// A robot that a check evaluates, whatever the number of its joints. [`Check::run`] makes one of each robot with
-/// [`Evaluate`].
-pub trait Checked {
-    /// The names of the joints, from the base outwards.
-    fn names(&self) -> Vec<String>;
-
-    /// The table as numbers.
-    fn runtime_table(&self) -> RuntimeTable;
-
-    /// As [`Evaluate::evaluate`].
-    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation;
-
-    /// The same with bounds of the rounding errors; by default, no function has a value.
-    fn certified_values(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation<Certified> {
-        let _ = (state, tau);
-        Evaluation::default()
-    }
-
-    /// As [`Evaluate::evaluate_parts`].
-    fn values_of_parts(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        let _ = (state, tau, found);
-    }
-}
-
-/// A robot whose number of joints the compiler knows.
-struct OfSize<'a, R, const N: usize>(&'a R);
-
-fn fixed<const N: usize>(vector: &DVector<f64>) -> SVector<f64, N> {
-    SVector::from_column_slice(vector.as_slice())
-}
-
-fn fixed_state<const N: usize>(state: &SizedState<Dyn>) -> State<N> {
-    State {
-        q: fixed(&state.q),
-        qd: fixed(&state.qd),
-        qdd: fixed(&state.qdd),
-    }
-}
-
-impl<R: Evaluate<N>, const N: usize> Checked for OfSize<'_, R, N> {
-    fn names(&self) -> Vec<String> {
-        self.0.joint_names().map(String::from).to_vec()
-    }
-
-    fn runtime_table(&self) -> RuntimeTable {
-        (&self.0.table()).into()
-    }
-
-    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
-        self.0.evaluate(&fixed_state(state), &fixed(tau))
-    }
-
-    fn certified_values(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation<Certified> {
-        self.0
-            .evaluate_in(&fixed_state(state), &fixed(tau), Certified::exact)
-    }
-
-    fn values_of_parts(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        self.0
-            .evaluate_parts(&fixed_state(state), &fixed(tau), found);
     }
 }
 
@@ -314,5 +254,7 @@ impl Default for Check {
     }
 }
 
+#[cfg(test)]
+mod floating_tests;
 #[cfg(test)]
 mod tests;

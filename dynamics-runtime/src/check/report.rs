@@ -6,7 +6,7 @@ use nalgebra::Dyn;
 
 use super::deviation::Deviation;
 use super::functions::reason;
-use crate::{Conditioning, SizedState};
+use crate::{Conditioning, Pose, SizedState};
 
 /// The largest error of every generated function, and where it occurs.
 ///
@@ -58,11 +58,14 @@ pub struct FunctionReport {
     pub joint: Option<usize>,
     /// Name of the state of the largest error.
     pub label: String,
+    /// Where a base that moves stands there: its rotation by rows, then its position, m; `None` for a base that stands.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub base: Option<[f64; 12]>,
     /// Joint positions there.
     pub q: Vec<f64>,
-    /// Joint velocities there.
+    /// Velocities there, of a base that moves and of the joints.
     pub qd: Vec<f64>,
-    /// Joint accelerations there.
+    /// Accelerations there.
     pub qdd: Vec<f64>,
 }
 
@@ -129,7 +132,7 @@ impl Report {
         deviation: &Deviation,
         tolerance: f64,
         label: &str,
-        state: &SizedState<Dyn>,
+        (base, state): (Option<&Pose<f64>>, &SizedState<Dyn>),
     ) {
         let Some(error) = deviation.error else {
             self.miss(deviation.function);
@@ -141,6 +144,7 @@ impl Report {
             entry.error = error;
             entry.joint = deviation.joint;
             entry.label = label.into();
+            entry.base = base.map(|base| base.entries().into());
             [entry.q, entry.qd, entry.qdd] =
                 [&state.q, &state.qd, &state.qdd].map(|values| values.as_slice().to_vec());
         }
@@ -179,6 +183,7 @@ impl Report {
                 tolerance,
                 joint: None,
                 label: String::new(),
+                base: None,
                 q: Vec::new(),
                 qd: Vec::new(),
                 qdd: Vec::new(),
@@ -319,13 +324,18 @@ impl fmt::Display for FunctionReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{}: error {:.1e} at {:?}\n  q = {:?}\n  qd = {:?}\n  qdd = {:?}",
+            "{}: error {:.1e} at {:?}",
             self.name(),
             self.error,
-            self.label,
-            self.q,
-            self.qd,
-            self.qdd
+            self.label
+        )?;
+        if let Some(base) = &self.base {
+            write!(f, "\n  base = {base:?}")?;
+        }
+        write!(
+            f,
+            "\n  q = {:?}\n  qd = {:?}\n  qdd = {:?}",
+            self.q, self.qd, self.qdd
         )
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::friction::DryFriction;
 use crate::table::{Arm, Moving};
-use crate::{JointType, Row, SizedState, Spring};
+use crate::{JointType, Pose, Row, SizedState, Spring};
 
 /// Magnitudes that a quantity could have at a state of this size, whatever it cancels to there.
 ///
@@ -48,38 +48,39 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    pub(super) fn new(table: Arm<'_>, mass_matrix: &DMatrix<f64>, state: &SizedState<Dyn>) -> Self {
+    pub(super) fn new(
+        table: Arm<'_>,
+        mass_matrix: &DMatrix<f64>,
+        base: &Pose<f64>,
+        state: &SizedState<Dyn>,
+    ) -> Self {
+        let first = state.qd.len() - state.q.len();
         let mass = mass_matrix.amax();
         let speed = state.qd.amax();
         let weight = table.total_mass() * norm(&table.gravity);
         // The largest of these sizes of the joints.
-        let largest = |size: fn(&Moving<'_>, &SizedState<Dyn>) -> f64| {
-            table
-                .chain()
-                .map(|moving| size(&moving, state))
-                .fold(0.0, f64::max)
+        let largest = |size: &dyn Fn(&Moving<'_>) -> f64| {
+            let sizes = table.chain().map(|moving| size(&moving));
+            sizes.fold(0.0, f64::max)
         };
         let reach = reach(table, &state.q);
-        let position = norm(&table.base.xyz) + reach;
+        let position = norm(&table.base.xyz) + base.position.norm() + reach;
         let is_prismatic = |row: &Row| row.joint_type == JointType::Prismatic;
-        // It turns a weight into the force or torque of a joint: at a prismatic joint by a factor of 1.
-        let lever_arm = if table.chain().any(|moving| is_prismatic(moving.row)) {
+        // It turns a weight into the force or torque of a joint: at a prismatic joint and at a base that moves by a factor of 1.
+        let lever_arm = if first > 0 || table.chain().any(|moving| is_prismatic(moving.row)) {
             reach.max(1.0)
         } else {
             reach
         };
         let coriolis_vector = mass * speed * speed;
         let gravity_vector = weight * lever_arm;
-        let friction_vector = largest(
-            |Moving {
-                 row, joint, factor, ..
-             },
-             state| {
-                let viscous = row.viscous * factor * state.qd[*joint];
-                factor.abs() * (viscous.abs() + DryFriction::of(row).greatest())
-            },
-        );
-        let slope_of_friction = largest(|Moving { row, factor, .. }, _| {
+        let friction_vector = largest(&|Moving {
+                                            row, joint, factor, ..
+                                        }| {
+            let viscous = row.viscous * factor * state.qd[first + *joint];
+            factor.abs() * (viscous.abs() + DryFriction::of(row).greatest())
+        });
+        let slope_of_friction = largest(&|Moving { row, factor, .. }| {
             factor * factor * (row.viscous.abs() + DryFriction::of(row).greatest_slope())
         });
         let springs = Springs::new(table, &state.q);
@@ -99,7 +100,7 @@ impl Scale {
                 + springs.force
                 + friction_vector,
             slope_of_friction,
-            curvature_of_friction: largest(|Moving { row, factor, .. }, _| {
+            curvature_of_friction: largest(&|Moving { row, factor, .. }| {
                 factor.abs().powi(3) * DryFriction::of(row).greatest_curvature()
             }),
             stiffness: springs.stiffness,
@@ -110,7 +111,7 @@ impl Scale {
             force_by_velocity: 2.0 * mass * speed + slope_of_friction,
             potential_energy: weight * position + springs.energy,
             position,
-            fastest: largest(|moving, _| moving.factor.abs()).max(1.0),
+            fastest: largest(&|moving| moving.factor.abs()).max(1.0),
         }
     }
 
@@ -191,7 +192,8 @@ fn reach(table: Arm<'_>, q: &DVector<f64>) -> f64 {
     let tool = norm(&table.tool.frame.xyz) + norm(&table.tool.com);
     let frames = table.frames.iter();
     let fixed = frames.map(|frame| norm(&frame.place.position) + norm(&frame.com));
-    origins.into_iter().fold(0.0, f64::max) + centre + fixed.fold(tool, f64::max)
+    let of_base = table.floating.map_or(0.0, |base| norm(&base.com));
+    origins.into_iter().fold(0.0, f64::max) + centre + fixed.fold(tool, f64::max) + of_base
 }
 
 fn norm(vector: &[f64; 3]) -> f64 {
@@ -203,6 +205,7 @@ mod tests {
     use nalgebra::{DMatrix, DVector};
 
     use super::Scale;
+    use crate::Pose;
     use crate::table::AsArm as _;
     use crate::{Convention, JointType, Row, SizedState, Spring, Table};
 
@@ -233,6 +236,7 @@ mod tests {
         let scale = Scale::new(
             table.arm(),
             &DMatrix::from_row_slice(2, 2, &[4.0, 0.0, 0.0, 1.0]),
+            &Pose::identity(),
             &state,
         );
 

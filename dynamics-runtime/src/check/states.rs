@@ -1,14 +1,15 @@
 //! The states at which a model is checked.
 
 use core::f64::consts::FRAC_PI_2;
+use core::ops::RangeInclusive;
 
-use nalgebra::{DVector, Dyn};
+use nalgebra::{DVector, Dyn, Quaternion, UnitQuaternion, Vector3};
 
 use super::Check;
 use super::random::SplitMix64;
 use crate::table::Arm;
 use crate::{
-    SizedState,
+    Pose, SizedState,
     table::{JointType, Stribeck},
 };
 
@@ -92,6 +93,29 @@ impl Check {
         (0..SLOW).map(slow).collect()
     }
 
+    /// Gives the states of the joints a base that moves: velocities and accelerations before those of the joints, zero where
+    /// the state is at rest. Returned is where it stands.
+    pub(super) fn on_moving_base(
+        &self,
+        states: &mut [(String, SizedState<Dyn>)],
+    ) -> Vec<Pose<f64>> {
+        let mut random = SplitMix64(self.seed ^ 0xba5e);
+        let mut pose_of = |(label, state): &mut (String, SizedState<Dyn>)| {
+            let mut before = |values: &DVector<f64>, range: &RangeInclusive<f64>, is_zero: bool| {
+                let six: Vec<f64> = (0..6).map(|_| random.within(range)).collect();
+                let six = six.into_iter().map(|x| if is_zero { 0.0 } else { x });
+                DVector::from_iterator(6 + values.len(), six.chain(values.iter().copied()))
+            };
+            let is_zero = label == "zero";
+            let is_at_rest = is_zero || label.starts_with("at rest");
+            state.qd = before(&state.qd, &self.velocities, is_at_rest);
+            state.qdd = before(&state.qdd, &self.accelerations, is_zero);
+            let pose = random_pose(&mut random);
+            if is_zero { Pose::identity() } else { pose }
+        };
+        states.iter_mut().map(&mut pose_of).collect()
+    }
+
     fn random_state(&self, joints: usize, random: &mut SplitMix64) -> SizedState<Dyn> {
         let mut vector = |range| DVector::from_fn(joints, |_, _| random.within(range));
         SizedState {
@@ -99,6 +123,18 @@ impl Check {
             qd: vector(&self.velocities),
             qdd: vector(&self.accelerations),
         }
+    }
+}
+
+/// A base that stands within 2 m of the world's origin, turned in any way.
+fn random_pose(random: &mut SplitMix64) -> Pose<f64> {
+    let mut number = |size: f64| random.within(&(-size..=size));
+    let quaternion = Quaternion::new(number(1.0), number(1.0), number(1.0), number(1.0));
+    let position = Vector3::from_fn(|_, _| number(2.0));
+    let turn = UnitQuaternion::from_quaternion(quaternion);
+    Pose {
+        rotation: turn.to_rotation_matrix().into_inner(),
+        position,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The values of all generated functions at a state.
 
+mod floating;
 mod value;
 
 use std::collections::BTreeMap;
@@ -9,6 +10,7 @@ use nalgebra::{SVector, Vector6};
 use crate::function::functions;
 use crate::{Model, Scalar, SingularMassMatrix, State};
 
+pub use floating::{FloatingArguments, FloatingEvaluate};
 pub use value::{FunctionValue, Numbers};
 pub(crate) use value::{flat, read};
 

@@ -17,18 +17,18 @@ use crate::{JointType, SingularMassMatrix};
 
 /// Angular acceleration, and linear acceleration of a frame's origin.
 #[derive(Clone, Copy, Debug)]
-struct Acceleration {
-    angular: Vector3<f64>,
-    linear: Vector3<f64>,
+pub(super) struct Acceleration {
+    pub(super) angular: Vector3<f64>,
+    pub(super) linear: Vector3<f64>,
 }
 
 /// The wrench that moves a body whose joints further out are free:
 /// `n = A angular + B linear`, `f = B^T angular + D linear`.
 #[derive(Clone, Copy, Debug)]
-struct Articulated {
-    a: Matrix3<f64>,
-    b: Matrix3<f64>,
-    d: Matrix3<f64>,
+pub(super) struct Articulated {
+    pub(super) a: Matrix3<f64>,
+    pub(super) b: Matrix3<f64>,
+    pub(super) d: Matrix3<f64>,
 }
 
 /// The acceleration that velocities add to that of the link before, and the wrench that the link needs for them:
@@ -60,10 +60,10 @@ struct Pass {
 
 /// A link and all beyond it: with the joints further out free, and as one rigid body, and the wrench that it needs.
 #[derive(Clone, Copy, Debug)]
-struct Beyond {
-    body: Articulated,
-    composite: Inertia,
-    needed: Wrench,
+pub(super) struct Beyond {
+    pub(super) body: Articulated,
+    pub(super) composite: Inertia,
+    pub(super) needed: Wrench,
 }
 
 impl Add for Beyond {
@@ -114,7 +114,7 @@ impl Acceleration {
 
 impl Articulated {
     /// A rigid body: A = J, B = [h]x, D = m 1.
-    fn rigid(inertia: &Inertia) -> Self {
+    pub(super) fn rigid(inertia: &Inertia) -> Self {
         let s = &inertia.second_moment;
         Articulated {
             a: Matrix3::from_diagonal_element(s.trace()) - s,
@@ -195,21 +195,39 @@ impl<D: Size> NumericArm<D> {
         qd: &D::Vector,
         available: &D::Vector,
     ) -> Result<D::Vector, SingularMassMatrix> {
+        let still = Vector3::zeros();
+        self.accelerations(joints, qd, available, &still, |_| {
+            Ok(Acceleration {
+                angular: still,
+                linear: -self.gravity,
+            })
+        })
+    }
+}
+
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// The accelerations that these torques give the joints, on a base with this angular velocity. `base` is given what the
+    /// base carries, if it moves and carries links, and says how it accelerates against gravity.
+    #[inline(always)]
+    pub(super) fn accelerations(
+        &self,
+        joints: &D::Links<Joint>,
+        qd: &V::Vector,
+        available: &V::Vector,
+        angular_velocity: &Vector3<f64>,
+        base: impl FnOnce(Option<Beyond>) -> Result<Acceleration, SingularMassMatrix>,
+    ) -> Result<V::Vector, SingularMassMatrix> {
         let mut terms = self.per_link(VelocityTerms::REST);
-        self.velocity_terms(joints, qd, &mut terms);
+        self.velocity_terms(joints, qd, angular_velocity, &mut terms);
         let mut passes = self.per_link(Pass {
             free: 0.0,
             response: Wrench::ZERO,
         });
-        self.inward_pass(joints, &terms, available, &mut passes)?;
+        let carried = self.inward_pass(joints, &terms, available, &mut passes)?;
 
-        let mut qdd = self.size.vector();
-        let base = Acceleration {
-            angular: Vector3::zeros(),
-            linear: -self.gravity,
-        };
+        let mut qdd = self.freedoms.vector();
         self.outward(
-            base,
+            base(carried)?,
             #[inline(always)]
             |Place { k, link, joint, .. }, motion| {
                 let mut motion = motion.outward(&joints[k]);
@@ -225,11 +243,12 @@ impl<D: Size> NumericArm<D> {
     fn velocity_terms(
         &self,
         joints: &D::Links<Joint>,
-        qd: &D::Vector,
+        qd: &V::Vector,
+        of_base: &Vector3<f64>,
         terms: &mut D::Links<VelocityTerms>,
     ) {
         self.outward(
-            Vector3::zeros(),
+            *of_base,
             #[inline(always)]
             |place, w| {
                 let Place { k, link, .. } = place;
@@ -264,11 +283,11 @@ impl<D: Size> NumericArm<D> {
         &self,
         joints: &D::Links<Joint>,
         terms: &D::Links<VelocityTerms>,
-        available: &D::Vector,
+        available: &V::Vector,
         passes: &mut D::Links<Pass>,
-    ) -> Result<(), SingularMassMatrix> {
+    ) -> Result<Option<Beyond>, SingularMassMatrix> {
         let mut singular = Ok(());
-        self.inward(
+        let carried = self.inward(
             #[inline(always)]
             |Place { k, link, .. }| Beyond {
                 body: Articulated::rigid(&link.inertia),
@@ -311,6 +330,6 @@ impl<D: Size> NumericArm<D> {
                 })
             },
         );
-        singular
+        singular.map(|()| carried)
     }
 }

@@ -36,8 +36,24 @@ impl<D: Size> NumericArm<D> {
     /// M at the joints' positions (Featherstone 2008, table 6.2).
     #[inline(always)]
     pub(super) fn composite_bodies(&self, joints: &D::Links<Joint>) -> D::Matrix {
-        let mut mass_matrix = self.size.matrix();
-        self.inward(
+        self.composites(joints).0
+    }
+
+    /// G at the joints' positions.
+    #[inline(always)]
+    pub(super) fn weights(&self, joints: &D::Links<Joint>) -> D::Vector {
+        self.weights_under(joints, &self.gravity).0
+    }
+}
+
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// M at the joints' positions (Featherstone 2008, table 6.2), and all links as one body in the frame of a base that
+    /// moves. The rows of the base have the wrenches that it needs for a unit acceleration of each joint; what it needs to be
+    /// accelerated itself is left out.
+    #[inline(always)]
+    pub(super) fn composites(&self, joints: &D::Links<Joint>) -> (V::Matrix, Option<Inertia>) {
+        let mut mass_matrix = self.freedoms.matrix();
+        let links = self.inward(
             #[inline(always)]
             |place| place.link.inertia,
             #[inline(always)]
@@ -59,27 +75,38 @@ impl<D: Size> NumericArm<D> {
                         mass_matrix[(carrier.joint, joint)] += entry;
                     },
                 );
+                if self.floats() {
+                    let of_base = wrench.inward(&joints[from]).entries();
+                    for (i, entry) in of_base.into_iter().enumerate() {
+                        mass_matrix[(joint, i)] += factor * entry;
+                        mass_matrix[(i, joint)] += factor * entry;
+                    }
+                }
                 place.hand_on(|| joints[place.k].inertia_inward(&body))
             },
         );
-        mass_matrix
+        (mass_matrix, links)
     }
 
-    /// G at the joints' positions. The weight `m g` of all links beyond a joint acts at their
+    /// G at the joints' positions under a gravity in the axes of the base, and what a base that moves carries. The weight `m g` of all links beyond a joint acts at their
     /// centre of mass: joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic).
     #[inline(always)]
-    pub(super) fn weights(&self, joints: &D::Links<Joint>) -> D::Vector {
+    pub(super) fn weights_under(
+        &self,
+        joints: &D::Links<Joint>,
+        of_base: &Vector3<f64>,
+    ) -> (V::Vector, Option<Moments>) {
         let mut gravity = self.per_link(Vector3::zeros());
         self.outward(
-            self.gravity,
+            *of_base,
             #[inline(always)]
             |Place { k, .. }, carried| {
                 gravity[k] = joints[k].outward(carried);
                 gravity[k]
             },
         );
-        let mut torques = self.size.vector();
-        self.inward(
+        let mut torques = self.freedoms.vector();
+        let carried = self.inward(
             #[inline(always)]
             |place| Moments {
                 mass: place.link.inertia.mass,
@@ -99,15 +126,15 @@ impl<D: Size> NumericArm<D> {
                 })
             },
         );
-        torques
+        (torques, carried)
     }
 }
 
 /// The mass of bodies, and their first moment about the origin of a frame.
 #[derive(Clone, Copy, Debug)]
-struct Moments {
-    mass: f64,
-    first: Vector3<f64>,
+pub(super) struct Moments {
+    pub(super) mass: f64,
+    pub(super) first: Vector3<f64>,
 }
 
 impl Add for Moments {

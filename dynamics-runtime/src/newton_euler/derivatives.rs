@@ -61,7 +61,9 @@ impl<D: Size> NumericArm<D> {
         });
         slopes
     }
+}
 
+impl<D: Size, V: Size> NumericArm<D, V> {
     /// The derivative by the position of link k's joint of what is such a polynomial of it.
     pub(super) fn slope<X>(
         &self,

@@ -68,6 +68,12 @@ impl Wrench {
         force: Vector3::new(0.0, 0.0, 0.0),
         moment: Vector3::new(0.0, 0.0, 0.0),
     };
+
+    /// The force, then the moment.
+    pub(super) fn entries(&self) -> [f64; 6] {
+        let (f, n) = (&self.force, &self.moment);
+        [f.x, f.y, f.z, n.x, n.y, n.z]
+    }
 }
 
 impl Add for Wrench {

@@ -13,80 +13,45 @@ use crate::size::Size;
 use crate::table::{AsArm as _, FixedFrame};
 
 /// A frame in the world, and the link that carries it; none for a frame on the base.
-struct Carried {
-    link: Option<usize>,
-    pose: Pose,
+pub(super) struct Carried {
+    pub(super) link: Option<usize>,
+    pub(super) pose: Pose,
+}
+
+/// How a base moves: the velocity of its origin and its angular velocity, in the axes of the world.
+pub(super) struct Ground {
+    pub(super) origin: Vector3<f64>,
+    pub(super) linear: Vector3<f64>,
+    pub(super) angular: Vector3<f64>,
+}
+
+impl Ground {
+    /// A base that stands.
+    const AT_REST: Ground = Ground {
+        origin: Vector3::new(0.0, 0.0, 0.0),
+        linear: Vector3::new(0.0, 0.0, 0.0),
+        angular: Vector3::new(0.0, 0.0, 0.0),
+    };
+
+    /// The velocity of a point of the base above the angular velocity.
+    fn velocity(&self, point: &Vector3<f64>) -> Vector6<f64> {
+        let linear = self.linear + self.angular.cross(&(point - self.origin));
+        joined(&linear, &self.angular)
+    }
 }
 
 impl<D: Size> NumericArm<D> {
-    /// A value that is computed from the joints at their positions.
-    ///
-    /// The list of joints is never moved: its copy took a tenth of the time of short functions.
-    #[inline(always)]
-    pub(super) fn at<X>(&self, q: &D::Vector, value: impl FnOnce(&D::Links<Joint>) -> X) -> X {
-        let turned = D::sin_cos(q);
-        let mut joints = self.per_link(Joint::NONE);
-        self.walk_outward(
-            #[inline(always)]
-            |place| {
-                let position = place.of(q);
-                let sin_cos = if place.link.is_follower {
-                    SinCos::of_joint(position)
-                } else {
-                    let (sin, cos) = turned[place.joint];
-                    SinCos { sin, cos }
-                };
-                joints[place.k] = place.link.joint(position, sin_cos);
-            },
-        );
-        value(&joints)
-    }
-
-    /// The joints at their positions.
-    pub(super) fn joints(&self, q: &D::Vector) -> D::Links<Joint> {
-        self.at(q, |joints| joints.clone())
-    }
-
     /// The joints' frames in the world.
     pub(super) fn poses_in_world(&self, q: &D::Vector) -> D::Links<Pose> {
-        self.at(q, |joints| {
-            let mut poses = self.per_link(self.base);
-            self.outward(
-                self.base,
-                #[inline(always)]
-                |Place { k, .. }, before| {
-                    let pose = before.then(&joints[k].pose());
-                    poses[k] = pose;
-                    pose
-                },
-            );
-            poses
-        })
+        self.poses_on(&self.base, q)
     }
 
-    /// The table's link frame of a link whose joint's frame is one of these.
-    fn table_frame(&self, k: usize, poses: &D::Links<Pose>) -> Pose {
-        poses[k].then(&self.links[k].table_frame)
-    }
-
-    /// The tip in the world, and the link that carries it. There is none where several rows carry no other.
     fn tip(&self, poses: &D::Links<Pose>) -> Option<Carried> {
-        let tip = |link: usize| poses[link].then(&self.links[link].tip);
-        let is_there = self.tip_link.is_some() || self.count == 0;
-        is_there.then(|| Carried {
-            link: self.tip_link,
-            pose: self.tip_link.map_or(self.base, tip),
-        })
+        self.tip_on(&self.base, poses)
     }
 
-    /// A frame of the table in the world, and the link that carries it.
     fn frame(&self, frame: usize, poses: &D::Links<Pose>) -> Carried {
-        let FixedFrame { on, place, .. } = &self.table.arm().frames[frame];
-        let carrier = on.map_or(self.base, |k| self.table_frame(k, poses));
-        Carried {
-            link: *on,
-            pose: carrier.then(&place.into()),
-        }
+        self.frame_on(&self.base, frame, poses)
     }
 
     /// Homogeneous transforms of the link frames in the world, of those joints that move by themselves.
@@ -136,22 +101,13 @@ impl<D: Size> NumericArm<D> {
         self.size.vector_of(torque)
     }
 
-    /// The columns of a tip that is not there.
-    fn no_columns(&self) -> D::Columns<6> {
-        let mut columns = self.size.columns();
-        for (row, joint) in (0..6).flat_map(|row| (0..self.dof()).map(move |joint| (row, joint))) {
-            columns[(row, joint)] = f64::NAN;
-        }
-        columns
-    }
-
     /// The rate of the geometric Jacobian along a motion.
     pub fn jacobian_rate(&self, q: &D::Vector, qd: &D::Vector) -> D::Columns<6> {
         let poses = self.poses_in_world(q);
         let tip = self.tip(&poses);
         tip.map_or_else(
             || self.no_columns(),
-            |tip| self.jacobian_rate_of(&tip, &poses, qd),
+            |tip| self.jacobian_rate_of(&tip, &poses, qd, &Ground::AT_REST),
         )
     }
 
@@ -163,51 +119,7 @@ impl<D: Size> NumericArm<D> {
         qd: &D::Vector,
     ) -> D::Columns<6> {
         let poses = self.poses_in_world(q);
-        self.jacobian_rate_of(&self.frame(frame, &poses), &poses, qd)
-    }
-
-    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
-    /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the frame less that of a point of axis i.
-    fn jacobian_rate_of(
-        &self,
-        Carried { link, pose: frame }: &Carried,
-        poses: &D::Links<Pose>,
-        qd: &D::Vector,
-    ) -> D::Columns<6> {
-        let mut rate = self.size.columns();
-        let [velocity_of_frame, _] = self.velocity(*link, &frame.position, poses, qd);
-        self.walk_from(*link, |joint| {
-            let axis = poses[joint.k].rotation.column(2).into_owned();
-            let place = poses[joint.k].position;
-            // The velocity of the axis and of its point, by the joints before it.
-            let [v, w] = self.velocity(joint.carrier, &place, poses, qd);
-            let turning = w.cross(&axis);
-            let column = match joint.link.joint_type {
-                JointType::Revolute => {
-                    let arm = frame.position - place;
-                    let linear = turning.cross(&arm) + axis.cross(&(velocity_of_frame - v));
-                    joined(&linear, &turning)
-                }
-                JointType::Prismatic => joined(&turning, &Vector3::zeros()),
-            };
-            joint.add_column(&mut rate, 6, |row| column[row]);
-        });
-        rate
-    }
-
-    /// Linear and angular velocity of a point that a link carries; at rest on the base.
-    fn velocity(
-        &self,
-        link: Option<usize>,
-        point: &Vector3<f64>,
-        poses: &D::Links<Pose>,
-        qd: &D::Vector,
-    ) -> [Vector3<f64>; 2] {
-        let mut velocity = Vector6::zeros();
-        self.walk_from(link, |place| {
-            velocity += column(place.link, &poses[place.k], point) * place.of(qd);
-        });
-        [0, 3].map(|first| velocity.fixed_rows::<3>(first).into_owned())
+        self.jacobian_rate_of(&self.frame(frame, &poses), &poses, qd, &Ground::AT_REST)
     }
 
     /// Geometric Jacobians of the origins of the link frames, of those joints that move by themselves; joints that do not
@@ -219,16 +131,6 @@ impl<D: Size> NumericArm<D> {
             let link = Some(k);
             self.jacobian_of(&Carried { link, pose }, &poses)
         })
-    }
-
-    /// Geometric Jacobian of a frame's origin.
-    fn jacobian_of(&self, frame: &Carried, poses: &D::Links<Pose>) -> D::Columns<6> {
-        let mut jacobian = self.size.columns();
-        self.walk_from(frame.link, |place| {
-            let column = column(place.link, &poses[place.k], &frame.pose.position);
-            place.add_column(&mut jacobian, 6, |row| column[row]);
-        });
-        jacobian
     }
 
     /// Centre of mass of all links, of the tool and of the bodies of frames in the world, `sum m c / sum m`.
@@ -253,8 +155,146 @@ impl<D: Size> NumericArm<D> {
         });
         jacobian
     }
+}
 
-    fn total_mass(&self) -> f64 {
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// A value that is computed from the joints at their positions.
+    ///
+    /// The list of joints is never moved: its copy took a tenth of the time of short functions.
+    #[inline(always)]
+    pub(super) fn at<X>(&self, q: &D::Vector, value: impl FnOnce(&D::Links<Joint>) -> X) -> X {
+        let turned = D::sin_cos(q);
+        let mut joints = self.per_link(Joint::NONE);
+        self.walk_outward(
+            #[inline(always)]
+            |place| {
+                let position = place.position(q);
+                let sin_cos = if place.link.is_follower {
+                    SinCos::of_joint(position)
+                } else {
+                    let (sin, cos) = turned[place.joint_of_q()];
+                    SinCos { sin, cos }
+                };
+                joints[place.k] = place.link.joint(position, sin_cos);
+            },
+        );
+        value(&joints)
+    }
+
+    /// The joints at their positions.
+    pub(super) fn joints(&self, q: &D::Vector) -> D::Links<Joint> {
+        self.at(q, |joints| joints.clone())
+    }
+
+    /// The joints' frames in the world, from that of the base.
+    pub(super) fn poses_on(&self, base: &Pose, q: &D::Vector) -> D::Links<Pose> {
+        self.at(q, |joints| {
+            let mut poses = self.per_link(*base);
+            self.outward(
+                *base,
+                #[inline(always)]
+                |Place { k, .. }, before| {
+                    let pose = before.then(&joints[k].pose());
+                    poses[k] = pose;
+                    pose
+                },
+            );
+            poses
+        })
+    }
+
+    /// The table's link frame of a link whose joint's frame is one of these.
+    pub(super) fn table_frame(&self, k: usize, poses: &D::Links<Pose>) -> Pose {
+        poses[k].then(&self.links[k].table_frame)
+    }
+
+    /// The tip in the world, and the link that carries it. There is none where several rows carry no other.
+    pub(super) fn tip_on(&self, base: &Pose, poses: &D::Links<Pose>) -> Option<Carried> {
+        let tip = |link: usize| poses[link].then(&self.links[link].tip);
+        let is_there = self.tip_link.is_some() || self.count == 0;
+        is_there.then(|| Carried {
+            link: self.tip_link,
+            pose: self.tip_link.map_or(*base, tip),
+        })
+    }
+
+    /// A frame of the table in the world, and the link that carries it.
+    pub(super) fn frame_on(&self, base: &Pose, frame: usize, poses: &D::Links<Pose>) -> Carried {
+        let FixedFrame { on, place, .. } = &self.table.arm().frames[frame];
+        let carrier = on.map_or(*base, |k| self.table_frame(k, poses));
+        Carried {
+            link: *on,
+            pose: carrier.then(&place.into()),
+        }
+    }
+
+    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
+    /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the frame less that of a point of axis i.
+    pub(super) fn jacobian_rate_of(
+        &self,
+        Carried { link, pose: frame }: &Carried,
+        poses: &D::Links<Pose>,
+        qd: &V::Vector,
+        base: &Ground,
+    ) -> V::Columns<6> {
+        let mut rate = self.freedoms.columns();
+        let [velocity_of_frame, _] = self.velocity(*link, &frame.position, poses, qd, base);
+        self.walk_from(*link, |joint| {
+            let axis = poses[joint.k].rotation.column(2).into_owned();
+            let place = poses[joint.k].position;
+            // The velocity of the axis and of its point, by the joints before it.
+            let [v, w] = self.velocity(joint.carrier, &place, poses, qd, base);
+            let turning = w.cross(&axis);
+            let column = match joint.link.joint_type {
+                JointType::Revolute => {
+                    let arm = frame.position - place;
+                    let linear = turning.cross(&arm) + axis.cross(&(velocity_of_frame - v));
+                    joined(&linear, &turning)
+                }
+                JointType::Prismatic => joined(&turning, &Vector3::zeros()),
+            };
+            joint.add_column(&mut rate, 6, |row| column[row]);
+        });
+        rate
+    }
+
+    /// Linear and angular velocity of a point that a link or the base carries.
+    pub(super) fn velocity(
+        &self,
+        link: Option<usize>,
+        point: &Vector3<f64>,
+        poses: &D::Links<Pose>,
+        qd: &V::Vector,
+        base: &Ground,
+    ) -> [Vector3<f64>; 2] {
+        let mut velocity = base.velocity(point);
+        self.walk_from(link, |place| {
+            velocity += column(place.link, &poses[place.k], point) * place.of(qd);
+        });
+        [0, 3].map(|first| velocity.fixed_rows::<3>(first).into_owned())
+    }
+
+    /// Geometric Jacobian of a frame's origin, the columns of the joints.
+    pub(super) fn jacobian_of(&self, frame: &Carried, poses: &D::Links<Pose>) -> V::Columns<6> {
+        let mut jacobian = self.freedoms.columns();
+        self.walk_from(frame.link, |place| {
+            let column = column(place.link, &poses[place.k], &frame.pose.position);
+            place.add_column(&mut jacobian, 6, |row| column[row]);
+        });
+        jacobian
+    }
+
+    /// The columns of a tip that is not there.
+    pub(super) fn no_columns(&self) -> V::Columns<6> {
+        let mut columns = self.freedoms.columns();
+        for (row, joint) in (0..6).flat_map(|row| (0..self.dof()).map(move |joint| (row, joint))) {
+            columns[(row, joint)] = f64::NAN;
+        }
+        columns
+    }
+
+    /// Mass of all links.
+    pub(super) fn total_mass(&self) -> f64 {
         let mut mass = 0.0;
         self.walk_outward(|place| mass += place.link.mass);
         mass
@@ -262,13 +302,13 @@ impl<D: Size> NumericArm<D> {
 }
 
 /// The centre of mass of a link whose joint's frame is at `pose`.
-fn center(link: &Link, pose: &Pose) -> Vector3<f64> {
+pub(super) fn center(link: &Link, pose: &Pose) -> Vector3<f64> {
     pose.rotation * link.com + pose.position
 }
 
 /// The velocity of a point beyond a joint at unit speed, above the angular velocity of the link. The joint's frame is at
 /// `pose`.
-fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
+pub(super) fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
     let axis = pose.rotation.column(2).into_owned();
     match link.joint_type {
         JointType::Revolute => joined(&axis.cross(&(point - pose.position)), &axis),
@@ -276,13 +316,13 @@ fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
     }
 }
 
-fn joined(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
+pub(super) fn joined(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(
         linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
     )
 }
 
-fn homogeneous(pose: &Pose) -> Matrix4<f64> {
+pub(super) fn homogeneous(pose: &Pose) -> Matrix4<f64> {
     let mut matrix = pose.rotation.to_homogeneous();
     matrix
         .fixed_view_mut::<3, 1>(0, 3)

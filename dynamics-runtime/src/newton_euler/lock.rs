@@ -10,7 +10,8 @@ use super::pose::Pose;
 use crate::RuntimeTable;
 use crate::table::{Arm, Carrier, FixedFrame, MOST_FOLLOWERS, MOST_FRAMES};
 use crate::{
-    Convention, Follower, Followers, Frame, JointMotion, JointType, Placement, Row, Table, Tool,
+    Convention, FloatingBase, Follower, Followers, Frame, JointMotion, JointType, Placement, Row,
+    Table, Tool,
 };
 
 impl<const N: usize> Table<N> {
@@ -67,6 +68,27 @@ impl<const N: usize> Table<N> {
         frames: [FixedFrame; F],
     ) -> Self {
         Self::of_rows(convention, gravity, &rows, &motions, &frames)
+    }
+
+    /// As [`Table::with_frames`], on a base that moves. The links of rows that are locked to the base become parts of its body.
+    pub fn with_floating_base<const L: usize, const F: usize>(
+        base: FloatingBase,
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: [Row; L],
+        motions: [JointMotion; L],
+        frames: [FixedFrame; F],
+    ) -> Self {
+        let read = Rows {
+            convention,
+            rows: &rows,
+            motions: &motions,
+            bodies: frames.get(MOST_FRAMES..).unwrap_or_default(),
+        };
+        Table {
+            floating: Some(read.base(&base)),
+            ..Self::of_rows(convention, gravity, &rows, &motions, &frames)
+        }
     }
 
     fn of_rows(
@@ -144,6 +166,31 @@ impl RuntimeTable {
         }
         table.frames = frames.iter().map(|frame| rows.frame(frame)).collect();
         table
+    }
+}
+
+#[cfg(feature = "std")]
+impl RuntimeTable {
+    /// As [`RuntimeTable::with_frames`], on a base that moves. The links of rows that are locked to the base become parts of
+    /// its body.
+    pub fn with_floating_base(
+        base: &FloatingBase,
+        convention: Convention,
+        gravity: [f64; 3],
+        rows: &[Row],
+        motions: &[JointMotion],
+        frames: &[FixedFrame],
+    ) -> Self {
+        let read = Rows {
+            convention,
+            rows,
+            motions,
+            bodies: &[],
+        };
+        RuntimeTable {
+            floating: Some(read.base(base)),
+            ..Self::with_frames(convention, gravity, rows, motions, frames)
+        }
     }
 }
 
@@ -272,6 +319,24 @@ impl Rows<'_> {
         joined
     }
 
+    /// The body of a base that moves, with the links that are locked to it.
+    fn base(&self, base: &FloatingBase) -> FloatingBase {
+        let mut body = base.row();
+        let is_fixed = |row: &usize| self.mover(*row).is_none();
+        for locked in (0..self.rows.len()).filter(is_fixed) {
+            join(&mut body, &self.rows[locked], &self.in_mover(locked));
+        }
+        let frames = self.bodies.iter().map(|frame| self.frame(frame));
+        for frame in frames.filter(|frame| frame.on.is_none()) {
+            join(&mut body, &frame.body(), &(&frame.place).into());
+        }
+        FloatingBase {
+            mass: body.mass,
+            com: body.com,
+            inertia: body.inertia,
+        }
+    }
+
     /// A frame as it is in the table of the rows that move.
     fn frame(&self, frame: &FixedFrame) -> FixedFrame {
         let Some(row) = frame.on else { return *frame };
@@ -320,6 +385,32 @@ impl Arm<'_> {
             join(&mut joined, &frame.body(), &(&frame.place).into());
         }
         joined
+    }
+}
+
+impl Arm<'_> {
+    /// The body of a base that moves, with all that is fixed to it: bodies of frames, and the tool of a robot without joints.
+    pub(super) fn base_body(self) -> Option<Row> {
+        let mut body = self.floating?.row();
+        if self.rows.is_empty() {
+            body = self.tool.joined(&body);
+        }
+        for frame in self.frames.iter().filter(|frame| frame.on.is_none()) {
+            join(&mut body, &frame.body(), &(&frame.place).into());
+        }
+        Some(body)
+    }
+}
+
+impl FloatingBase {
+    /// The body, as that of a row.
+    fn row(&self) -> Row {
+        Row {
+            mass: self.mass,
+            com: self.com,
+            inertia: self.inertia,
+            ..Row::new(JointType::Revolute)
+        }
     }
 }
 

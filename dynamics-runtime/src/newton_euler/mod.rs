@@ -19,6 +19,7 @@ mod articulated;
 mod composite;
 mod derivatives;
 mod energy;
+mod floating;
 mod forward;
 mod inertia;
 mod joint;
@@ -40,6 +41,7 @@ use crate::size::Size;
 use crate::table::AsArm as _;
 use crate::{Model, Table, Tool};
 pub use angle::turned;
+pub use floating::{FloatingNewtonEuler, NumericFloating};
 use link::Link;
 use pose::Pose;
 pub use regressor::StandardParameters;
@@ -87,10 +89,12 @@ pub type NewtonEuler<const N: usize> = NumericArm<Const<N>>;
 
 /// The numeric dynamics of an arm: [`NewtonEuler`] where the compiler knows the number of joints. Where it is known at
 /// run time alone, `NumericArm<Dyn>` has the same methods, over `DVector<f64>` and `DMatrix<f64>`, and is read from a
-/// `RuntimeTable`.
+/// `RuntimeTable`. `V` is the number of velocities, as many as joints: [`NumericFloating`] is for a base that moves.
 #[derive(Clone, Debug)]
-pub struct NumericArm<D: Size> {
+pub struct NumericArm<D: Size, V: Size = D> {
     size: D,
+    /// The number of velocities: six more than joints where the base moves.
+    freedoms: V,
     table: D::Table,
     /// From the base outwards. The links of joints that follow others are among them.
     links: D::Links<Link>,
@@ -115,8 +119,16 @@ impl<D: Size> NumericArm<D> {
     /// If a row stands on one that is not above it, or a frame on a row that is not there; if there is a tool, but several
     /// rows carry no other, so that there is no tip.
     pub fn new(table: &D::Table) -> Self {
+        Self::read(table, D::from_usize(table.arm().rows.len()))
+    }
+}
+
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// Reads the table. The joints' velocities are the last ones of all.
+    fn read(table: &D::Table, freedoms: V) -> Self {
         let arm = table.arm();
         let size = D::from_usize(arm.rows.len());
+        let first = freedoms.value() - size.value();
         let (count, tip_link) = (arm.chain().count(), arm.tip_row());
         let has_place = count == 0 || tip_link.is_some() || *arm.tool == Tool::NONE;
         assert!(
@@ -127,13 +139,15 @@ impl<D: Size> NumericArm<D> {
             .iter()
             .for_each(|frame| frame.assert_stands_on(count));
         let mut links = size.links(count, Link::NONE);
-        for (k, link) in Link::all(arm).enumerate() {
+        for (k, mut link) in Link::all(arm).enumerate() {
+            link.joint += first;
             links[k] = link;
         }
         let base = Pose::from(arm.base);
         let world_gravity = Vector3::from(arm.gravity);
         NumericArm {
             size,
+            freedoms,
             table: table.clone(),
             has_branches: (0..count).any(|k| links[k].carrier != k.checked_sub(1)),
             links,
@@ -145,9 +159,21 @@ impl<D: Size> NumericArm<D> {
         }
     }
 
-    /// The number of its joints.
+    /// The number of its velocities, which is that of its joints.
     pub fn dof(&self) -> usize {
-        self.size.value()
+        self.freedoms.value()
+    }
+
+    /// How many velocities there are before those of the joints: the compiler knows that an arm has none.
+    #[inline(always)]
+    fn first(&self) -> usize {
+        self.freedoms.value() - self.size.value()
+    }
+
+    /// Whether the base moves.
+    #[inline(always)]
+    fn floats(&self) -> bool {
+        self.first() > 0
     }
 }
 

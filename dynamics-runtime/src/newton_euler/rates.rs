@@ -15,7 +15,7 @@ use crate::JointType;
 use crate::size::Size;
 
 /// A value and its first two derivatives.
-type Jet<X> = [X; 3];
+pub(super) type Jet<X> = [X; 3];
 
 /// (a b)'' = a'' b + 2 a' b' + a b'', for any product.
 fn product<A: Copy, B: Copy, C: Add<Output = C> + Mul<f64, Output = C>>(
@@ -30,15 +30,15 @@ fn product<A: Copy, B: Copy, C: Add<Output = C> + Mul<f64, Output = C>>(
     ]
 }
 
-fn sum<X: Copy + Add<Output = X>>(a: Jet<X>, b: Jet<X>) -> Jet<X> {
+pub(super) fn sum<X: Copy + Add<Output = X>>(a: Jet<X>, b: Jet<X>) -> Jet<X> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-type Vector = Jet<Vector3<f64>>;
+pub(super) type Vector = Jet<Vector3<f64>>;
 
 const REST: Vector = [Vector3::new(0.0, 0.0, 0.0); 3];
 
-fn cross(a: Vector, b: Vector) -> Vector {
+pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     product(|a: Vector3<f64>, b: Vector3<f64>| a.cross(&b), a, b)
 }
 
@@ -50,7 +50,7 @@ fn times(a: Vector, k: Jet<f64>) -> Vector {
     product(|a: Vector3<f64>, k: f64| a * k, a, k)
 }
 
-fn apply(m: Jet<Matrix3<f64>>, v: Vector) -> Vector {
+pub(super) fn apply(m: Jet<Matrix3<f64>>, v: Vector) -> Vector {
     product(|m: Matrix3<f64>, v: Vector3<f64>| m * v, m, v)
 }
 
@@ -58,30 +58,62 @@ fn chained(a: Jet<Matrix3<f64>>, b: Jet<Matrix3<f64>>) -> Jet<Matrix3<f64>> {
     product(|a: Matrix3<f64>, b: Matrix3<f64>| a * b, a, b)
 }
 
-fn minus(v: Vector) -> Vector {
+pub(super) fn minus(v: Vector) -> Vector {
     v.map(|x| -x)
 }
 
-fn fixed(v: Vector3<f64>) -> Vector {
+pub(super) fn fixed(v: Vector3<f64>) -> Vector {
     [v, Vector3::zeros(), Vector3::zeros()]
 }
 
-/// A frame and its motion, in the base frame.
+/// The sum of two forces and of two moments.
+pub(super) fn added([f, n]: [Vector; 2], [g, m]: [Vector; 2]) -> [Vector; 2] {
+    [sum(f, g), sum(n, m)]
+}
+
+/// A frame and its motion, in a frame at rest: an arm's base frame, or the place of a base that moves at this moment.
 #[derive(Clone, Copy, Debug)]
-struct FrameJets {
-    rotation: Jet<Matrix3<f64>>,
-    position: Vector,
-    velocity: Vector,
-    acceleration: Vector,
+pub(super) struct FrameJets {
+    pub(super) rotation: Jet<Matrix3<f64>>,
+    pub(super) position: Vector,
+    /// Of the turning.
+    pub(super) velocity: Vector,
+    pub(super) acceleration: Vector,
     /// Acceleration of the origin, less that of gravity.
-    linear: Vector,
+    pub(super) linear: Vector,
 }
 
 /// The force and the moment about its centre of mass that the motion of a link takes.
-struct Load {
+#[derive(Clone, Copy)]
+pub(super) struct Load {
     center: Vector,
     force: Vector,
     moment: Vector,
+}
+
+/// The mass properties of a body in its frame, the tensor about the centre of mass.
+pub(super) struct Solid {
+    pub(super) mass: f64,
+    pub(super) com: Vector3<f64>,
+    pub(super) tensor: Matrix3<f64>,
+}
+
+impl From<&Link> for Solid {
+    fn from(link: &Link) -> Self {
+        Solid {
+            mass: link.mass,
+            com: link.com,
+            tensor: link.tensor,
+        }
+    }
+}
+
+impl Load {
+    /// The force, and the moment about a point.
+    pub(super) fn about(&self, point: &Vector) -> [Vector; 2] {
+        let lever = sum(self.center, minus(*point));
+        [self.force, sum(self.moment, cross(lever, self.force))]
+    }
 }
 
 impl FrameJets {
@@ -128,8 +160,8 @@ impl FrameJets {
         }
     }
 
-    /// Newton and Euler for the link at its centre of mass.
-    fn load(&self, link: &Link) -> Load {
+    /// Newton and Euler for a body at its centre of mass.
+    pub(super) fn load(&self, link: &Solid) -> Load {
         let lever = apply(self.rotation, fixed(link.com));
         let (w, e) = (self.velocity, self.acceleration);
         let of_center = sum(cross(e, lever), cross(w, cross(w, lever)));
@@ -155,7 +187,6 @@ impl<D: Size> NumericArm<D> {
         jerk: &D::Vector,
         snap: &D::Vector,
     ) -> (D::Vector, D::Vector) {
-        let joints = self.joints(q);
         let base = FrameJets {
             rotation: [Matrix3::identity(), Matrix3::zeros(), Matrix3::zeros()],
             position: REST,
@@ -163,21 +194,36 @@ impl<D: Size> NumericArm<D> {
             acceleration: REST,
             linear: minus(fixed(self.gravity)),
         };
-        let mut frames = self.per_link(base);
-        self.outward(base, |place, frame| {
-            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| place.of(rate));
+        self.force_rates(q, [qd, qdd, jerk, snap], &base).0
+    }
+}
+
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// The first two derivatives of the joint torques on a base that moves so, and the force and the moment about its origin
+    /// that the links need, in the axes in which the base is given.
+    pub(super) fn force_rates(
+        &self,
+        q: &D::Vector,
+        rates: [&V::Vector; 4],
+        base: &FrameJets,
+    ) -> ((V::Vector, V::Vector), [Vector; 2]) {
+        let joints = self.joints(q);
+        let mut frames = self.per_link(*base);
+        self.outward(*base, |place, frame| {
+            let [v, a, jerk, snap] = rates.map(|rate| place.of(rate));
             let pose = joints[place.k].pose();
             frames[place.k] = frame.next(place.link, &pose, [v, a, jerk], [a, jerk, snap]);
             frames[place.k]
         });
-        let mut torques = (self.size.vector(), self.size.vector());
+        let mut torques = (self.freedoms.vector(), self.freedoms.vector());
+        let mut of_base = [REST; 2];
         let mut add = |place: Place<'_>, [first, second]: [f64; 2]| {
             place.add(&mut torques.0, first);
             place.add(&mut torques.1, second);
         };
         self.walk_outward(|place| {
             let link = place.link;
-            let [v, a, jerk, snap] = [qd, qdd, jerk, snap].map(|rate| place.of(rate));
+            let [v, a, jerk, snap] = rates.map(|rate| place.of(rate));
             let slope = link.viscous + link.dry.slope(v);
             let curvature = link.dry.curvature(v);
             let (inertia, stiffness) = (link.reflected_inertia, link.spring.stiffness);
@@ -188,11 +234,13 @@ impl<D: Size> NumericArm<D> {
                     inertia * snap + stiffness * a + slope * jerk + curvature * a * a,
                 ],
             );
+            let load = frames[place.k].load(&Solid::from(link));
+            of_base = added(of_base, load.about(&base.position));
             let Load {
                 center,
                 force,
                 moment,
-            } = frames[place.k].load(link);
+            } = load;
             self.walk_to_base(place.k, |carrier| {
                 let frame = &frames[carrier.k];
                 let axis = frame.rotation.map(|r| r.column(2).into_owned());
@@ -206,6 +254,6 @@ impl<D: Size> NumericArm<D> {
                 add(carrier, [torque[1], torque[2]]);
             });
         });
-        torques
+        (torques, of_base)
     }
 }

@@ -32,6 +32,20 @@ impl FrameMotion {
         }
     }
 
+    /// A base that moves with the twist (v, w) and its rate, in its own axes: `a = dv/dt + w x v - g`.
+    pub(super) fn moving(
+        [v, w]: &[Vector3<f64>; 2],
+        [vd, wd]: &[Vector3<f64>; 2],
+        gravity: &Vector3<f64>,
+    ) -> Self {
+        FrameMotion {
+            angular_velocity: *w,
+            angular_acceleration: *wd,
+            linear_acceleration: vd + w.cross(v) - gravity,
+            spread: spread(w, wd),
+        }
+    }
+
     /// Craig (6.31) to (6.35): from link i to link i+1.
     #[inline(always)]
     fn outward(&self, joint_type: JointType, joint: &Joint, qd: f64, qdd: f64) -> FrameMotion {
@@ -102,11 +116,26 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
         gravity: &Vector3<f64>,
     ) -> D::Vector {
+        let base = FrameMotion::base(gravity);
+        self.forces(joints, [qd, qdd], base).0
+    }
+}
+
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// Joint torques of a motion on a base that moves so, without springs and friction, and the wrench that the links need
+    /// of a base that moves.
+    #[inline(always)]
+    pub(super) fn forces(
+        &self,
+        joints: &D::Links<Joint>,
+        [qd, qdd]: [&V::Vector; 2],
+        base: FrameMotion,
+    ) -> (V::Vector, Option<Wrench>) {
         let mut wrenches = self.per_link(Wrench::ZERO);
         self.move_frames(
             joints,
             [qd, qdd],
-            gravity,
+            base,
             #[inline(always)]
             |Place { k, link, .. }, motion| {
                 let inertia = &link.inertia;
@@ -114,8 +143,8 @@ impl<D: Size> NumericArm<D> {
             },
         );
         // f_i = F_i + R f_{i+1}, n_i = N_i + R n_{i+1} + p_{i+1} x R f_{i+1}.
-        let mut tau = self.size.vector();
-        self.inward(
+        let mut tau = self.freedoms.vector();
+        let of_links = self.inward(
             #[inline(always)]
             |place| wrenches[place.k],
             #[inline(always)]
@@ -126,7 +155,7 @@ impl<D: Size> NumericArm<D> {
                 place.hand_on(|| wrench.inward(&joints[place.k]))
             },
         );
-        tau
+        (tau, of_links)
     }
 
     /// How the link frames move, from the base outwards.
@@ -134,12 +163,12 @@ impl<D: Size> NumericArm<D> {
     pub(super) fn move_frames(
         &self,
         joints: &D::Links<Joint>,
-        [qd, qdd]: [&D::Vector; 2],
-        gravity: &Vector3<f64>,
+        [qd, qdd]: [&V::Vector; 2],
+        base: FrameMotion,
         mut visit: impl FnMut(Place<'_>, &FrameMotion),
     ) {
         self.outward(
-            FrameMotion::base(gravity),
+            base,
             #[inline(always)]
             |place, motion| {
                 let (qd, qdd) = (place.of(qd), place.of(qdd));

@@ -58,7 +58,7 @@ fn standard_parameters(
 }
 
 /// The standard parameters of a row's link.
-fn parameters(row: &Row) -> StandardParameters {
+pub(super) fn parameters(row: &Row) -> StandardParameters {
     let (m, c) = (row.mass, Vector3::from(row.com));
     let [xx, yy, zz, xy, yz, xz] = row.inertia;
     SVector::from([
@@ -77,7 +77,7 @@ fn parameters(row: &Row) -> StandardParameters {
 
 impl Inertia {
     /// The inertia of a body with one of the standard parameters, which is 1: `S = tr(J)/2 1 - J`.
-    fn unit(parameter: usize) -> Self {
+    pub(super) fn unit(parameter: usize) -> Self {
         let mut inertia = Inertia::ZERO;
         let s = &mut inertia.second_moment;
         match parameter {
@@ -97,7 +97,7 @@ impl Inertia {
 
     /// In the frame where its own is placed, about that frame's origin p: `h' = R h + m p`,
     /// `S' = R S R^T + p (R h)^T + (R h) p^T + m p p^T`.
-    fn placed(&self, Pose { rotation, position }: &Pose) -> Self {
+    pub(super) fn placed(&self, Pose { rotation, position }: &Pose) -> Self {
         let (r, p) = (rotation, position);
         let turned = r * self.first_moment;
         let crossed: Matrix3<f64> = p * turned.transpose();
@@ -134,7 +134,7 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
     ) -> D::Each<D::Rows<10>> {
         let joints = self.joints(q);
-        let motions = self.motions(&joints, qd, qdd);
+        let motions = self.motions(&joints, [qd, qdd], FrameMotion::base(&self.gravity));
         self.per_joint(|k| self.block(k, &joints, &motions))
     }
 
@@ -147,33 +147,35 @@ impl<D: Size> NumericArm<D> {
         qdd: &D::Vector,
     ) -> impl Iterator<Item = D::Rows<10>> {
         let joints = self.joints(q);
-        let motions = self.motions(&joints, qd, qdd);
+        let motions = self.motions(&joints, [qd, qdd], FrameMotion::base(&self.gravity));
         let followers = (0..self.count).filter(|k| self.links[*k].is_follower);
         followers.map(move |k| self.block(k, &joints, &motions))
     }
+}
 
-    /// How the link frames move.
-    fn motions(
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// How the link frames move on a base that moves so.
+    pub(super) fn motions(
         &self,
         joints: &D::Links<Joint>,
-        qd: &D::Vector,
-        qdd: &D::Vector,
+        [qd, qdd]: [&V::Vector; 2],
+        base: FrameMotion,
     ) -> D::Links<FrameMotion> {
-        let mut motions = self.per_link(FrameMotion::base(&self.gravity));
-        self.move_frames(joints, [qd, qdd], &self.gravity, |place, motion| {
+        let mut motions = self.per_link(base);
+        self.move_frames(joints, [qd, qdd], base, |place, motion| {
             motions[place.k] = *motion;
         });
         motions
     }
 
     /// The columns of a link's parameters.
-    fn block(
+    pub(super) fn block(
         &self,
         k: usize,
         joints: &D::Links<Joint>,
         motions: &D::Links<FrameMotion>,
-    ) -> D::Rows<10> {
-        let mut block = self.size.rows();
+    ) -> V::Rows<10> {
+        let mut block = self.freedoms.rows();
         for parameter in 0..10 {
             let inertia = Inertia::unit(parameter).placed(&self.links[k].table_frame);
             let FrameMotion {
@@ -187,6 +189,10 @@ impl<D: Size> NumericArm<D> {
                 block[(place.joint, parameter)] += place.factor * along;
                 wrench = wrench.inward(&joints[place.k]);
             });
+            if self.floats() {
+                let of_base = wrench.entries().into_iter().enumerate();
+                of_base.for_each(|(i, entry)| block[(i, parameter)] = entry);
+            }
         }
         block
     }

@@ -32,26 +32,7 @@ impl<D: Size> NumericArm<D> {
 
     /// Spring torques K(q) = stiffness (q - rest).
     pub fn spring_vector(&self, q: &D::Vector) -> D::Vector {
-        self.gathered(|place| place.link.spring.force(place.of(q)))
-    }
-
-    /// K + F, what acts at the joints themselves.
-    pub(super) fn joint_forces(&self, q: &D::Vector, qd: &D::Vector) -> D::Vector {
-        self.gathered(|place| {
-            place.link.spring.force(place.of(q)) + place.link.friction(place.of(qd))
-        })
-    }
-
-    /// Forces at the joints of all links, as forces at the joints of q. A force f on a follower that moves k times as far
-    /// as its leader is k f at the leader.
-    #[inline(always)]
-    fn gathered(&self, force: impl Fn(&Place<'_>) -> f64) -> D::Vector {
-        let mut sum = self.size.vector();
-        self.walk_outward(
-            #[inline(always)]
-            |place| place.add(&mut sum, force(&place)),
-        );
-        sum
+        self.gathered(|place| place.link.spring.force(place.position(q)))
     }
 
     /// Torques of a motion, M qdd + V + G + K + F.
@@ -100,5 +81,26 @@ impl<D: Size> NumericArm<D> {
     #[inline(always)]
     fn velocity_torques(&self, joints: &D::Links<Joint>, qd: &D::Vector) -> D::Vector {
         self.recursion(joints, qd, &self.size.vector(), &Vector3::zeros())
+    }
+}
+
+impl<D: Size, V: Size> NumericArm<D, V> {
+    /// K + F, what acts at the joints themselves.
+    pub(super) fn joint_forces(&self, q: &D::Vector, qd: &V::Vector) -> V::Vector {
+        self.gathered(|place| {
+            place.link.spring.force(place.position(q)) + place.link.friction(place.of(qd))
+        })
+    }
+
+    /// Forces at the joints of all links, as forces at the joints of q. A force f on a follower that moves k times as far
+    /// as its leader is k f at the leader.
+    #[inline(always)]
+    pub(super) fn gathered(&self, force: impl Fn(&Place<'_>) -> f64) -> V::Vector {
+        let mut sum = self.freedoms.vector();
+        self.walk_outward(
+            #[inline(always)]
+            |place| place.add(&mut sum, force(&place)),
+        );
+        sum
     }
 }

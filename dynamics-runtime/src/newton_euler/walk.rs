@@ -17,15 +17,30 @@ pub(super) struct Place<'a> {
     pub(super) link: &'a Link,
     /// The link that carries it; none for a link on the base.
     pub(super) carrier: Option<usize>,
+    /// The place of the joint among the velocities.
     pub(super) joint: usize,
     pub(super) factor: f64,
+    /// How many velocities there are before those of the joints.
+    first: usize,
 }
 
 impl Place<'_> {
-    /// The position or rate of the joint, from those of the joints of q.
+    /// The rate of the joint, from all velocities or their rates.
     #[inline(always)]
-    pub(super) fn of(&self, joints: &impl Index<usize, Output = f64>) -> f64 {
-        self.factor * joints[self.joint]
+    pub(super) fn of(&self, velocities: &impl Index<usize, Output = f64>) -> f64 {
+        self.factor * velocities[self.joint]
+    }
+
+    /// The position of the joint, from those of the joints of q.
+    #[inline(always)]
+    pub(super) fn position(&self, q: &impl Index<usize, Output = f64>) -> f64 {
+        self.factor * q[self.joint_of_q()]
+    }
+
+    /// The place of the joint among those of q.
+    #[inline(always)]
+    pub(super) fn joint_of_q(&self) -> usize {
+        self.joint - self.first
     }
 
     /// Adds a force at this joint to those at the joints of q, times the factor by which this joint moves.
@@ -34,10 +49,10 @@ impl Place<'_> {
         forces[self.joint] += self.factor * force;
     }
 
-    /// The value that the link hands on to the one that carries it; none if it is on the base.
+    /// The value that the link hands on to the one that carries it, or to a base that moves; none on a base that stands.
     #[inline(always)]
     pub(super) fn hand_on<X>(&self, value: impl FnOnce() -> X) -> Option<X> {
-        self.carrier.map(|_| value())
+        (self.carrier.is_some() || self.first > 0).then(value)
     }
 
     /// Adds a column that belongs to this joint to those of the joints of q.
@@ -54,7 +69,7 @@ impl Place<'_> {
     }
 }
 
-impl<D: Size> NumericArm<D> {
+impl<D: Size, V: Size> NumericArm<D, V> {
     #[inline(always)]
     pub(super) fn place(&self, k: usize) -> Place<'_> {
         let link = &self.links[k];
@@ -64,6 +79,7 @@ impl<D: Size> NumericArm<D> {
             carrier: link.carrier,
             joint: link.joint,
             factor: link.factor,
+            first: self.first(),
         }
     }
 
@@ -119,7 +135,7 @@ impl<D: Size> NumericArm<D> {
         let mut own = self.size.each(|_| 0);
         self.walk_outward(|place| {
             if !place.link.is_follower {
-                own[place.joint] = place.k;
+                own[place.joint_of_q()] = place.k;
             }
         });
         self.size.each(|joint| value(own[joint]))
@@ -151,15 +167,18 @@ impl<D: Size> NumericArm<D> {
     }
 
     /// From the tips inwards: `step` is given the sum of a link's `own` value and of the values handed on to it by the links
-    /// that it carries. It returns the value that this link hands on, if a link carries it.
+    /// that it carries. It returns the value that this link hands on, if a link carries it or the base moves.
+    ///
+    /// Returned is the sum of the values that are handed on to the base; none if it stands, or if it carries nothing.
     #[inline(always)]
     pub(super) fn inward<X: Copy + Debug + Add<Output = X>>(
         &self,
         own: impl Fn(Place<'_>) -> X,
         mut step: impl FnMut(Place<'_>, X) -> Option<X>,
-    ) {
+    ) -> Option<X> {
         let mut kept = self.has_branches.then(|| self.per_link(None::<X>));
         let mut handed_on = None;
+        let mut to_base: Option<X> = None;
         self.walk_inward(
             #[inline(always)]
             |place| {
@@ -176,7 +195,11 @@ impl<D: Size> NumericArm<D> {
                 {
                     kept[carrier] = Some(kept[carrier].map_or(value, |sum| sum + value));
                 }
+                if let (true, None, Some(value)) = (self.floats(), place.carrier, handed_on) {
+                    to_base = Some(to_base.map_or(value, |sum| sum + value));
+                }
             },
         );
+        to_base
     }
 }

@@ -19,7 +19,7 @@ pub struct FixedFrame {
     pub on: Option<usize>,
     /// The frame in the link frame of that row, or in the base frame.
     pub place: Placement,
-    /// Mass of the body, kg. A body on the base counts nowhere, because the base stands.
+    /// Mass of the body, kg. A body on a base that stands counts nowhere.
     pub mass: f64,
     /// Its centre of mass in the frame, m.
     pub com: [f64; 3],

@@ -264,7 +264,7 @@ impl<const N: usize> Table<N> {
         self.rows.each_ref().map(|row| row.velocity_limit)
     }
 
-    /// Mass of all links, of the tool and of the bodies of frames on links, kg.
+    /// Mass of all links, of the tool and of the bodies of frames on links, and of a base that moves, kg.
     pub fn total_mass(&self) -> f64 {
         self.arm().total_mass()
     }
