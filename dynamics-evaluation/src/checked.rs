@@ -2,7 +2,7 @@
 
 use dynamics_runtime::nalgebra::{DVector, Dyn};
 use dynamics_runtime::{
-    Certified, Scalar, SizedState,
+    Certified, Pose, Scalar, SizedState,
     check::{Checked, Evaluation},
     table::RuntimeTable,
 };
@@ -21,7 +21,7 @@ impl Checked for RuntimeRobot {
     }
 
     fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
-        self.evaluation(state, tau, |x| x)
+        self.values_on(&Pose::identity(), state, tau)
     }
 
     fn certified_values(
@@ -29,17 +29,45 @@ impl Checked for RuntimeRobot {
         state: &SizedState<Dyn>,
         tau: &DVector<f64>,
     ) -> Evaluation<Certified> {
-        self.evaluation(state, tau, Certified::exact)
+        self.certified_values_on(&Pose::identity(), state, tau)
     }
 
-    /// Each method by its own program.
     fn values_of_parts(
         &self,
         state: &SizedState<Dyn>,
         tau: &DVector<f64>,
         found: &mut dyn FnMut(&str, Evaluation),
     ) {
-        let argument = arguments(state, tau);
+        self.values_of_parts_on(&Pose::identity(), state, tau, found);
+    }
+
+    fn values_on(
+        &self,
+        base: &Pose<f64>,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+    ) -> Evaluation {
+        self.evaluation(arguments(base, state, tau), &state.qd, |x| x)
+    }
+
+    fn certified_values_on(
+        &self,
+        base: &Pose<f64>,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+    ) -> Evaluation<Certified> {
+        self.evaluation(arguments(base, state, tau), &state.qd, Certified::exact)
+    }
+
+    /// Each method by its own program.
+    fn values_of_parts_on(
+        &self,
+        base: &Pose<f64>,
+        state: &SizedState<Dyn>,
+        tau: &DVector<f64>,
+        found: &mut dyn FnMut(&str, Evaluation),
+    ) {
+        let argument = arguments(base, state, tau);
         let tuples = self.functions().iter();
         for function in tuples.filter(|function| function.request.is_tuple()) {
             let mut values = self
@@ -71,11 +99,10 @@ impl RuntimeRobot {
     /// The values of all functions that are evaluated by themselves, in numbers that `real` makes of the state's.
     fn evaluation<T: Scalar>(
         &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
+        double: impl Fn(Argument, usize) -> f64,
+        qd: &DVector<f64>,
         real: fn(f64) -> T,
     ) -> Evaluation<T> {
-        let double = arguments(state, tau);
         let argument = |argument, i| real(double(argument, i));
         let mut evaluation = Evaluation::default();
         for function in self.functions() {
@@ -89,7 +116,7 @@ impl RuntimeRobot {
                 at_frame.set(part.function.name(), values);
             }
         }
-        let qd: Vec<T> = state.qd.iter().map(|x| real(*x)).collect();
+        let qd: Vec<T> = qd.iter().map(|x| real(*x)).collect();
         evaluation.combined(&qd)
     }
 
@@ -109,8 +136,13 @@ impl RuntimeRobot {
     }
 }
 
-/// The entries of all arguments at a state.
-fn arguments(state: &SizedState<Dyn>, tau: &DVector<f64>) -> impl Fn(Argument, usize) -> f64 {
+/// The entries of all arguments at a state, of a robot whose base stands there if it moves.
+fn arguments(
+    base: &Pose<f64>,
+    state: &SizedState<Dyn>,
+    tau: &DVector<f64>,
+) -> impl Fn(Argument, usize) -> f64 {
+    let base = base.entries();
     let (SizedState { q, qd, qdd }, tau) = (state.clone(), tau.clone());
     let [qd_r, qdd_r] = [state.reference_velocity(), state.reference_acceleration()];
     let ([jerk, snap], wrench) = ([state.jerk(), state.snap()], SizedState::<Dyn>::wrench());
@@ -124,6 +156,7 @@ fn arguments(state: &SizedState<Dyn>, tau: &DVector<f64>) -> impl Fn(Argument, u
         Argument::Jerk => jerk[i],
         Argument::Snap => snap[i],
         Argument::Wrench => wrench[i],
-        Argument::Base | Argument::Order => f64::NAN,
+        Argument::Base => base[i],
+        Argument::Order => f64::NAN,
     }
 }

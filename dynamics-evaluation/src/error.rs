@@ -55,6 +55,8 @@ pub enum EvaluationError {
     NotDerived(String),
     /// The same of a function that a simulation needs.
     NotSimulated(String),
+    /// The base of the robot moves, and simulations are of robots whose base stands.
+    MovingBase,
     /// An argument, or the results, have another length than they must.
     Length {
         /// The argument by its name, or `results`.
@@ -91,6 +93,10 @@ impl fmt::Display for EvaluationError {
                     "`{function}` was not derived: ask for it when the robot is made"
                 )
             }
+            EvaluationError::MovingBase => write!(
+                f,
+                "the base of this robot moves: simulations are of robots whose base stands"
+            ),
             EvaluationError::NotSimulated(function) => write!(
                 f,
                 "a simulation needs `{function}`, which was not derived: ask for all of \

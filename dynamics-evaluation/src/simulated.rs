@@ -56,6 +56,9 @@ impl RuntimeRobot {
         &self,
         functions: &[Function],
     ) -> Result<RuntimeDynamics<'_, K>, EvaluationError> {
+        if self.robot().floating().is_some() {
+            return Err(EvaluationError::MovingBase);
+        }
         let compiled = |function: &Function| {
             let mut known = self.functions().iter();
             known
@@ -90,7 +93,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
+    /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
     /// two of the tip were asked for.
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
         self.simulated(&OF_SIMULATIONS[..5])

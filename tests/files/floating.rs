@@ -1,8 +1,10 @@
 //! Robots on a base that moves, compiled: HyQ beside the values that Pinocchio has from the same file, a free body, and
 //! batches, tuples and other numbers beside single calls.
 
-use robot_dynamics::nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
-use robot_dynamics::{Batch, Certified, DoubleDouble, Pose, robot_dynamics};
+use dynamics_evaluation::{EvaluationError, ReadOptions, RuntimeRobot, Value};
+use robot_dynamics::check::Check;
+use robot_dynamics::nalgebra::{DMatrix, Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
+use robot_dynamics::{Certified, DoubleDouble, Pose, check_against_rnea, robot_dynamics};
 
 use super::trees::{Reference, State, assert_near, largest, reference};
 
@@ -90,6 +92,59 @@ fn a_quadruped_moves_as_pinocchio_says() {
     }
 }
 
+/// Every function of both robots beside the numeric algorithm, which reads the tables alone.
+#[test]
+fn robots_on_moving_bases_agree_with_newton_euler() {
+    for report in [
+        check_against_rnea(&Hyq),
+        check_against_rnea(&Stone { m: 2.5 }),
+    ] {
+        println!("{report}");
+        report.assert_ok();
+    }
+}
+
+/// A robot that is read at run time has the digits of the compiled one.
+#[test]
+fn a_robot_at_run_time_moves_its_base() {
+    let path = format!(
+        "{}/../data/urdf/trees/hyq_no_sensors.urdf",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let beside = "gravity = [0, 0, -9.81]\nbase = \"floating\"\nallow = [\"unphysical_inertia\"]";
+    let options = ReadOptions::new()
+        .functions(["inverse_dynamics", "forward_dynamics", "mass_matrix"])
+        .entries(beside);
+    let robot = RuntimeRobot::from_file(path, &options).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(robot.dof(), 18);
+    let reference = reference("hyq_no_sensors_free");
+    let (base, q, [v, a, _]) = state(&reference, &reference.states[1]);
+    let entries: Vec<f64> = (0..12)
+        .map(|k| match k {
+            0..9 => base.rotation[(k / 3, k % 3)],
+            _ => base.position[k - 9],
+        })
+        .collect();
+    let arguments = [&entries[..], q.as_slice(), v.as_slice(), a.as_slice()];
+    let found = robot.evaluate("inverse_dynamics", &arguments);
+    let compiled = Hyq.inverse_dynamics(&base, &q, &v, &a);
+    assert_eq!(
+        found,
+        Ok(Value::Matrix(DMatrix::from_column_slice(
+            18,
+            1,
+            compiled.as_slice()
+        )))
+    );
+    let report = Check::new().samples(8).run_any(&robot);
+    assert!(report.is_ok(), "{report}");
+    assert!(
+        robot
+            .dynamics()
+            .is_err_and(|error| error == EvaluationError::MovingBase)
+    );
+}
+
 /// The power of a force at a foot is that of the torques which it makes.
 #[test]
 fn a_push_at_a_foot_is_handed_to_base_and_joints() {
@@ -154,9 +209,11 @@ fn batches_tuples_and_other_numbers_are_single_calls() {
             &a.map(Certified::exact),
         );
         for i in 0..18 {
-            let error = f64::from(exact[i] - DoubleDouble::from(certified[i].value())).abs();
+            let error = (exact[i] - DoubleDouble::from(certified[i].value()))
+                .to_f64()
+                .abs();
             assert!(error <= certified[i].bound(), "{error}");
-            assert!((single[i] - f64::from(exact[i])).abs() < 1e-14 * single.amax());
+            assert!((single[i] - exact[i].to_f64()).abs() < 1e-14 * single.amax());
         }
     }
 }

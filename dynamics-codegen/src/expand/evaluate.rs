@@ -36,7 +36,12 @@ pub(super) fn evaluation(target: &Target, robot: &Robot, requests: &[Request]) -
 /// The arguments at the state. Names of variables have a `_` in them: see [`apart`](super::names::apart).
 fn at_state(target: &Target) -> TokenStream {
     let path = target.path;
-    quote!(let at_state = #path::Arguments::new(state, tau, real);)
+    let arguments = if target.freedoms.has_base() {
+        quote!(FloatingArguments)
+    } else {
+        quote!(Arguments)
+    };
+    quote!(let at_state = #path::#arguments::new(state, tau, real);)
 }
 
 /// Hands the parts of a method on; where it refuses, each part that is solved for is that refusal.

@@ -4,9 +4,9 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 /// Arguments and local variables of the generated code, but for those whose names have a `_` in them.
-pub(crate) const NAMES: [&str; 15] = [
-    "q", "qd", "qdd", "tau", "jerk", "snap", "wrench", "order", "state", "sines", "real", "index",
-    "x", "term", "forces",
+pub(crate) const NAMES: [&str; 16] = [
+    "base", "q", "qd", "qdd", "tau", "jerk", "snap", "wrench", "order", "state", "sines", "real",
+    "index", "x", "term", "forces",
 ];
 
 /// The items in a scope of their own, in which primitive types, and the names of arguments and local variables,

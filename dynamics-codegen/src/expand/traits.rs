@@ -22,7 +22,7 @@ pub(super) fn traits(
     let has = |function| functions.contains(&function) && !target.freedoms.has_base();
     let has_energies = has(Function::KineticEnergy) && has(Function::PotentialEnergy);
     let model = model(target, angles, table, has_energies);
-    let evaluate = (!target.freedoms.has_base()).then(|| evaluate(target, evaluation));
+    let evaluate = evaluate(target, evaluation);
     let pairs = [
         (
             "Energy",
@@ -217,18 +217,23 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bo
 fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
     let path = target.path;
     let functions = &evaluation.functions;
-    let (header, n) = if target.is_known() {
-        header(target, quote!(Evaluate))
+    let (n, v) = (target.n(), target.v());
+    let (name, state) = if target.freedoms.has_base() {
+        (
+            quote!(FloatingEvaluate<#n, #v>),
+            quote!(FloatingState<#n, #v>),
+        )
     } else {
-        // One impl, so that a check of the robot infers the number.
-        (start(target, &quote!(), quote!(Evaluate<0>)), quote!(0))
+        // Of an unknown number of joints one impl, for none, so that a check of the robot infers the number.
+        (quote!(Evaluate<#n>), quote!(State<#n>))
     };
+    let header = start(target, &quote!(), name);
     let parts = evaluation.parts.as_ref().map(|parts| {
         quote! {
             fn evaluate_parts(
                 &self,
-                state: &#path::State<#n>,
-                tau: &#path::nalgebra::SVector<f64, #n>,
+                state: &#path::#state,
+                tau: &#path::nalgebra::SVector<f64, #v>,
                 found_parts: &mut dyn ::core::ops::FnMut(&str, #path::Evaluation),
             ) {
                 let real = |x: f64| -> f64 { x };
@@ -241,8 +246,8 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
             #header {
                 fn evaluate_in<T: #path::Scalar>(
                     &self,
-                    state: &#path::State<#n>,
-                    tau: &#path::nalgebra::SVector<f64, #n>,
+                    state: &#path::#state,
+                    tau: &#path::nalgebra::SVector<f64, #v>,
                     real: fn(f64) -> T,
                 ) -> #path::Evaluation<T> {
                     #functions

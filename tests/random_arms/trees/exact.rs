@@ -232,7 +232,7 @@ impl Exact<'_> {
             rotation: Matrix::identity(),
             position: Vector::zeros(),
         };
-        origin.placed(self.0.base.as_slice())
+        origin.placed(self.0.placement().map_or(&[][..], core::slice::from_ref))
     }
 
     /// The links in the order of the rows; `state` is q, qd and qdd.
