@@ -155,6 +155,11 @@ pub(super) fn along_velocities<'g>(
     joints.iter().map(along).collect()
 }
 
+/// The sum of the products of two lists, as far as both go.
+pub(super) fn sum_of_products<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
+    a.iter().zip(b).fold(zero, |sum, (&a, &b)| sum + a * b)
+}
+
 /// The velocities of the frames' origins.
 fn velocities<R: Ring>(
     chain: &Chain<R>,

@@ -13,12 +13,12 @@
 //!
 //! with the first three columns M_lin of M.
 
+use super::chain::Chain;
 use super::composite;
-use super::derivatives::{ForceDerivatives, Matrix};
+use super::derivatives::{ForceDerivatives, Matrix, sum_of_products};
 use super::joints::Joints;
 use super::second_derivatives::SecondDerivatives;
 use super::symbols::Symbols;
-use super::{chain::Chain, functions::sum_of_products};
 use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::robot::Base;

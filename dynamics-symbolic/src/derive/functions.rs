@@ -1,7 +1,7 @@
 //! The outputs of each function, on one chain.
 
 use super::chain::Chain;
-use super::derivatives::{ForceDerivatives, Matrix};
+use super::derivatives::{ForceDerivatives, Matrix, sum_of_products};
 use super::displacement::Held;
 use super::joints::Joints;
 use super::passivity::Rates;
@@ -567,11 +567,6 @@ fn times<'g>(zero: Expr<'g>, matrix: &[Vector<'g>], x: &[Expr<'g>]) -> Vector<'g
         .iter()
         .map(|row| sum_of_products(zero, row, x))
         .collect()
-}
-
-/// The sum of the products of two lists, as far as both go.
-pub(super) fn sum_of_products<'g>(zero: Expr<'g>, a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
-    a.iter().zip(b).fold(zero, |sum, (&a, &b)| sum + a * b)
 }
 
 fn sum<'g>(a: Vector<'g>, b: &[Expr<'g>]) -> Vector<'g> {

@@ -9,7 +9,6 @@
 use super::super::assignment::{Assignment, HALF, Number};
 use super::super::dual::Dual;
 use super::pose::{Lift, Pose, Position};
-use super::{Definition, Row};
 use crate::exact::{SplitMix64, rotation_point};
 use crate::function::Argument;
 use crate::linear::{Matrix3, Vector3};
@@ -46,7 +45,7 @@ pub(super) fn random_pose(random: &mut SplitMix64) -> Pose<Number> {
 
 impl<R: Lift> Pose<R> {
     /// The pose with its derivative, if the frame has these velocities in its own axes.
-    fn moving(&self, [v, w]: BaseVelocity<R>) -> Pose<Dual<R>> {
+    pub(super) fn moving(&self, [v, w]: BaseVelocity<R>) -> Pose<Dual<R>> {
         let rate = self.rotation.product(&cross(w));
         let entry = |i: usize, j: usize| Dual::new(self.rotation.0[i][j], rate.0[i][j]);
         let (origin, rate) = (self.origin, self.rotation.apply(v));
@@ -60,7 +59,10 @@ impl<R: Lift> Pose<R> {
 impl Pose<Number> {
     /// The pose displaced by R (d_1 e_1 + d_2 e_2) and turned by exp([phi_1]x e_1 + [phi_2]x e_2). With e_1^2 = e_2^2 = 0 the
     /// exponential is 1 + [phi_1]x e_1 + [phi_2]x e_2 + 1/2 ([phi_1]x [phi_2]x + [phi_2]x [phi_1]x) e_1 e_2.
-    fn displaced(&self, [[d1, phi1], [d2, phi2]]: [BaseVelocity<Number>; 2]) -> Pose<Twice> {
+    pub(super) fn displaced(
+        &self,
+        [[d1, phi1], [d2, phi2]]: [BaseVelocity<Number>; 2],
+    ) -> Pose<Twice> {
         let [first, second] = [phi1, phi2].map(cross);
         let (both, other) = (first.product(&second), second.product(&first));
         let mixed =
@@ -82,63 +84,6 @@ impl Pose<Number> {
 /// [w]x
 fn cross<R: Lift>(w: Vector3<R>) -> Matrix3<R> {
     Matrix3::cross(w, R::lift(Number::ZERO))
-}
-
-impl Definition {
-    /// The velocities of the base among the speeds, if it moves.
-    pub(super) fn velocity_of_base<R: Lift>(&self, speeds: &[R]) -> Option<BaseVelocity<R>> {
-        self.floating.as_ref()?;
-        let vector = |first: usize| Vector3([0, 1, 2].map(|k| speeds[first + k]));
-        Some([vector(0), vector(3)])
-    }
-
-    /// The configuration with its derivative, if the degrees of freedom have these speeds.
-    pub(super) fn moving<R: Lift>(
-        &self,
-        q: &Configuration<R>,
-        speeds: &[R],
-    ) -> Configuration<Dual<R>> {
-        let rows = q.joints.iter().zip(&self.rows);
-        let joint = |(q, row): (&Position<R>, &Row)| q.moving(row.joint.speed(speeds));
-        let still = [Vector3::splat(R::lift(Number::ZERO)); 2];
-        Configuration {
-            base: q
-                .base
-                .moving(self.velocity_of_base(speeds).unwrap_or(still)),
-            joints: rows.map(joint).collect(),
-        }
-    }
-
-    /// The configuration with its derivative in the direction of one degree of freedom.
-    pub(super) fn along(&self, k: usize) -> Configuration<Dual<Number>> {
-        self.moving(&self.q, &self.unit(k))
-    }
-
-    /// The configuration displaced in two directions at once.
-    pub(super) fn along_both(&self, j: usize, k: usize) -> Configuration<Twice> {
-        let displaced = self.moving(&self.along(j), &self.unit(k));
-        let displacement = |k: usize| self.velocity_of_base(&self.unit(k));
-        match (displacement(j), displacement(k)) {
-            (Some(first), Some(second)) => Configuration {
-                base: self.q.base.displaced([first, second]),
-                ..displaced
-            },
-            _ => displaced,
-        }
-    }
-
-    /// The configuration with two steps in time.
-    pub(super) fn accelerating(&self) -> Configuration<Twice> {
-        let rates = self.qd.iter().zip(&self.qdd);
-        let speeds: Vec<_> = rates.map(|(&qd, &qdd)| Dual::new(qd, qdd)).collect();
-        self.moving(&self.moving(&self.q, &self.qd), &speeds)
-    }
-
-    /// The speeds if one degree of freedom alone moves, at unit speed.
-    pub(super) fn unit<R: Lift>(&self, k: usize) -> Vec<R> {
-        let speed = |i: usize| if i == k { Number::ONE } else { Number::ZERO };
-        (0..self.dof()).map(|i| R::lift(speed(i))).collect()
-    }
 }
 
 #[cfg(test)]
