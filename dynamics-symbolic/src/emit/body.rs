@@ -37,7 +37,7 @@ pub(super) fn body(
     let (writer, program) = (Writer::new(robot, proven), &proven.program);
     let reads_constants = proven.constants.iter().any(|x| !x.is_nan());
     let number = (reads_constants || reads_cells(robot, program))
-        .then(|| constants_of(&request.arguments(), path));
+        .then(|| constants_of(robot, request, path));
     let inputs = inputs(robot, request, program, path);
     let assignments = writer.assignments(path);
     let outputs = writer.outputs(robot, request, path);

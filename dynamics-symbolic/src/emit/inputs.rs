@@ -18,11 +18,19 @@ pub(super) fn reads_cells(robot: &Robot, program: &Program) -> bool {
     })
 }
 
+/// A number of the arguments, if there is any: a robot without joints has no positions.
+fn number_of(robot: &Robot, request: &Request) -> Option<TokenStream> {
+    let has_joints = robot.freedoms().joints > 0;
+    let mut arguments = request.arguments().into_iter();
+    let argument = arguments.find(|argument| has_joints || *argument != Argument::Position)?;
+    Some(element(argument, 0))
+}
+
 /// `real`, which makes a constant of a double in the arithmetic of the arguments, if there are any: lanes of a vector
 /// know from each other alone how many they are.
-pub(super) fn constants_of(arguments: &[Argument], path: &TokenStream) -> TokenStream {
-    match arguments.first() {
-        Some(argument) => constants_like(&element(*argument, 0), path),
+pub(super) fn constants_of(robot: &Robot, request: &Request, path: &TokenStream) -> TokenStream {
+    match number_of(robot, request) {
+        Some(number) => constants_like(&number, path),
         None => {
             let real = ident("real");
             quote!(let #real = <T as #path::Scalar>::from_f64;)
@@ -123,7 +131,7 @@ pub(super) fn inputs(
     path: &TokenStream,
 ) -> TokenStream {
     let names = input_names(robot, program);
-    let like = request.arguments().first().map(|first| element(*first, 0));
+    let like = number_of(robot, request);
     let cells = Cells { robot, path, like };
     let mut lines = sines(&cells, true, &program.angles(), program);
     for (index, symbol) in in_order(program) {

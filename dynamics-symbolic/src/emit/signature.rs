@@ -321,7 +321,12 @@ pub(super) fn function_items(
     };
     let texts = arguments.iter().map(|argument| argument.name());
     let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
-    let in_lanes = !arguments.is_empty();
+    let has_numbers = |argument: &Argument| {
+        argument
+            .shape()
+            .is_none_or(|shape| shape.entries(sizes) > 0)
+    };
+    let in_lanes = arguments.iter().any(has_numbers);
     let mut error = quote!(::core::convert::Infallible);
     if request.refuses() {
         error = quote!(#path::SingularMassMatrix);

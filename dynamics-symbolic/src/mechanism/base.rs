@@ -16,7 +16,7 @@
 //!
 //! C is then that of Echeandia and Wensing (2021), the sum of J' (I dJ/dt + B J) with J and dJ/dt in the axes of the bodies.
 
-use super::{Aligned, Joint, Law, Origin, read};
+use super::{Aligned, Forces, Joint, Law, Origin};
 use crate::exact::Rational;
 use crate::linear::Ring;
 use crate::robot::{Base, Body, JointType, Placement, Row, Value};
@@ -58,7 +58,7 @@ fn joint((number, (joint_type, axis)): (usize, (JointType, usize))) -> Joint {
         mass: row.mass.clone(),
         com: row.com.clone(),
         inertia: row.inertia.clone(),
-        forces: read::forces(&row),
+        forces: Forces::of(&row),
         limits: None,
     }
 }

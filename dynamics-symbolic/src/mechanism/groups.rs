@@ -1,6 +1,6 @@
 //! Groups of joints that share nothing but the base: each of them is a mechanism of its own.
 
-use super::{Aligned, Joint, Law, Mechanism, read};
+use super::{Aligned, Forces, Joint, Law, Mechanism};
 use crate::robot::{Row, Value};
 
 impl Mechanism {
@@ -60,7 +60,7 @@ impl Joint {
     fn stand(&mut self) {
         let zero = Value::zero;
         self.law = Law::Standing { at: zero() };
-        self.forces = read::forces(&Row::new("", self.joint_type));
+        self.forces = Forces::of(&Row::new("", self.joint_type));
         self.aligned = Aligned {
             before: Vec::new(),
             turn: vec![zero()],

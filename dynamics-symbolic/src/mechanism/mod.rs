@@ -5,16 +5,18 @@
 
 mod aligned;
 mod base;
+mod forces;
 mod groups;
 mod read;
 mod walk;
 
 pub(crate) use aligned::Aligned;
 pub(crate) use base::BaseRate;
+pub(crate) use forces::Forces;
 pub(crate) use walk::Tree;
 
 use crate::function::Freedoms;
-use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Spring, Stribeck, Value};
+use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Value};
 
 /// A robot as the derivations know it. Joints and the links that they move are counted from the base outwards.
 #[derive(Clone, Debug)]
@@ -114,19 +116,6 @@ pub(crate) enum Law {
     Standing { at: Value },
     /// q = factor * q of another joint + offset. The number of its symbols comes after those of all free joints.
     Following { number: usize, coupling: Coupling },
-}
-
-/// Friction, motor and spring of a joint.
-#[derive(Clone, Debug)]
-pub(crate) struct Forces {
-    pub(crate) motor_inertia: Value,
-    /// The number zero where there is no motor.
-    pub(crate) gear_ratio: Value,
-    pub(crate) viscous: Value,
-    /// The values for positive velocities and for negative ones.
-    pub(crate) coulomb: [Value; 2],
-    pub(crate) stribeck: Option<Stribeck>,
-    pub(crate) spring: Option<Spring>,
 }
 
 impl Frame {

@@ -126,8 +126,8 @@ fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> 
         com: row.com.clone(),
         inertia: row.inertia.clone(),
         forces: match law {
-            Law::Standing { .. } => forces(&Row::new("", row.joint_type)),
-            Law::Free { .. } | Law::Base { .. } | Law::Following { .. } => forces(row),
+            Law::Standing { .. } => Forces::of(&Row::new("", row.joint_type)),
+            Law::Free { .. } | Law::Base { .. } | Law::Following { .. } => Forces::of(row),
         },
         law,
         limits: row.limits.clone(),
@@ -166,17 +166,5 @@ fn constant_turn(row: &Row) -> Vec<Value> {
         None => vec![theta],
         Some(offset) if row.mount.is_none() => vec![theta + offset],
         Some(offset) => vec![theta, offset],
-    }
-}
-
-/// What acts at the joint of a row.
-pub(super) fn forces(row: &Row) -> Forces {
-    Forces {
-        motor_inertia: row.motor_inertia.clone(),
-        gear_ratio: row.gear_ratio.clone(),
-        viscous: row.viscous.clone(),
-        coulomb: row.coulomb.clone(),
-        stribeck: row.stribeck.clone(),
-        spring: row.spring.clone(),
     }
 }

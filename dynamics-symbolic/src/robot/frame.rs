@@ -1,6 +1,6 @@
 //! Named places on links and on the base.
 
-use super::{Placement, Robot, Value};
+use super::{Body, Placement, Robot, Value};
 use crate::function::Part;
 
 /// A frame that is fixed to a link or to the base, with a body if there is one.
@@ -14,18 +14,6 @@ pub struct Frame<C = Value> {
     pub places: Vec<Placement<C>>,
     /// The body that is fixed there. A body on the base counts nowhere, because the base stands.
     pub body: Option<Body<C>>,
-}
-
-/// A rigid body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Body<C = Value> {
-    /// Mass, kg.
-    pub mass: C,
-    /// Centre of mass in the frame of the body, m.
-    pub com: [C; 3],
-    /// Inertia tensor about the centre of mass, axes parallel to that frame: entries xx, yy, zz, xy, yz, xz of the
-    /// tensor, kg m^2.
-    pub inertia: [C; 6],
 }
 
 impl Robot {

@@ -5,6 +5,7 @@
 
 mod angle;
 mod base;
+mod body;
 mod carrier;
 mod coupling;
 mod frame;
@@ -21,9 +22,10 @@ mod value;
 
 pub use angle::Angle;
 pub use base::Base;
+pub use body::Body;
 pub use carrier::Carrier;
 pub use coupling::Coupling;
-pub use frame::{Body, Frame};
+pub use frame::Frame;
 pub use friction::Stribeck;
 pub use grouping::{Coefficient, Grouping, LinkGrouping, Sense, Tie};
 pub use interpretation::{Interpretation, PoseOfBase};
