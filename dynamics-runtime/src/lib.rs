@@ -7,6 +7,8 @@
 //!   Denavit-Hartenberg table as numbers.
 //! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
 //!   [`check_against_rnea`], which compares the two.
+//! - [`FloatingNewtonEuler`], the same of a robot whose base moves, at a [`Pose`]; [`layouts`], its numbers in the layouts of
+//!   other libraries.
 //! - [`Simulation`], which moves an arm under a torque law by a [`Method`] of your choice, and
 //!   [`Cycloidal`], a motion to follow.
 //!

@@ -70,6 +70,7 @@ pub struct FloatingState<const N: usize, const V: usize> {
     pub a: SVector<f64, V>,
 }
 
+#[cfg(feature = "std")]
 impl<const N: usize, const V: usize> FloatingState<N, V> {
     /// Its velocities and accelerations as those of a state, which makes further arguments of functions of them.
     pub(crate) fn motion(&self) -> State<V> {

@@ -19,6 +19,7 @@ use std::collections::BTreeMap;
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use crate::certified::accelerations_near;
+use crate::newton_euler::NAMES_OF_BASE;
 use crate::table::AsArm as _;
 use crate::{Certified, Pose, SizedState};
 use at::At;
@@ -55,11 +56,6 @@ pub use report::{FunctionReport, Report};
 pub fn check_against_rnea<R: Checkable<K>, K>(robot: &R) -> Report {
     Check::new().certify(robot)
 }
-
-/// The numbers of a base that moves, before those of the joints.
-const NAMES_OF_BASE: [&str; 6] = [
-    "base vx", "base vy", "base vz", "base wx", "base wy", "base wz",
-];
 
 /// Settings of a comparison with the numeric recursive Newton-Euler algorithm.
 ///

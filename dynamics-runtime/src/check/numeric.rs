@@ -9,16 +9,16 @@ use crate::{Conditioning, NumericArm, NumericFloating, Pose, RuntimeTable, Sized
 
 /// The numeric algorithms of a robot.
 pub(super) enum Numeric {
-    Standing(NumericArm<Dyn>),
-    Floating(NumericFloating<Dyn, Dyn>),
+    Standing(Box<NumericArm<Dyn>>),
+    Floating(Box<NumericFloating<Dyn, Dyn>>),
 }
 
 impl Numeric {
     /// By the table, which says whether the base moves.
     pub(super) fn new(table: &RuntimeTable) -> Self {
         match table.arm().floating {
-            None => Numeric::Standing(NumericArm::<Dyn>::new(table)),
-            Some(_) => Numeric::Floating(NumericFloating::<Dyn, Dyn>::new(table)),
+            None => Numeric::Standing(Box::new(NumericArm::<Dyn>::new(table))),
+            Some(_) => Numeric::Floating(Box::new(NumericFloating::<Dyn, Dyn>::new(table))),
         }
     }
 

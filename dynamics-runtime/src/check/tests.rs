@@ -57,6 +57,16 @@ fn a_right_model_passes_with_room_to_spare() {
     }
 }
 
+/// The compiler finds out in generic code, too, that the base stands.
+fn generic<R: Evaluate<N>, const N: usize>(robot: &R) -> Report {
+    Check::new().samples(2).run(robot)
+}
+
+#[test]
+fn robots_are_checked_in_generic_code() {
+    generic(&CRAIG_ARM).assert_ok();
+}
+
 fn any_vector(vector: &Vector2<f64>) -> DVector<f64> {
     DVector::from_column_slice(vector.as_slice())
 }

@@ -105,8 +105,10 @@ fn identities<L: Library>() {
         let state = random_state::<9>(seed);
         let (v, a, f) = (state.q, state.qd, state.qdd);
         let q = SVector::from([v[0], a[0], f[0]]);
-        let near =
-            |found: Nine, expected: Nine| assert!((found - expected).amax() < 1e-13, "{found}");
+        let near = |found: Nine, expected: Nine| {
+            let error = (found - expected).amax();
+            assert!(error < 1e-14 * (1.0 + expected.amax()), "{error:e}");
+        };
 
         let theirs: SVector<f64, 10> = layout.position(&base, &q);
         let (same, positions) = layout.from_position(&(theirs * 2.0));

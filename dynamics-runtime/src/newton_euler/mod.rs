@@ -16,6 +16,7 @@
 
 mod angle;
 mod articulated;
+mod centroidal;
 mod composite;
 mod derivatives;
 mod energy;
@@ -41,6 +42,8 @@ use crate::size::Size;
 use crate::table::AsArm as _;
 use crate::{Model, Table, Tool};
 pub use angle::turned;
+#[cfg(feature = "std")]
+pub(crate) use floating::NAMES_OF_BASE;
 pub use floating::{FloatingNewtonEuler, NumericFloating};
 use link::Link;
 use pose::Pose;

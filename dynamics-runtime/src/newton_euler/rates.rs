@@ -117,6 +117,17 @@ impl Load {
 }
 
 impl FrameJets {
+    /// A base that stands.
+    pub(super) fn at_rest(gravity: &Vector3<f64>) -> Self {
+        FrameJets {
+            rotation: [Matrix3::identity(), Matrix3::zeros(), Matrix3::zeros()],
+            position: REST,
+            velocity: REST,
+            acceleration: REST,
+            linear: minus(fixed(*gravity)),
+        }
+    }
+
     /// The frame of the next link: `pose` is where it is in this one, `qd` and `qdd` how it moves.
     fn next(&self, link: &Link, pose: &Pose, qd: Jet<f64>, qdd: Jet<f64>) -> FrameJets {
         let spin = Vector3::z().cross_matrix();
@@ -187,13 +198,7 @@ impl<D: Size> NumericArm<D> {
         jerk: &D::Vector,
         snap: &D::Vector,
     ) -> (D::Vector, D::Vector) {
-        let base = FrameJets {
-            rotation: [Matrix3::identity(), Matrix3::zeros(), Matrix3::zeros()],
-            position: REST,
-            velocity: REST,
-            acceleration: REST,
-            linear: minus(fixed(self.gravity)),
-        };
+        let base = FrameJets::at_rest(&self.gravity);
         self.force_rates(q, [qd, qdd, jerk, snap], &base).0
     }
 }

@@ -24,7 +24,7 @@ impl<D: Size, V: Size> NumericFloating<D, V> {
         tau: &V::Vector,
     ) -> Result<V::Vector, SingularMassMatrix> {
         let available = tau.clone() - self.bias_force(base, q, v);
-        solve(self.mass_matrix(q), &available)
+        solve(self.mass_matrix(q), &available).map_err(named)
     }
 
     /// How near M(q) is to singular; the base's six numbers count first.
@@ -65,7 +65,7 @@ impl<D: Size, V: Size> NumericFloating<D, V> {
                     })
                 })
         });
-        let mut accelerations = accelerations?;
+        let mut accelerations = accelerations.map_err(named)?;
         // a = dv/dt + w x v - g.
         let apart = self.gravity(base) - angular.cross(&linear);
         for i in 0..3 {
@@ -87,6 +87,19 @@ impl<D: Size, V: Size> NumericFloating<D, V> {
                 moment: angular.cross(&(body.a * angular)),
             },
         }
+    }
+}
+
+/// The numbers of the base, before those of the joints.
+pub(crate) const NAMES_OF_BASE: [&str; 6] = [
+    "base vx", "base vy", "base vz", "base wx", "base wy", "base wz",
+];
+
+/// Says which number of the base it is.
+fn named(error: SingularMassMatrix) -> SingularMassMatrix {
+    match NAMES_OF_BASE.get(error.joint) {
+        Some(name) => error.named(name),
+        None => error,
     }
 }
 

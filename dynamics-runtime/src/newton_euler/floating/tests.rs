@@ -358,7 +358,7 @@ fn the_pose_of_the_base_turns_gravity_alone() {
 
 #[test]
 fn derivatives_are_slopes() {
-    for case in cases() {
+    for case in cases().take(3) {
         let Case {
             robot,
             base,
@@ -664,6 +664,7 @@ fn a_base_without_mass_is_refused() {
         body.forward_dynamics(&base, &none, &six, &six),
         body.forward_dynamics_aba(&base, &none, &six, &six),
     ] {
-        assert_eq!(found.unwrap_err().joint, 2);
+        let error = found.unwrap_err();
+        assert_eq!((error.joint, error.joint_name), (2, Some("base vz")));
     }
 }

@@ -1,0 +1,98 @@
+//! Linear momentum, and angular momentum about the centre of mass, of an arm.
+//!
+//! Source: D. E. Orin, A. Goswami, S.-H. Lee, *Centroidal dynamics of a humanoid robot*, Autonomous Robots 35 (2013), 161-176.
+
+use nalgebra::{Vector3, Vector6};
+
+use super::NumericArm;
+use super::kinematics::{center, column, joined};
+use super::rates::FrameJets;
+use crate::size::Size;
+
+impl<D: Size> NumericArm<D> {
+    /// Centroidal momentum matrix A, 6 x N: A qd is the linear momentum of all links, then their angular momentum about the
+    /// centre of mass, in the world, kg m/s and kg m^2/s. Reflected inertias of motors have no part in it.
+    ///
+    /// A link with its centre at c_k has `m v_k` and `(c_k - c) x m v_k + I w_k`.
+    pub fn centroidal_momentum_matrix(&self, q: &D::Vector) -> D::Columns<6> {
+        let (poses, whole) = (self.poses_in_world(q), self.center_of_mass(q));
+        let mut matrix = self.size.columns();
+        self.walk_outward(|body| {
+            let (link, rotation) = (body.link, &poses[body.k].rotation);
+            let center = center(link, &poses[body.k]);
+            let tensor = rotation * link.tensor * rotation.transpose();
+            self.walk_to_base(body.k, |place| {
+                let velocity = column(place.link, &poses[place.k], &center);
+                let [linear, angular] = [0, 3].map(|k| velocity.fixed_rows::<3>(k).into_owned());
+                let momentum = linear * link.mass;
+                let about = (center - whole).cross(&momentum) + tensor * angular;
+                let momenta = joined(&momentum, &about);
+                place.add_column(&mut matrix, 6, |row| momenta[row]);
+            });
+        });
+        matrix
+    }
+
+    /// dA/dt qd: the rate of that momentum without acceleration, by Newton and Euler for each link.
+    pub fn centroidal_momentum_bias(&self, q: &D::Vector, qd: &D::Vector) -> Vector6<f64> {
+        let still = self.size.vector();
+        let base = FrameJets::at_rest(&Vector3::zeros());
+        let (_, wrench) = self.force_rates(q, [qd, &still, &still, &still], &base);
+        let [force, moment] = wrench.map(|[value, ..]| self.base.rotation * value);
+        let arm = self.center_of_mass(q) - self.base.position;
+        joined(&force, &(moment - arm.cross(&force)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_abs_diff_eq;
+    use nalgebra::SVector;
+
+    use crate::test_arms::{general_table, mounted_table, random_state};
+    use crate::{Convention, FloatingBase, FloatingNewtonEuler, NewtonEuler, Pose, State, Table};
+
+    #[test]
+    fn the_rate_of_momentum_is_its_slope() {
+        for seed in 1..=10 {
+            let arm = NewtonEuler::new(&mounted_table::<5>(Convention::Standard, seed));
+            let State { q, qd, .. } = random_state::<5>(seed);
+            let h = 1e-5;
+            let [after, before] =
+                [h, -h].map(|h| arm.centroidal_momentum_matrix(&(q + qd * h)) * qd);
+            let slope = (after - before) / (2.0 * h);
+            let scale = 1.0 + slope.amax();
+            let bias = arm.centroidal_momentum_bias(&q, &qd);
+            assert_abs_diff_eq!(bias, slope, epsilon = 1e-7 * scale);
+        }
+    }
+
+    /// The same on a base that moves, has no mass and is held.
+    #[test]
+    fn a_base_without_mass_has_no_momentum() {
+        for seed in 1..=10 {
+            let table = general_table::<5>(Convention::Modified, seed);
+            let floating = Some(FloatingBase {
+                mass: 0.0,
+                com: [0.0; 3],
+                inertia: [0.0; 6],
+            });
+            let robot = FloatingNewtonEuler::<5, 11>::new(&Table { floating, ..table });
+            let arm = NewtonEuler::new(&table);
+            let State { q, qd, .. } = random_state::<5>(seed);
+            let (base, mut v) = (Pose::identity(), SVector::<f64, 11>::zeros());
+            v.fixed_rows_mut::<5>(6).copy_from(&qd);
+            let matrix = robot.centroidal_momentum_matrix(&base, &q);
+            let of_joints = matrix.fixed_columns::<5>(6).into_owned();
+            let expected = arm.centroidal_momentum_matrix(&q);
+            assert_abs_diff_eq!(
+                of_joints,
+                expected,
+                epsilon = 1e-12 * (1.0 + expected.amax())
+            );
+            let bias = robot.centroidal_momentum_bias(&base, &q, &v);
+            let expected = arm.centroidal_momentum_bias(&q, &qd);
+            assert_abs_diff_eq!(bias, expected, epsilon = 1e-12 * (1.0 + expected.amax()));
+        }
+    }
+}
