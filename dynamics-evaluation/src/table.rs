@@ -25,16 +25,19 @@ pub(crate) fn table(robot: &Robot, fields: &[f64]) -> RuntimeTable {
         .iter()
         .map(|frame| cells.fixed(frame))
         .collect();
-    let mut arm = RuntimeTable::with_frames(convention, gravity, &rows, &motions, &frames);
-    arm.base = cells.frame(robot.placement());
-    arm.floating = robot.floating().map(|body| {
-        let body = body.map(&mut cells.cell());
-        FloatingBase {
-            mass: body.mass,
-            com: body.com,
-            inertia: body.inertia,
+    let mut arm = match robot.floating() {
+        Some(body) => {
+            let body = body.map(&mut cells.cell());
+            let base = FloatingBase {
+                mass: body.mass,
+                com: body.com,
+                inertia: body.inertia,
+            };
+            RuntimeTable::with_floating_base(&base, convention, gravity, &rows, &motions, &frames)
         }
-    });
+        None => RuntimeTable::with_frames(convention, gravity, &rows, &motions, &frames),
+    };
+    arm.base = cells.frame(robot.placement());
     if let Some(tool) = &robot.tool {
         arm.tool = cells.tool(tool);
     }

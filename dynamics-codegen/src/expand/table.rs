@@ -39,7 +39,11 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     let frames: Vec<_> = frames
         .map(|frame| fixed_frame(&frame.map(&mut cell), path))
         .collect();
-    let (made, motions): (_, Vec<_>) = if robot.is_coupled() || !frames.is_empty() {
+    let base = robot.base.as_ref().map(|base| base.map(&mut cell));
+    let (made, motions): (_, Vec<_>) = if robot.floating().is_some() {
+        let motions = cells.iter().map(|row| motion(row, path)).collect();
+        (quote!(with_floating_base), motions)
+    } else if robot.is_coupled() || !frames.is_empty() {
         let made = if frames.is_empty() {
             quote!(couple)
         } else {
@@ -57,21 +61,25 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
     } else {
         (quote!(new), Vec::new())
     };
-    let motions = (!motions.is_empty()).then(|| quote!([#(#motions),*],));
-    let frames = (!frames.is_empty()).then(|| quote!([#(#frames),*],));
-    let arm = quote! {
-        #path::Table::#made(#path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions #frames)
+    let (base, floating) = match &base {
+        Some(Base::Standing(placement)) => {
+            let frame = frame(placement, path);
+            (Some(quote!(base: #frame,)), None)
+        }
+        Some(Base::Floating(body)) => {
+            let body = floating(body, path);
+            (None, Some(quote!(#body,)))
+        }
+        None => (None, None),
     };
-    let base = robot.base.as_ref().map(|base| match base.map(&mut cell) {
-        Base::Standing(placement) => {
-            let frame = frame(&placement, path);
-            quote!(base: #frame,)
-        }
-        Base::Floating(body) => {
-            let body = floating(&body, path);
-            quote!(floating: ::core::option::Option::Some(#body),)
-        }
-    });
+    let has = |list: &[TokenStream]| floating.is_some() || !list.is_empty();
+    let motions = has(&motions).then(|| quote!([#(#motions),*],));
+    let frames = has(&frames).then(|| quote!([#(#frames),*],));
+    let arm = quote! {
+        #path::Table::#made(
+            #floating #path::Convention::#convention, [#(#gravity),*], [#(#rows),*], #motions #frames
+        )
+    };
     let tool = robot.tool.as_ref().map(|tool| {
         let tool = self::tool(&tool.map(&mut cell), path);
         quote!(tool: #tool,)
