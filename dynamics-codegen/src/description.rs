@@ -100,6 +100,15 @@ impl Table {
         })
     }
 
+    /// Where something of a base that moves is allowed: a URDF file, whose links are frames, has no `allow` of its own.
+    pub(crate) fn place_of_base(&self) -> &'static str {
+        if self.frames().any(|frame| frame.is_link) {
+            "in the call"
+        } else {
+            "on the base"
+        }
+    }
+
     /// The frames of all entries, as far as they could be read.
     pub(crate) fn frames(&self) -> impl Iterator<Item = &Frame> {
         let frames = self.entries.iter().filter_map(|entry| match entry {

@@ -101,17 +101,8 @@ pub(super) fn resists(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -
     } else {
         mistake::without_inertia
     };
-    diagnostics.error(place, mistake(place_of_allow(table)));
+    diagnostics.error(place, mistake(table.place_of_base()));
     false
-}
-
-/// Where something of the base is allowed: a URDF file, whose links are frames, has no `allow` of its own.
-pub(super) fn place_of_allow(table: &Table) -> &'static str {
-    if table.frames().any(|frame| frame.is_link) {
-        "in the call"
-    } else {
-        "on the base"
-    }
 }
 
 /// Whether a body has a mass and a positive definite tensor, all in numbers (Sylvester's criterion).

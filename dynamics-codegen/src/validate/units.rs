@@ -3,8 +3,8 @@
 
 use dynamics_symbolic::robot::{Base, Value};
 
+use super::Parts;
 use super::scope::{Scope, norm, number};
-use super::{Parts, base};
 use crate::audience::AT_THE_END;
 use crate::description::{Body, Expr, Given, Row, Table, Vector};
 use crate::mistake::joint as mistake;
@@ -125,7 +125,7 @@ fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
             Base::Standing(_) => None,
             Base::Floating(body) => {
                 let numbers = (&body.mass, &body.com, &body.inertia);
-                judged(numbers, written, base::place_of_allow(table), scope)
+                judged(numbers, written, table.place_of_base(), scope)
             }
         });
     of_rows
