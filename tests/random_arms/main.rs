@@ -46,6 +46,12 @@ fn tree_of_usual_length(tables: &mut Tables) -> Robot {
     }
 }
 
+/// Such a tree on a base that moves.
+fn tree_on_moving_base(tables: &mut Tables) -> Robot {
+    let tree = tree_of_usual_length(tables);
+    tables.on_moving_base(tree)
+}
+
 /// The arms that `draw` makes.
 fn compare_drawn(seed: u64, count: usize, draw: fn(&mut Tables) -> Robot) -> Tally {
     compare_by_turns(seed, count, 1, draw)
@@ -68,7 +74,8 @@ fn compare_by_turns(
         let fields: Vec<_> = fields.collect();
         tally.with_fields += usize::from(!fields.is_empty());
         let label = format!("table {number} of seed {seed}");
-        assert!((1..=4).contains(&robot.dof()), "{} joints", robot.dof());
+        let joints = robot.freedoms().joints;
+        assert!((1..=4).contains(&joints), "{joints} joints");
         let is_in_turn = |k: usize| k == 0 || k % turns == number % turns;
         tally.add(&robot, &fields, &label, is_in_turn);
     }
@@ -86,7 +93,15 @@ impl Tally {
         // A series is no straight-line program: `tests/suite/taylor.rs` has its values.
         let exists = |f: &Function| !(f.divides_by_mass() && is_massless(robot));
         let functions = Function::ALL.into_iter().filter(exists);
-        let functions = functions.filter(|f| *f != Function::TaylorSeries);
+        let is_of_standing_base = |f: &Function| {
+            let coefficients = [
+                Function::CoriolisCoefficients,
+                Function::CentrifugalCoefficients,
+            ];
+            robot.floating().is_some() && coefficients.contains(f)
+        };
+        let functions =
+            functions.filter(|f| *f != Function::TaylorSeries && !is_of_standing_base(f));
         let of_tip = Function::ALL.into_iter().filter(|f| f.row().of_tip);
         let requests = functions
             .filter(|f| !f.row().of_tip || robot.tip_row().is_some())
@@ -155,6 +170,7 @@ fn programs_of_many_random_arms_agree_with_newton_euler() {
         || compare_drawn(13, 25, Tables::coupled_robot),
         || compare_by_turns(14, 5_000, 17, tree_of_usual_length),
         || compare_by_turns(15, 5_000, 17, tree_of_usual_length),
+        || compare_by_turns(16, 10_000, 31, tree_on_moving_base),
     ];
     for seed in seeds.map(std::thread::spawn) {
         assert_varied(&seed.join().expect("all arms agree"));
@@ -183,6 +199,14 @@ fn programs_of_grippers_hands_and_legs_agree_with_newton_euler() {
             "{name}: {report}"
         );
     }
+}
+
+/// All functions of trees on a base that moves: the six numbers of the base, its pose, and M that is positive definite.
+#[test]
+fn programs_of_random_trees_on_moving_bases_agree_with_newton_euler() {
+    let tally = compare_drawn(6, 4, tree_on_moving_base);
+    println!("largest error {:.1e}", tally.largest);
+    assert_eq!(tally.solved, tally.arms);
 }
 
 /// Rows on any link and on the base, at places of their own; frames on links and on the base, with bodies and without.

@@ -338,6 +338,29 @@ impl Tables {
         self.branched(robot)
     }
 
+    /// The robot on a base that moves, which has a body of its own.
+    pub fn on_moving_base(&mut self, mut robot: Robot) -> Robot {
+        self.fields = robot.fields.len();
+        robot.base = Some(Base::Floating(self.body()));
+        robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();
+        robot
+    }
+
+    fn body(&mut self) -> Body {
+        match self.bodies {
+            Bodies::Any => Body {
+                mass: self.cell(),
+                com: [(); 3].map(|()| self.cell()),
+                inertia: [(); 6].map(|()| self.cell()),
+            },
+            Bodies::Physical => Body {
+                mass: self.positive(),
+                com: [(); 3].map(|()| self.cell()),
+                inertia: self.tensor(),
+            },
+        }
+    }
+
     /// As [`Tables::tree`], with all cells that a table may have: followers beside joints that are locked, springs and
     /// friction of every kind, base and tool.
     pub fn tree_with_all_cells(&mut self) -> Robot {
@@ -369,18 +392,7 @@ impl Tables {
     }
 
     fn frame(&mut self, number: u64, rows: usize) -> Frame {
-        let body = match self.bodies {
-            Bodies::Any => Body {
-                mass: self.cell(),
-                com: [(); 3].map(|()| self.cell()),
-                inertia: [(); 6].map(|()| self.cell()),
-            },
-            Bodies::Physical => Body {
-                mass: self.positive(),
-                com: [(); 3].map(|()| self.cell()),
-                inertia: self.tensor(),
-            },
-        };
+        let body = self.body();
         Frame {
             name: format!("frame_{number}"),
             on: (self.below(rows as u64 + 1) as usize).checked_sub(1),
