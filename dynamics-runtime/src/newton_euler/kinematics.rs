@@ -262,13 +262,13 @@ impl<D: Size> NumericArm<D> {
 }
 
 /// The centre of mass of a link whose joint's frame is at `pose`.
-fn center(link: &Link, pose: &Pose) -> Vector3<f64> {
+pub(super) fn center(link: &Link, pose: &Pose) -> Vector3<f64> {
     pose.rotation * link.com + pose.position
 }
 
 /// The velocity of a point beyond a joint at unit speed, above the angular velocity of the link. The joint's frame is at
 /// `pose`.
-fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
+pub(super) fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
     let axis = pose.rotation.column(2).into_owned();
     match link.joint_type {
         JointType::Revolute => joined(&axis.cross(&(point - pose.position)), &axis),
@@ -276,7 +276,7 @@ fn column(link: &Link, pose: &Pose, point: &Vector3<f64>) -> Vector6<f64> {
     }
 }
 
-fn joined(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
+pub(super) fn joined(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(
         linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
     )

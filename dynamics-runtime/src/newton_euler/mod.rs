@@ -16,6 +16,7 @@
 
 mod angle;
 mod articulated;
+mod centroidal;
 mod composite;
 mod derivatives;
 mod energy;
