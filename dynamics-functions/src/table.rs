@@ -314,6 +314,21 @@ functions! {
         masses: Masses::Center,
     }
 
+    /// A, with which A v is the momentum of all bodies.
+    CentroidalMomentumMatrix: centroidal_momentum_matrix(Position) -> Shape::Matrix(Fixed(6), Freedoms) => {
+        "Centroidal momentum matrix A, 6 x N: A qd is the linear momentum px py pz, kg m/s, then the angular momentum \
+            lx ly lz about the centre of mass, kg m^2/s, of what `center_of_mass` counts, in the axes of the {frame}. Rotors \
+            have no part in it, and nothing is neglected.",
+        symbol: Some("A"), masses: Masses::Center,
+    }
+
+    /// dA/dt v
+    CentroidalMomentumBias: centroidal_momentum_bias(Position, Velocity) -> Shape::Matrix(Fixed(6), One) => {
+        "Rate of the centroidal momentum at constant velocities, dA/dt qd with A of `centroidal_momentum_matrix`, N and \
+            N m: A qdd + dA/dt qd is the sum of all outer forces, gravity among them, then their moment about the centre of mass.",
+        masses: Masses::Center,
+    }
+
     /// J M^-1 J'
     OperationalInertiaInverse: operational_inertia_inverse(Position) -> Shape::Matrix(Fixed(6), Fixed(6)) => {
         "Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of \

@@ -60,7 +60,8 @@ scene! {
     coriolis_coefficients, centrifugal_coefficients, forward_kinematics, link_poses, jacobian,
     inverse_dynamics_derivatives, forward_dynamics_derivatives, regressor, base_parameters,
     forward_dynamics_aba, wrench_torques, tool_velocity, tool_acceleration, jacobian_rate,
-    link_jacobians, center_of_mass, center_of_mass_jacobian, operational_inertia_inverse,
+    link_jacobians, center_of_mass, center_of_mass_jacobian, centroidal_momentum_matrix,
+    centroidal_momentum_bias, operational_inertia_inverse,
     generalized_momentum, momentum_bias, passivity_torque, passivity_regressor, energy_regressors,
     inverse_dynamics_rates, inverse_dynamics_second_derivatives
 }

@@ -92,6 +92,18 @@ impl At<'_> {
         let lever = self.scale.position.max(1.0);
         (if is_linear { size * lever } else { size }, None)
     }
+
+    /// A column of the momentum matrix belongs to a joint.
+    pub(super) fn momentum(&self, k: usize) -> Unit {
+        let sizes = self.scale.momentum(self.scale.fastest);
+        (sizes[k % 6 / 3], Some(k / 6 % self.freedoms()))
+    }
+
+    /// The rate of a momentum at constant velocities.
+    pub(super) fn momentum_rate(&self, k: usize) -> Unit {
+        let speed = self.scale.fastest * self.qd.amax();
+        (self.scale.momentum(speed * speed)[k / 3], None)
+    }
 }
 
 /// Numeric values that are put together.

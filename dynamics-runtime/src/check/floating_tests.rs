@@ -87,6 +87,14 @@ fn complete(robot: &Robot, state: &FloatingState<5, 11>, tau: &SVector<f64, 11>)
         "center_of_mass_jacobian",
         robot.center_of_mass_jacobian(base, q),
     );
+    e.set(
+        "centroidal_momentum_matrix",
+        robot.centroidal_momentum_matrix(base, q),
+    );
+    e.set(
+        "centroidal_momentum_bias",
+        robot.centroidal_momentum_bias(base, q, v),
+    );
     e.set("generalized_momentum", robot.generalized_momentum(q, v));
     e.set("momentum_bias", robot.momentum_bias(base, q, v));
     e.set("passivity_torque", passivity + joint_forces);

@@ -90,6 +90,8 @@ table! { at, k;
     center_of_mass_jacobian: beside(
         at.center_of_mass_jacobian(), (at.scale.position.max(1.0), None)
     ),
+    centroidal_momentum_matrix: beside(at.centroidal_momentum_matrix(), at.momentum(k)),
+    centroidal_momentum_bias: beside(at.centroidal_momentum_bias(), at.momentum_rate(k)),
     operational_inertia_inverse: solves(task_space),
     generalized_momentum: beside(&at.mass_matrix * at.qd, at.joint(k, at.scale.coriolis_matrix)),
     momentum_bias: beside(

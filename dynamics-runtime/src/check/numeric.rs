@@ -1,6 +1,6 @@
 //! The numeric algorithms at a state, whether the base stands or moves.
 
-use nalgebra::{Const, DMatrix, DVector, Dyn, Matrix4, Matrix6xX, OMatrix, Vector3};
+use nalgebra::{Const, DMatrix, DVector, Dyn, Matrix4, Matrix6xX, OMatrix, Vector3, Vector6};
 
 use super::at::At;
 use crate::size::SizedSecondDerivatives;
@@ -124,6 +124,8 @@ values! {
     link_jacobians(q) -> Vec<Matrix6xX<f64>>;
     center_of_mass(q) -> Vector3<f64>;
     center_of_mass_jacobian(q) -> OMatrix<f64, Const<3>, Dyn>;
+    centroidal_momentum_matrix(q) -> Matrix6xX<f64>;
+    centroidal_momentum_bias(q, qd) -> Vector6<f64>;
     inverse_dynamics_derivatives(q, qd, qdd) -> (DMatrix<f64>, DMatrix<f64>);
     inverse_dynamics_second_derivatives(q, qd, qdd) -> SizedSecondDerivatives<Dyn>;
     }

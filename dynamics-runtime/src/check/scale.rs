@@ -43,8 +43,10 @@ pub(super) struct Scale {
     pub(super) potential_energy: f64,
     /// Distance from the origin of the world, m.
     pub(super) position: f64,
+    /// The mass of all links.
+    mass: f64,
     /// The largest factor by which a joint is faster than the one that it follows; 1 where none is.
-    fastest: f64,
+    pub(super) fastest: f64,
 }
 
 impl Scale {
@@ -111,6 +113,7 @@ impl Scale {
             force_by_velocity: 2.0 * mass * speed + slope_of_friction,
             potential_energy: weight * position + springs.energy,
             position,
+            mass: table.total_mass(),
             fastest: largest(&|moving| moving.factor.abs()).max(1.0),
         }
     }
@@ -123,6 +126,14 @@ impl Scale {
             2.0 * self.coriolis_matrix,
             self.mass_matrix,
         ]
+    }
+
+    /// The scales of a linear and of an angular momentum in which the joints' rates have this magnitude, or of what changes
+    /// them: mass times lever, and the same times the lever beside max|M|.
+    pub(super) fn momentum(&self, rate: f64) -> [f64; 2] {
+        let lever = self.position.max(1.0);
+        let linear = self.mass * lever;
+        [linear, linear * lever + self.mass_matrix].map(|size| size * rate)
     }
 
     /// The scales of the first and the second derivative of tau along a motion: its terms with all products of the joints'

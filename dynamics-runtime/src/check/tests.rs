@@ -157,6 +157,14 @@ fn complete(state: &State<2>, e: &mut Evaluation) {
         numeric.center_of_mass_jacobian(q),
     );
     e.set(
+        "centroidal_momentum_matrix",
+        numeric.centroidal_momentum_matrix(q),
+    );
+    e.set(
+        "centroidal_momentum_bias",
+        numeric.centroidal_momentum_bias(q, qd),
+    );
+    e.set(
         "operational_inertia_inverse",
         jacobian * inverse * jacobian.transpose(),
     );

@@ -476,6 +476,16 @@ fn followers_move_with_their_leaders() {
             whole.center_of_mass_jacobian(&all) * s,
             near,
         );
+        assert_near(
+            arm.centroidal_momentum_matrix(&q),
+            whole.centroidal_momentum_matrix(&all) * s,
+            near,
+        );
+        assert_near(
+            arm.centroidal_momentum_bias(&q, &qd),
+            whole.centroidal_momentum_bias(&all, &v),
+            near,
+        );
         let energy = arm.potential_energy(&q) + arm.kinetic_energy(&q, &qd);
         assert_abs_diff_eq!(
             energy,

@@ -24,7 +24,8 @@ pub fn is_massless(robot: &Robot) -> bool {
     total_mass(&mut Symbols::new(&graph, &arm)).is_zero()
 }
 
-fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
+/// The mass of all that moves.
+pub(super) fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let (zero, arm) = (symbols.graph().zero(), symbols.arm());
     let links = arm.joints.iter().map(|joint| &joint.mass).enumerate();
     let fixed_bodies = arm.fixed_bodies.iter();
@@ -35,12 +36,17 @@ fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
 
 /// The centre of mass.
 pub(super) fn center<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
-    let moments = Moments::new(symbols, chain);
-    let total = moments.of_base + moments.of_joints;
-    let center = Vector3(moments.divided(total.0, chain.one));
+    let center = in_base(symbols, chain);
     let base = place::base(symbols, symbols.arm());
     let center = base.map_or(center, |base| base.leave_point(center));
     center.0.to_vec()
+}
+
+/// The centre of mass in frame 0.
+pub(super) fn in_base<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> Vector3<Expr<'g>> {
+    let moments = Moments::new(symbols, chain);
+    let total = moments.of_base + moments.of_joints;
+    Vector3(moments.divided(total.0, chain.one))
 }
 
 /// Its Jacobian by rows.

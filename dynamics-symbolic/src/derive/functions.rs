@@ -9,8 +9,8 @@ use super::second_derivatives::SecondDerivatives;
 use super::solve::Factors;
 use super::symbols::Symbols;
 use super::{
-    articulated, base, center_of_mass, composite, derivatives, displacement, energy, joint_forces,
-    kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor,
+    articulated, base, center_of_mass, centroidal, composite, derivatives, displacement, energy,
+    joint_forces, kinematics, link_jacobians, momenta, passivity, rates, recursive, regressor,
     second_derivatives, tip,
 };
 use crate::expr::Expr;
@@ -172,6 +172,10 @@ impl<'g> Equations<'_, 'g> {
             Function::LinkJacobians => link_jacobians::of_links(self.symbols),
             Function::CenterOfMass => center_of_mass::center(self.symbols, chain),
             Function::CenterOfMassJacobian => center_of_mass::jacobian(self.symbols, chain),
+            Function::CentroidalMomentumMatrix => centroidal::matrix(self.symbols, chain),
+            Function::CentroidalMomentumBias => {
+                centroidal::bias(self.symbols, chain, [&self.qd, &self.still])
+            }
             Function::OperationalInertiaInverse => self.operational_inertia_inverse(),
             Function::GeneralizedMomentum => momenta::generalized_momentum(chain, &self.qd),
             Function::MomentumBias => {

@@ -5,6 +5,7 @@ mod accuracy;
 mod articulated;
 pub mod base;
 pub mod center_of_mass;
+mod centroidal;
 pub mod chain;
 mod christoffel;
 mod composite;

@@ -868,6 +868,73 @@ impl Arm {
         );
         all_values
     }
+    /// Centroidal momentum matrix A, 6 x N: A qd is the linear momentum px py pz, kg m/s, then the angular momentum lx ly lz about the centre of mass, kg m^2/s, of what `center_of_mass` counts, in the axes of the base frame. Rotors have no part in it, and nothing is neglected.
+    ///
+    /// `q`: joint positions, rad.
+    ///
+    /// Operations: 16 multiplications, 13 additions, sines and cosines of 2 angles.
+    ///
+    /// A31, A32, A41, A42, A51, A52 are zero; A11, A12, A21, A22, A61, A62 depend on q1, q2.
+    ///
+    /// ```text
+    /// A11 = -5 s1 - 1/2 s12
+    /// A12 = -1/2 s12
+    /// A21 = 5 c1 + 1/2 c12
+    /// A22 = 1/2 c12
+    /// A31 = 0
+    /// A32 = 0
+    /// A41 = 0
+    /// A42 = 0
+    /// A51 = 0
+    /// A52 = 0
+    /// A61 = 2.0208333333333335 + 3/4 c2
+    /// A62 = 0.27083333333333333 + 3/8 c2
+    /// with c1 = cos(q1), s1 = sin(q1), c12 = cos(q1 + q2), s12 = sin(q1 + q2), c2 = cos(q2)
+    /// ```
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn centroidal_momentum_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 6, 2> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CentroidalMomentumMatrix,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CentroidalMomentumMatrix,
+            &::robot_dynamics::Evaluated,
+            &(*q,),
+        );
+        all_values
+    }
+    /// Rate of the centroidal momentum at constant velocities, dA/dt qd with A of `centroidal_momentum_matrix`, N and N m: A qdd + dA/dt qd is the sum of all outer forces, gravity among them, then their moment about the centre of mass.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
+    ///
+    /// Operations: 12 multiplications, 5 additions, sines and cosines of 2 angles.
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline(never)]
+    #[allow(unused_variables, clippy::all)]
+    pub fn centroidal_momentum_bias<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::Vector6<T> {
+        let ::core::result::Result::Ok(all_values) = <Self as ::robot_dynamics::Function<
+            ::robot_dynamics::functions::CentroidalMomentumBias,
+            2,
+        >>::at(
+            self,
+            ::robot_dynamics::functions::CentroidalMomentumBias,
+            &::robot_dynamics::Evaluated,
+            &(*q, *qd),
+        );
+        all_values
+    }
     /// Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is regular itself, its inverse is the operational-space inertia (Khatib).
     ///
     /// `q`: joint positions, rad.
@@ -2472,6 +2539,107 @@ for Arm {
                 ::robot_dynamics::nalgebra::ArrayStorage([
                     [-t_3, t_6, real(0.0)],
                     [-t_2, t_5, real(0.0)],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CentroidalMomentumMatrix, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>,);
+    type Values = ::robot_dynamics::Entries<6, 2>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q"];
+    const RESULT: &'static str = "centroidal_momentum_matrix";
+    const WORK: u32 = 109;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CentroidalMomentumMatrix,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q,): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let t_1 = real(0.5) * c_2;
+            let t_2 = real(5.0) + t_1;
+            let t_3 = real(0.5) * s_2;
+            let t_4 = c_1 * t_3;
+            let t_5 = s_1.mul_add(t_2, t_4);
+            let t_6 = s_1.mul_add(t_1, t_4);
+            let t_7 = s_1 * t_3;
+            let t_8 = c_1.mul_add(t_2, -t_7);
+            let t_9 = c_1.mul_add(t_1, -t_7);
+            let t_10 = c_2 + c_2;
+            let t_11 = real(0.25) * t_8;
+            let t_12 = real(0.25) * t_5;
+            let t_13 = real(8.333333333333334) + t_10;
+            let t_14 = (-t_8).mul_add(t_11, t_13);
+            let t_15 = (-t_5).mul_add(t_12, t_14);
+            let t_16 = real(-2.0).mul_add(c_1, t_11);
+            let t_17 = real(2.0).mul_add(s_1, -t_12);
+            let t_18 = (-t_9).mul_add(t_16, real(0.3333333333333333));
+            let t_19 = t_6.mul_add(t_17, t_18);
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_5, t_8, real(0.0), real(0.0), real(0.0), t_15],
+                    [-t_6, t_9, real(0.0), real(0.0), real(0.0), t_19],
+                ]),
+            )
+        })
+    }
+}
+impl ::robot_dynamics::Function<::robot_dynamics::functions::CentroidalMomentumBias, 2>
+for Arm {
+    type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
+    type Values = ::robot_dynamics::Entries<6, 1>;
+    type Error = ::core::convert::Infallible;
+    const ARGUMENTS: &'static [&'static str] = &["q", "qd"];
+    const RESULT: &'static str = "centroidal_momentum_bias";
+    const WORK: u32 = 97;
+    const IN_LANES: bool = true;
+    #[inline(always)]
+    fn at<T: ::robot_dynamics::Scalar>(
+        &self,
+        _: ::robot_dynamics::functions::CentroidalMomentumBias,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        (q, qd): &<Self::Arguments as ::robot_dynamics::Arrangement>::Of<T>,
+    ) -> ::core::result::Result<
+        <Self::Values as ::robot_dynamics::Arrangement>::Of<T>,
+        Self::Error,
+    > {
+        ::core::result::Result::Ok({
+            let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+                sines,
+                [0, 1],
+                [q.data.0[0][0], q.data.0[0][1]],
+            );
+            let qd_1 = qd.data.0[0][0];
+            let qd_2 = qd.data.0[0][1];
+            let t_1 = qd_1 + qd_2;
+            let t_2 = t_1 * t_1;
+            let t_3 = real(0.5) * t_2;
+            let t_4 = qd_1 * qd_1;
+            let t_5 = c_2.mul_add(t_3, real(5.0) * t_4);
+            let t_6 = s_2 * t_3;
+            let t_7 = (-c_1).mul_add(t_5, s_1 * t_6);
+            let t_8 = s_1.mul_add(t_5, c_1 * t_6);
+            let t_9 = t_2 - t_4;
+            let t_10 = s_2 * t_9;
+            let t_11 = real(-0.375) * t_10;
+            ::robot_dynamics::nalgebra::SMatrix::from_data(
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_7, -t_8, real(0.0), real(0.0), real(0.0), t_11],
                 ]),
             )
         })

@@ -135,10 +135,7 @@ fn no_division_by_a_parameter_is_invented() {
     elbow.rows[2].com[0] = Value::field(4);
     for robot in [elbow, two_link_craig()] {
         for method in expand(&robot, &Function::ALL, &quote!(path)).expect("proven") {
-            let divides = |function: Function| {
-                let of_mass = [Function::CenterOfMass, Function::CenterOfMassJacobian];
-                function.has_pivots() || of_mass.contains(&function)
-            };
+            let divides = |function: Function| function.has_pivots() || function.divides_by_mass();
             assert!(
                 method.request.function().is_some_and(divides) || method.operations.divisions == 0,
                 "{}",

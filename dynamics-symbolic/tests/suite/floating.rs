@@ -260,6 +260,62 @@ fn a_free_body_moves_as_newton_and_euler_have_it() {
     assert_eq!(expected(Function::MomentumBias), bias.collect::<Vec<_>>());
 }
 
+/// By Newton and Euler, at constant velocities in the axes of the body: the momenta, and what changes them.
+#[test]
+fn the_momentum_of_a_free_body_about_its_center_of_mass() {
+    let robot = free(body());
+    let point = &mut Assignment::new(&robot, 20);
+    let definition = Definition::new(point, &robot);
+    let expected = |function: Function| definition.expected(function, &[]).expect("defined");
+    let mut motion = Motion::new(point, &robot);
+    let v = [motion.v.0, motion.w.0].concat();
+    let in_world = |linear: Vector, angular: Vector| {
+        let both = [linear, angular];
+        both.map(|x| motion.rotation.apply(x).0).concat()
+    };
+    let matrix = expected(Function::CentroidalMomentumMatrix);
+    let linear = (motion.v + motion.w.cross(motion.com)) * motion.mass;
+    let spin = motion.inertia.apply(motion.w);
+    assert_eq!(times(&matrix, &v), in_world(linear, spin));
+    // A base that does not turn has no angular momentum about the centre of mass.
+    for (i, j) in (0..9).map(|k| (k / 3, k % 3)) {
+        assert_eq!(matrix[6 * i + j], motion.mass * motion.rotation.0[i][j]);
+        assert_eq!(matrix[6 * (3 + i) + j], Number::ZERO);
+    }
+    let none = Vector3::splat(Number::ZERO);
+    let turning = motion.w.cross(spin);
+    [motion.dv, motion.dw] = [none; 2];
+    let force = Vector3([0, 1, 2].map(|k| motion.forces(none)[k]));
+    let rate = [force, turning].map(|x| motion.rotation.apply(x).0);
+    assert_eq!(expected(Function::CentroidalMomentumBias), rate.concat());
+}
+
+/// The first rows of M u and of V are momentum and its rate about the origin of the base, in its axes.
+#[test]
+fn the_rows_of_the_base_are_those_of_all_bodies() {
+    for robot in [Convention::Standard, Convention::Modified].map(with_all_cells) {
+        let point = &mut Assignment::new(&robot, 21);
+        let definition = Definition::new(point, &robot);
+        let of = |function: Function| definition.expected(function, &[]).expect("defined");
+        let motion = Motion::new(point, &robot);
+        let joints = point.joints()[..robot.dof()].iter();
+        let u: Vec<_> = joints.map(|joint| joint.qd).collect();
+        let vector = |x: &[Number], first: usize| Vector3([0, 1, 2].map(|k| x[first + k]));
+        let lever = vector(&of(Function::CenterOfMass), 0) - motion.position;
+        let about_base = |x: &[Number]| {
+            let (linear, angular) = (vector(x, 0), vector(x, 3));
+            let both = [linear, angular + lever.cross(linear)];
+            both.map(|x| motion.rotation.transpose().apply(x).0)
+                .concat()
+        };
+        let momentum = times(&of(Function::CentroidalMomentumMatrix), &u);
+        let by_inertia = times(&of(Function::MassMatrix), &u);
+        assert_eq!(about_base(&momentum), by_inertia[..6]);
+        let rate = of(Function::CentroidalMomentumBias);
+        assert_eq!(about_base(&rate), of(Function::CoriolisVector)[..6]);
+    }
+}
+
 /// About its centre of mass the matrix of Echeandia and Wensing has the blocks m [w]x and 1/2 ([w]x I + I [w]x - [I w]x).
 #[test]
 fn the_coriolis_matrix_of_a_free_body() {

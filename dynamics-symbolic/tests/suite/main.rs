@@ -3,6 +3,7 @@
 
 mod base_parameters;
 mod bounds;
+mod centroidal;
 mod chains;
 mod counts;
 mod coupled_parameters;

@@ -101,7 +101,7 @@ impl Definition {
         Some(self.by_columns(column).concat())
     }
 
-    fn moving_mass(&self) -> Number {
+    pub(super) fn moving_mass(&self) -> Number {
         let bodies = self.moving_bodies(&self.q).into_iter();
         bodies.fold(Number::ZERO, |sum, (body, _)| sum + body.mass)
     }

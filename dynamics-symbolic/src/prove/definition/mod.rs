@@ -25,6 +25,7 @@
 //! derivatives are its polar form.
 
 mod body;
+mod centroidal;
 mod configuration;
 mod coriolis;
 mod derivatives;
@@ -225,6 +226,8 @@ impl Definition {
             Function::LinkJacobians => self.link_jacobians(),
             Function::CenterOfMass => self.center_of_mass()?,
             Function::CenterOfMassJacobian => self.center_of_mass_jacobian()?,
+            Function::CentroidalMomentumMatrix => self.centroidal_momentum_matrix()?,
+            Function::CentroidalMomentumBias => self.centroidal_momentum_bias()?,
             Function::OperationalInertiaInverse => {
                 self.operational_inertia_inverse(frame?, computed)
             }
