@@ -16,7 +16,7 @@ robot_dynamics! {
     gravity: [0, 0, -9.81],
     allow: [unphysical_inertia],
     functions: [
-        default, bias_force, center_of_mass, jacobian(lf_foot), wrench_torques(lf_foot), forward_kinematics(lf_foot),
+        default, bias_force, center_of_mass, centroidal_momentum_matrix, centroidal_momentum_bias, jacobian(lf_foot), wrench_torques(lf_foot), forward_kinematics(lf_foot),
         forward_kinematics(rh_foot), inverse_dynamics_derivatives,
         control_terms = (mass_matrix, coriolis_vector, gravity_vector),
     ],
@@ -28,6 +28,19 @@ robot_dynamics! {
     gravity: [0, 0, -9.81],
     base: floating { mass: m, com: [0.1, 0, 0.2], inertia: { xx: 0.5, yy: 0.4, zz: 0.6 } },
     joints: [],
+}
+
+robot_dynamics! {
+    /// A trunk with an arm of two joints, one of which slides, far from any weight.
+    struct Weightless;
+    convention: modified,
+    gravity: [0, 0, 0],
+    base: floating { mass: 12, com: [0.1, -0.2, 0.05], inertia: cuboid(0.5, 0.3, 0.2) },
+    joints: [
+        turn: revolute { on: base, at: { xyz: [0.3, 0.1, 0.2], rpy: [0.4, -0.2, 0.7] }, mass: 3, com: [0.2, 0, 0.1], inertia: rod(0.5) },
+        slide: prismatic { a: 0.4, alpha: 0.6, mass: 2, com: [0, 0.1, 0.3], inertia: sphere(0.1) },
+    ],
+    functions: [default, centroidal_momentum_matrix, centroidal_momentum_bias],
 }
 
 type Velocity = SVector<f64, 18>;
@@ -145,6 +158,41 @@ fn a_robot_at_run_time_moves_its_base() {
             .dynamics()
             .is_err_and(|error| error == EvaluationError::MovingBase)
     );
+}
+
+/// Without gravity and outer forces the momentum of the whole robot does not change, at many states: A a + dA/dt v = 0.
+#[test]
+fn inner_forces_change_no_momentum() {
+    let weightless = Weightless;
+    let mut seed = 1_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    };
+    let mut largest: f64 = 0.0;
+    for _ in 0..10_000 {
+        let turn = Vector3::from_fn(|_, _| 3.0 * random());
+        let base = Pose {
+            rotation: UnitQuaternion::from_scaled_axis(turn)
+                .to_rotation_matrix()
+                .into_inner(),
+            position: Vector3::from_fn(|_, _| random()),
+        };
+        let q = SVector::<f64, 2>::from_fn(|_, _| 3.0 * random());
+        let v = SVector::<f64, 8>::from_fn(|_, _| random());
+        let tau = SVector::<f64, 8>::from_fn(|k, _| if k < 6 { 0.0 } else { 10.0 * random() });
+        let a = weightless
+            .forward_dynamics(&base, &q, &v, &tau)
+            .expect("M is definite");
+        let (matrix, bias) = (
+            weightless.centroidal_momentum_matrix(&base, &q),
+            weightless.centroidal_momentum_bias(&base, &q, &v),
+        );
+        let scale = matrix.amax() * a.amax() + bias.amax();
+        largest = largest.max((matrix * a + bias).amax() / scale);
+    }
+    println!("A a + dA/dt v: {largest:.1e} of scale");
+    assert!(largest < 1e-13);
 }
 
 /// The power of a force at a foot is that of the torques which it makes.

@@ -8,7 +8,7 @@ mod second_derivatives;
 mod trees;
 
 use arms::{Bodies, Tables};
-use dynamics_evaluation::RuntimeRobot;
+use dynamics_evaluation::{RuntimeRobot, Value};
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::robot::{JointType, Robot, Row};
 use dynamics_symbolic::{Function, Request};
@@ -118,12 +118,23 @@ impl Tally {
         arm.set_fields(fields).expect("a value for each field");
         let report = Check::new().samples(8).run_any(&arm);
         assert!(report.is_ok(), "{label}: {report}\n{robot:#?}\n{fields:?}");
+        if robot.floating().is_some() {
+            let q = vec![0.3; robot.freedoms().joints];
+            assert!(is_positive_definite(&arm, &q), "{label}: M\n{robot:#?}");
+        }
         self.arms += 1;
         self.solved += usize::from(!report.not_compared.contains(&"forward_dynamics"));
         let functions = report.functions.iter();
         self.at_frames += functions.filter(|found| found.frame.is_some()).count();
         let errors = report.functions.iter().map(|function| function.error);
         self.largest = errors.fold(self.largest, f64::max);
+    }
+}
+
+fn is_positive_definite(arm: &RuntimeRobot, q: &[f64]) -> bool {
+    match arm.evaluate("mass_matrix", &[q]) {
+        Ok(Value::Matrix(matrix)) => matrix.cholesky().is_some(),
+        _ => false,
     }
 }
 
