@@ -38,7 +38,7 @@ fn main() {
     };
     let steps = 2000;
     let h = core::f64::consts::TAU / f64::from(steps);
-    let mut pose = Pose::identity();
+    let mut pose = Pose::<f64>::identity();
     let mut largest: f64 = 0.0;
     for step in 0..steps {
         // The exponential of the velocity in the middle of the step.

@@ -21,6 +21,7 @@ use super::second_derivatives::SecondDerivatives;
 use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::Vector3;
+use crate::mechanism::BaseRate;
 use crate::robot::Base;
 
 /// The numbers of the rotations among the degrees of freedom.
@@ -35,57 +36,115 @@ pub(super) enum Held {
     Rates,
 }
 
+/// Six numbers of the base.
+type Six<'g> = [Expr<'g>; Base::FREEDOMS];
+
 /// What the derivatives need of a base that moves.
 struct Displaced<'g> {
     zero: Expr<'g>,
     half: Expr<'g>,
+    held: Held,
     /// M of the joints that move by themselves.
     mass_matrix: Matrix<Expr<'g>>,
     /// d(D u)/du: column k for the velocity k; zero where the derivatives have it.
-    added: Vec<[Expr<'g>; Base::FREEDOMS]>,
+    added: Vec<Six<'g>>,
     /// g in the axes of the base.
     gravity: Vector3<Expr<'g>>,
 }
 
 impl<'g> Displaced<'g> {
     fn new(symbols: &Symbols<'g>, chain: &Chain<Expr<'g>>, held: Held) -> Self {
-        let (zero, one) = (chain.zero, chain.one);
-        // D u is a quadratic form, so that its derivative along e is D(w) e + D(w of e) u.
-        let u = core::array::from_fn(|k| symbols.joint(k).qd);
-        let slope = |k: usize| {
-            if held == Held::Rates {
-                return [zero; Base::FREEDOMS];
-            }
-            let unit = core::array::from_fn(|i| if i == k { one } else { zero });
-            let own = symbols.base_rate().times(unit);
-            let [.., x, y, z] = unit;
-            let other = crate::mechanism::BaseRate([x, y, z]).times(u);
-            core::array::from_fn(|i| own[i] + other[i])
-        };
-        Displaced {
-            zero,
+        let mut displaced = Displaced {
+            zero: chain.zero,
             half: symbols.graph().half(),
+            held,
             mass_matrix: Joints::of(symbols).block(composite::mass_matrix(chain)),
-            added: (0..Base::FREEDOMS).map(slope).collect(),
+            added: vec![[chain.zero; Base::FREEDOMS]; Base::FREEDOMS],
             gravity: chain.gravity,
+        };
+        if held == Held::Accelerations {
+            // D u is a quadratic form, so that its derivative along e is D(w) e + D(w of e) u.
+            let u = core::array::from_fn(|k| symbols.joint(k).qd);
+            let slope = |k: usize| polar(u, displaced.unit(k));
+            displaced.added = (0..Base::FREEDOMS).map(slope).collect();
+        }
+        displaced
+    }
+
+    fn unit(&self, k: usize) -> Six<'g> {
+        let one = self.zero.graph.one();
+        core::array::from_fn(|i| if i == k { one } else { self.zero })
+    }
+
+    /// e_k x v, about the axis of the rotation of that number.
+    fn turned(&self, rotation: usize, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
+        let [.., x, y, z] = self.unit(rotation);
+        Vector3([x, y, z]).cross(v)
+    }
+
+    /// d tau/d phi_k of a force with this row of M.
+    fn by_rotation(&self, mass: &[Expr<'g>], k: usize) -> Expr<'g> {
+        sum_of_products(self.zero, mass, &self.turned(k, self.gravity).0)
+    }
+
+    /// d2 tau/d phi_j d phi_k likewise.
+    fn by_rotations(&self, mass: &[Expr<'g>], j: usize, k: usize) -> Expr<'g> {
+        let [first, second] =
+            [(j, k), (k, j)].map(|(j, k)| self.turned(j, self.turned(k, self.gravity)));
+        let acceleration = -((first + second) * self.half);
+        sum_of_products(self.zero, mass, &acceleration.0)
+    }
+
+    /// The second derivatives of a force by a position and a displacement or a velocity of the base. `slopes` has for each
+    /// position q the derivatives by q of the force's row of M.
+    fn mixed(
+        &self,
+        slopes: &[Vec<Expr<'g>>],
+        by_position: &mut Matrix<Expr<'g>>,
+        by_both: &mut Matrix<Expr<'g>>,
+    ) {
+        for (q, slope) in slopes.iter().enumerate() {
+            let is_joint = q >= Base::FREEDOMS;
+            for k in 0..Base::FREEDOMS {
+                by_both[q][k] = by_both[q][k] + sum_of_products(self.zero, slope, &self.added[k]);
+                let turned = if is_joint && ROTATIONS.contains(&k) {
+                    self.by_rotation(slope, k)
+                } else {
+                    self.zero
+                };
+                (by_position[q][k], by_position[k][q]) = (turned, turned);
+            }
+            if !is_joint {
+                // No displacement of the base changes what a velocity does.
+                by_both[q].fill(self.zero);
+            }
         }
     }
 
-    fn axis(&self, k: usize) -> Vector3<Expr<'g>> {
-        let one = self.zero.graph.one();
-        Vector3([0, 1, 2].map(|i| if i == k { one } else { self.zero }))
+    /// The second derivatives of a force with this row of M by two velocities or two rotations of the base.
+    fn of_base(
+        &self,
+        mass: &[Expr<'g>],
+        by_position: &mut Matrix<Expr<'g>>,
+        by_velocity: &mut Matrix<Expr<'g>>,
+    ) {
+        for (j, k) in (0..36).map(|pair| (pair / 6, pair % 6)) {
+            if self.held == Held::Accelerations {
+                let added = polar(self.unit(j), self.unit(k));
+                by_velocity[j][k] = by_velocity[j][k] + sum_of_products(self.zero, mass, &added);
+            }
+            if ROTATIONS.contains(&j) && ROTATIONS.contains(&k) {
+                by_position[j][k] = self.by_rotations(mass, j, k);
+            }
+        }
     }
+}
 
-    /// e_k x g
-    fn turned(&self, k: usize) -> Vector3<Expr<'g>> {
-        self.axis(k).cross(self.gravity)
-    }
-
-    /// -1/2 (e_j x (e_k x g) + e_k x (e_j x g))
-    fn turned_twice(&self, j: usize, k: usize) -> Vector3<Expr<'g>> {
-        let twice = self.axis(j).cross(self.turned(k)) + self.axis(k).cross(self.turned(j));
-        -(twice * self.half)
-    }
+/// D(w of a) b + D(w of b) a, the derivative of D u at u = a along b.
+fn polar<'g>(a: Six<'g>, b: Six<'g>) -> Six<'g> {
+    let rate = |[.., x, y, z]: Six<'g>| BaseRate([x, y, z]);
+    let (first, second) = (rate(a).times(b), rate(b).times(a));
+    core::array::from_fn(|i| first[i] + second[i])
 }
 
 /// The derivatives by the base in place of those by its joints, of the joints that move by themselves.
@@ -99,17 +158,15 @@ pub(super) fn first<'g>(
         return;
     }
     let base = Displaced::new(symbols, chain, held);
-    let ForceDerivatives {
-        by_position,
-        by_velocity,
-    } = derivatives;
     for (i, mass) in base.mass_matrix.iter().enumerate() {
+        let by_velocity = &mut derivatives.by_velocity[i];
         for (k, added) in base.added.iter().enumerate() {
-            by_velocity[i][k] = by_velocity[i][k] + sum_of_products(base.zero, mass, added);
-            by_position[i][k] = base.zero;
+            by_velocity[k] = by_velocity[k] + sum_of_products(base.zero, mass, added);
         }
+        let by_position = &mut derivatives.by_position[i];
+        by_position[..Base::FREEDOMS].fill(base.zero);
         for k in ROTATIONS {
-            by_position[i][k] = sum_of_products(base.zero, mass, &base.turned(k - 3).0);
+            by_position[k] = base.by_rotation(mass, k);
         }
     }
 }
@@ -126,53 +183,15 @@ pub(super) fn second<'g>(
     }
     let base = Displaced::new(symbols, chain, held);
     let n = base.mass_matrix.len();
-    let zero = base.zero;
-    let of_base = 0..Base::FREEDOMS;
-    for i in 0..n {
-        let mass = &base.mass_matrix[i];
-        // dM_ij/dq_k for the columns j of the base.
+    for (i, mass) in base.mass_matrix.iter().enumerate() {
         let inertia = &mut derivatives.of_inertia[i];
-        for k in of_base.clone() {
-            inertia.iter_mut().for_each(|row| row[k] = zero);
-        }
-        let slope =
-            |q: usize| -> Vec<_> { (0..6).map(|j| derivatives.of_inertia[i][j][q]).collect() };
+        let rows = inertia.iter_mut();
+        rows.for_each(|row| row[..Base::FREEDOMS].fill(base.zero));
+        let columns = &inertia[..Base::FREEDOMS];
+        let slope = |q: usize| columns.iter().map(|column| column[q]).collect();
         let slopes: Vec<Vec<_>> = (0..n).map(slope).collect();
-        for q in 0..n {
-            for k in of_base.clone() {
-                let by_both = &mut derivatives.by_both[i][q][k];
-                *by_both = *by_both + sum_of_products(zero, &slopes[q], &base.added[k]);
-                let turned = ROTATIONS.contains(&k) && q >= Base::FREEDOMS;
-                let mixed = if turned {
-                    sum_of_products(zero, &slopes[q], &base.turned(k - 3).0)
-                } else {
-                    zero
-                };
-                derivatives.by_position[i][q][k] = mixed;
-                derivatives.by_position[i][k][q] = mixed;
-            }
-        }
-        for (j, k) in of_base
-            .clone()
-            .flat_map(|j| of_base.clone().map(move |k| (j, k)))
-        {
-            // d2(D u)/du_j du_k
-            let one = zero.graph.one();
-            let unit = |k: usize| core::array::from_fn(|i| if i == k { one } else { zero });
-            let rate =
-                |unit: [Expr<'g>; 6]| crate::mechanism::BaseRate([unit[3], unit[4], unit[5]]);
-            let (first, other) = (rate(unit(j)).times(unit(k)), rate(unit(k)).times(unit(j)));
-            let added: [_; 6] = core::array::from_fn(|l| first[l] + other[l]);
-            if held == Held::Accelerations {
-                let by_velocity = &mut derivatives.by_velocity[i][j][k];
-                *by_velocity = *by_velocity + sum_of_products(zero, mass, &added);
-            }
-            if ROTATIONS.contains(&j) && ROTATIONS.contains(&k) {
-                let turned = base.turned_twice(j - 3, k - 3);
-                derivatives.by_position[i][j][k] = sum_of_products(zero, mass, &turned.0);
-            }
-        }
-        let rows = derivatives.by_both[i].iter_mut().take(Base::FREEDOMS);
-        rows.for_each(|row| row.fill(zero));
+        let by_position = &mut derivatives.by_position[i];
+        base.mixed(&slopes, by_position, &mut derivatives.by_both[i]);
+        base.of_base(mass, by_position, &mut derivatives.by_velocity[i]);
     }
 }
