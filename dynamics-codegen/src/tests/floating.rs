@@ -372,7 +372,7 @@ fn the_items_say_that_the_base_moves() {
     let items = crate::outline(call.parse().expect("tokens")).to_string();
     for part in [
         "The base moves, with a body of `load` kg. Its pose in the world is the argument `base`.",
-        "floating : :: core :: option :: Option :: Some (:: dynamics_runtime :: FloatingBase { mass : self . load , com : [0f64 , 0f64 , 0.5f64]",
+        "Table :: with_floating_base (:: dynamics_runtime :: FloatingBase { mass : self . load , com : [0f64 , 0f64 , 0.5f64]",
     ] {
         assert!(items.contains(part), "{part} {items}");
     }

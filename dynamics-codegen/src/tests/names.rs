@@ -36,9 +36,12 @@ fn names_of_variables_are_apart_from_those_around_the_call() {
         ], functions: [{}], tests: true",
         functions.join(", ")
     );
-    let items = crate::generate(call.parse().expect("the call lexes"));
+    let floating = "struct Stone; base: floating { mass: 1, inertia: sphere(1) }, gravity: [0, 0, 1], joints: []";
     let mut bound = Bound::default();
-    bound.visit_file(&syn::parse2(items).expect("the expansion is Rust"));
+    for call in [call.as_str(), floating] {
+        let items = crate::generate(call.parse().expect("the call lexes"));
+        bound.visit_file(&syn::parse2(items).expect("the expansion is Rust"));
+    }
     let plain: BTreeSet<String> = bound.0.into_iter().filter(|x| !x.contains('_')).collect();
     assert_eq!(plain, NAMES.map(str::to_owned).into());
 }

@@ -130,7 +130,7 @@ fn a_right_robot_passes() {
     let report = Check::new().samples(5).certify(&RIGHT);
     report.assert_ok();
     // Each function above, and the part of a tuple.
-    assert_eq!(report.functions.len(), 31);
+    assert_eq!(report.functions.len(), 33);
     for function in &report.functions {
         assert!(function.error < 1e-13, "{function}");
         assert_eq!(function.states, report.states);

@@ -11,6 +11,7 @@ pub(crate) mod random;
 mod report;
 mod scale;
 mod states;
+mod values;
 
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
