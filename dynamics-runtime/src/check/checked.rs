@@ -5,7 +5,7 @@ use nalgebra::{DVector, Dyn, SVector};
 use super::{Evaluate, Evaluation, FloatingEvaluate};
 use crate::{Certified, FloatingState, Pose, RuntimeTable, SizedState, State};
 
-/// A robot that a check evaluates, whatever the number of its joints. [`Check::run`] makes one of each robot with
+/// A robot that a check evaluates, whatever the number of its joints. [`Check::run`](super::Check::run) makes one of each robot with
 /// [`Evaluate`].
 pub trait Checked {
     /// The names of the joints, from the base outwards.
