@@ -120,7 +120,7 @@ impl Tally {
         assert!(report.is_ok(), "{label}: {report}\n{robot:#?}\n{fields:?}");
         if robot.floating().is_some() {
             let q = vec![0.3; robot.freedoms().joints];
-            assert!(is_positive_definite(&arm, &q), "{label}: M\n{robot:#?}");
+            assert!(is_positive(&arm, &q), "{label}: M\n{robot:#?}");
         }
         self.arms += 1;
         self.solved += usize::from(!report.not_compared.contains(&"forward_dynamics"));
@@ -131,9 +131,16 @@ impl Tally {
     }
 }
 
-fn is_positive_definite(arm: &RuntimeRobot, q: &[f64]) -> bool {
+/// Whether M is positive definite, or semidefinite to rounding: a joint at the end may move no mass.
+fn is_positive(arm: &RuntimeRobot, q: &[f64]) -> bool {
     match arm.evaluate("mass_matrix", &[q]) {
-        Ok(Value::Matrix(matrix)) => matrix.cholesky().is_some(),
+        Ok(Value::Matrix(mut matrix)) => {
+            let rounding = 1e-13 * matrix.amax();
+            for i in 0..matrix.nrows() {
+                matrix[(i, i)] += rounding;
+            }
+            matrix.cholesky().is_some()
+        }
         _ => false,
     }
 }
@@ -181,11 +188,19 @@ fn programs_of_many_random_arms_agree_with_newton_euler() {
         || compare_drawn(13, 25, Tables::coupled_robot),
         || compare_by_turns(14, 5_000, 17, tree_of_usual_length),
         || compare_by_turns(15, 5_000, 17, tree_of_usual_length),
-        || compare_by_turns(16, 1_000, 31, tree_on_moving_base),
     ];
     for seed in seeds.map(std::thread::spawn) {
         assert_varied(&seed.join().expect("all arms agree"));
     }
+}
+
+/// M, and one function of each robot by turns.
+#[test]
+#[ignore = "takes minutes: .ci/run runs it"]
+fn programs_of_many_random_robots_on_moving_bases_agree_with_newton_euler() {
+    let tally = compare_by_turns(16, 300, 31, tree_on_moving_base);
+    println!("largest error {:.1e}", tally.largest);
+    assert!(2 * tally.with_fields > tally.arms);
 }
 
 /// Followers by factors and offsets of numbers, angles and fields, beside joints that are locked.
