@@ -198,7 +198,7 @@ fn programs_of_many_random_arms_agree_with_newton_euler() {
 #[test]
 #[ignore = "takes minutes: .ci/run runs it"]
 fn programs_of_many_random_robots_on_moving_bases_agree_with_newton_euler() {
-    let tally = compare_by_turns(16, 300, 31, tree_on_moving_base);
+    let tally = compare_by_turns(16, 1_000, 31, tree_on_moving_base);
     println!("largest error {:.1e}", tally.largest);
     assert!(2 * tally.with_fields > tally.arms);
 }
