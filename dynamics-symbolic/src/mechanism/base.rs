@@ -10,11 +10,12 @@
 //!   dv/dt + w x v   and   dw/dt - (y z, -x z, x y).
 //!
 //! What is added is D(w) u of the velocity u itself. Column j of D is what the joints k > j, which turn with joint j, do to
-//! its axis: the sum of w_k e_k x e_j. So, with the matrices of the six joints on the right,
+//! its axis: the sum of w_k e_k x e_j. If C and dJ/dt are those of the six joints, those of the base are
 //!
-//!   C = C + M D,   dJ/dt = dJ/dt + J D,   and du/dt = du/dt + D u.
+//!   C + M D   and   dJ/dt + J D.
 //!
-//! C is then that of Echeandia and Wensing (2021), the sum of J' (I dJ/dt + B J) with J and dJ/dt in the axes of the bodies.
+//! The first is the matrix of Echeandia and Wensing (2021), the sum of J' (I dJ/dt + B J) over all bodies, with the rate of
+//! each column of J against a frame at rest, written in the axes of the body.
 
 use super::{Aligned, Forces, Joint, Law, Origin};
 use crate::exact::Rational;
