@@ -225,7 +225,7 @@ fn c_program(case: &Case, name: &str, header: &str) -> String {
                 arguments.push(argument.to_owned());
             }
             let function = request.name();
-            let parts = c_parts(request, header);
+            let parts = c_parts(name, request, header);
             if parts.is_empty() {
                 let _ = writeln!(
                     text,
@@ -267,11 +267,11 @@ fn c_program(case: &Case, name: &str, header: &str) -> String {
 }
 
 /// What a function writes to, with its dimensions, as its declaration has them; none of a number.
-fn c_parts(request: &Request, header: &str) -> Vec<(String, String)> {
-    let prefix = format!("_{}(", request.name());
+fn c_parts(name: &str, request: &Request, header: &str) -> Vec<(String, String)> {
+    let call = format!(" {name}_{}(", request.name());
     let declaration = header
         .lines()
-        .find(|line| line.starts_with("ROBOT") && line.contains(&prefix));
+        .find(|line| line.starts_with("ROBOT") && line.contains(&call));
     let (_, parameters) = declaration
         .expect("a declaration")
         .split_once('(')
