@@ -6,8 +6,14 @@ use nalgebra::{Const, SMatrix, SVector};
 use crate::Model;
 use crate::dual::Dual;
 use crate::factorisation::JointFactors;
+use crate::function::{Entries, functions};
 use crate::size::Size;
-use crate::{ForwardDynamics, NumericArm, Scalar, SingularMassMatrix, SizedMomenta};
+#[cfg(feature = "std")]
+use crate::stand::{Charted, OnBase, Stand, Velocities};
+use crate::{
+    Evaluated, ForwardDynamics, Function, NumericArm, NumericFloating, Pose, Scalar,
+    SingularMassMatrix, SizedMomenta,
+};
 
 /// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
 pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
@@ -54,6 +60,13 @@ pub trait EquationsOfMotion<D: Size> {
     /// The arm in positions and momenta, as the structure-preserving methods need it; `None` for an arm without
     /// these functions.
     fn in_momenta(&self) -> Option<&dyn SizedMomenta<D>>;
+
+    /// The charts in which the positions are coordinates; `None` where they are those of joints.
+    #[cfg(feature = "std")]
+    #[doc(hidden)]
+    fn charts(&self) -> Option<&dyn Charted<D>> {
+        None
+    }
 }
 
 impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
@@ -71,7 +84,6 @@ impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
         self.forward_dynamics(q, qd, tau)
     }
 
-    /// A column of M^-1 is the derivative by a torque, which a dual number carries along.
     fn accelerations_and_responses(
         &self,
         q: &SVector<f64, N>,
@@ -79,19 +91,8 @@ impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
         tau: &SVector<f64, N>,
         joints: &[bool; N],
     ) -> Result<Responses<Const<N>>, SingularMassMatrix> {
-        let [positions, velocities] = [q, qd].map(|x| x.map(Dual::from_f64));
-        let mut free = None;
-        let mut columns = SMatrix::<f64, N, N>::zeros();
-        for j in (0..N).filter(|j| joints[*j]) {
-            let tau = SVector::from_fn(|i, _| Dual::new(tau[i], f64::from(u8::from(i == j))));
-            let qdd = self.forward_dynamics(&positions, &velocities, &tau)?;
-            free = Some(qdd.map(|entry| entry.value));
-            columns.set_column(j, &qdd.map(|entry| entry.slope));
-        }
-        match free {
-            Some(free) => Ok((free, columns)),
-            None => Ok((self.accelerations(q, qd, tau)?, columns)),
-        }
+        let [q, qd] = [q, qd].map(|x| x.map(Dual::from_f64));
+        responses(tau, joints, |tau| self.forward_dynamics(&q, &qd, tau))
     }
 
     #[inline]
@@ -134,6 +135,26 @@ impl<D: Size> EquationsOfMotion<D> for NumericArm<D> {
     }
 }
 
+/// Accelerations under some torques, and the columns of M^-1 that belong to `joints`. A column is the derivative by a torque,
+/// which a dual number carries along.
+fn responses<const N: usize>(
+    tau: &SVector<f64, N>,
+    joints: &[bool; N],
+    under: impl Fn(&SVector<Dual, N>) -> Result<SVector<Dual, N>, SingularMassMatrix>,
+) -> Result<Responses<Const<N>>, SingularMassMatrix> {
+    let along = |j| SVector::from_fn(|i, _| Dual::new(tau[i], f64::from(u8::from(i == j))));
+    let mut columns = SMatrix::<f64, N, N>::zeros();
+    let mut free = None;
+    for j in (0..N).filter(|j| joints[*j]) {
+        let qdd = under(&along(j))?;
+        columns.set_column(j, &qdd.map(|entry| entry.slope));
+        free = Some(qdd);
+    }
+    // Along no torque, where there is no such joint.
+    let free = free.map_or_else(|| under(&along(N)), Ok)?;
+    Ok((free.map(|entry| entry.value), columns))
+}
+
 /// The columns of M^-1 that belong to `joints`; others are zero.
 pub(crate) fn inverse_columns<D: Size>(
     size: D,
@@ -150,21 +171,165 @@ pub(crate) fn inverse_columns<D: Size>(
     columns
 }
 
+/// A robot on a base that moves, whose motion a [`Simulation`](crate::Simulation) follows: its equations of motion, solved for
+/// the accelerations, in doubles. `D` is the number of its joints and `V` that of its velocities, 6 + D.
+///
+/// Every robot with `base: floating` and `forward_dynamics` is one, and
+/// [`FloatingNewtonEuler`](crate::FloatingNewtonEuler) is one for any table.
+pub trait FloatingEquations<D: Size, V: Size> {
+    /// The number of velocities.
+    fn freedoms(&self) -> V;
+
+    /// The number of joints.
+    fn joints(&self) -> D {
+        D::from_usize(self.freedoms().value() - 6)
+    }
+
+    /// Accelerations a of `M(q) a + V(q, v) + G(base, q) + K(q) + F(v) = tau`, as those of
+    /// [`NumericFloating::forward_dynamics`].
+    ///
+    /// # Errors
+    ///
+    /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a NaN.
+    fn accelerations_on(
+        &self,
+        base: &Pose<f64>,
+        q: &D::Vector,
+        v: &V::Vector,
+        tau: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix>;
+
+    /// The accelerations, and the columns of M(q)^-1 that belong to `freedoms`; other columns are zero.
+    ///
+    /// # Errors
+    ///
+    /// As [`accelerations_on`](FloatingEquations::accelerations_on).
+    fn responses_on(
+        &self,
+        base: &Pose<f64>,
+        q: &D::Vector,
+        v: &V::Vector,
+        tau: &V::Vector,
+        freedoms: &V::Each<bool>,
+    ) -> Result<Responses<V>, SingularMassMatrix>;
+}
+
+/// Vectors of the generated forward dynamics on a base that moves: the pose, q, v, tau.
+type OfForwardDynamics<const N: usize, const V: usize> =
+    (Entries<12, 1>, Entries<N, 1>, Entries<V, 1>, Entries<V, 1>);
+
+impl<R, const N: usize, const V: usize> FloatingEquations<Const<N>, Const<V>> for R
+where
+    R: Function<
+            functions::ForwardDynamics,
+            N,
+            Arguments = OfForwardDynamics<N, V>,
+            Values = Entries<V, 1>,
+            Error = SingularMassMatrix,
+        >,
+{
+    fn freedoms(&self) -> Const<V> {
+        Const
+    }
+
+    #[inline]
+    fn accelerations_on(
+        &self,
+        base: &Pose<f64>,
+        q: &SVector<f64, N>,
+        v: &SVector<f64, V>,
+        tau: &SVector<f64, V>,
+    ) -> Result<SVector<f64, V>, SingularMassMatrix> {
+        let arguments = (base.entries(), *q, *v, *tau);
+        self.at(functions::ForwardDynamics, &Evaluated, &arguments)
+    }
+
+    fn responses_on(
+        &self,
+        base: &Pose<f64>,
+        q: &SVector<f64, N>,
+        v: &SVector<f64, V>,
+        tau: &SVector<f64, V>,
+        freedoms: &[bool; V],
+    ) -> Result<Responses<Const<V>>, SingularMassMatrix> {
+        let base = base.entries().map(Dual::from_f64);
+        let (q, v) = (q.map(Dual::from_f64), v.map(Dual::from_f64));
+        responses(tau, freedoms, |tau| {
+            self.at(functions::ForwardDynamics, &Evaluated, &(base, q, v, *tau))
+        })
+    }
+}
+
+impl<D: Size, V: Size> FloatingEquations<D, V> for NumericFloating<D, V> {
+    fn freedoms(&self) -> V {
+        V::from_usize(self.dof())
+    }
+
+    fn accelerations_on(
+        &self,
+        base: &Pose<f64>,
+        q: &D::Vector,
+        v: &V::Vector,
+        tau: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix> {
+        self.forward_dynamics(base, q, v, tau)
+    }
+
+    fn responses_on(
+        &self,
+        base: &Pose<f64>,
+        q: &D::Vector,
+        v: &V::Vector,
+        tau: &V::Vector,
+        freedoms: &V::Each<bool>,
+    ) -> Result<Responses<V>, SingularMassMatrix> {
+        let factors = JointFactors::new(self.dof(), self.mass_matrix(q))?;
+        let qdd = self.forward_dynamics(base, q, v, tau)?;
+        Ok((qdd, inverse_columns(self.freedoms(), &factors, freedoms)))
+    }
+}
+
+/// A robot that a [`Simulation`](crate::Simulation) moves, by its [`EquationsOfMotion`] or its [`FloatingEquations`]. The
+/// compiler finds out which `K` it is.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be simulated: `forward_dynamics` was not asked for",
+    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
+)]
+#[cfg(feature = "std")]
+pub trait Simulated<K: Stand> {
+    /// The number of velocities.
+    fn velocities(&self) -> K::Freedoms;
+}
+
+#[cfg(feature = "std")]
+impl<R: EquationsOfMotion<D>, D: Size> Simulated<D> for R {
+    fn velocities(&self) -> D {
+        self.size()
+    }
+}
+
+#[cfg(feature = "std")]
+impl<R: FloatingEquations<D, V>, D: Size, V: Size> Simulated<OnBase<D, V>> for R {
+    fn velocities(&self) -> V {
+        self.freedoms()
+    }
+}
+
 /// An arm besides its equations: its table, the names of its joints, and its energies.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no robot",
     note = "`robot_dynamics!` makes robots, from Denavit-Hartenberg tables"
 )]
 #[cfg(feature = "std")]
-pub trait SizedModel<D: Size> {
+pub trait SizedModel<K: Stand> {
     /// The table as numbers.
-    fn sized_table(&self) -> D::Table;
+    fn sized_table(&self) -> <K::Joints as Size>::Table;
 
     /// The names of the joints, from the base outwards.
-    fn names(&self) -> D::Each<String>;
+    fn names(&self) -> <K::Joints as Size>::Each<String>;
 
-    /// Kinetic and potential energy, J; `None` for an arm without both functions.
-    fn sized_energies(&self, q: &D::Vector, qd: &D::Vector) -> Option<[f64; 2]>;
+    /// Kinetic and potential energy, J; `None` for a robot without both functions.
+    fn sized_energies(&self, place: K::Place<'_>, velocities: &Velocities<K>) -> Option<[f64; 2]>;
 }
 
 #[cfg(feature = "std")]
@@ -179,5 +344,24 @@ impl<R: Model<N>, const N: usize> SizedModel<Const<N>> for R {
 
     fn sized_energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
         self.energies(q, qd)
+    }
+}
+
+#[cfg(feature = "std")]
+impl<R: Model<N, V>, const N: usize, const V: usize> SizedModel<OnBase<Const<N>, Const<V>>> for R {
+    fn sized_table(&self) -> crate::Table<N> {
+        self.table()
+    }
+
+    fn names(&self) -> [String; N] {
+        self.joint_names().map(String::from)
+    }
+
+    fn sized_energies(
+        &self,
+        (base, q): (&Pose<f64>, &SVector<f64, N>),
+        v: &SVector<f64, V>,
+    ) -> Option<[f64; 2]> {
+        self.energies_on(base, q, v)
     }
 }

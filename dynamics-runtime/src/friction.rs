@@ -154,9 +154,9 @@ impl JointFriction {
 
 #[cfg(feature = "std")]
 impl Arm<'_> {
-    /// The dry friction that holds and brakes the joints: their own, and that of the joints that follow them.
-    pub(crate) fn dry_friction<D: Size>(self) -> D::Each<JointFriction> {
-        let size = D::from_usize(self.rows.len());
+    /// The dry friction that holds and brakes the joints: their own, and that of the joints that follow them. A base that moves
+    /// has none.
+    pub(crate) fn dry_friction<V: Size>(self) -> V::Each<JointFriction> {
         let of_joint = |joint: usize| {
             let all = self.followers.iter().flatten();
             let followers = all.filter(|follower| follower.leader == joint);
@@ -167,7 +167,8 @@ impl Arm<'_> {
                     .collect(),
             }
         };
-        size.each(of_joint)
+        let of_base = JointFriction::NONE;
+        V::from_usize(self.freedoms()).each(|k| self.joint_of(k).map_or(of_base.clone(), of_joint))
     }
 }
 

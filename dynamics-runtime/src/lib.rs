@@ -55,6 +55,7 @@ mod placement;
 #[cfg(feature = "plot")]
 pub mod plot;
 mod pose;
+mod quaternion;
 #[cfg(feature = "std")]
 mod replace;
 mod scalar;
@@ -66,6 +67,8 @@ pub mod simulation;
 mod sine;
 mod singular;
 mod size;
+#[cfg(feature = "std")]
+mod stand;
 mod state;
 pub mod table;
 mod taylor;

@@ -4,7 +4,7 @@ use nalgebra::{Const, Matrix4, SMatrix, SVector};
 
 use crate::factorisation::solve;
 use crate::size::{JointMatrix as _, Size};
-use crate::{Inputs, Scalar, SingularMassMatrix, Table};
+use crate::{Inputs, Pose, Scalar, SingularMassMatrix, Table};
 
 /// The operations of a function, sines included, where they have not been counted.
 pub(crate) const UNKNOWN_WORK: u32 = 200;
@@ -34,6 +34,18 @@ pub trait Model<const N: usize, const V: usize = N> {
     /// functions include `kinetic_energy` and `potential_energy`.
     fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, V>) -> Option<[f64; 2]> {
         let _ = (q, qd);
+        None
+    }
+
+    /// The same of a robot on a base that moves.
+    #[doc(hidden)]
+    fn energies_on(
+        &self,
+        base: &Pose<f64>,
+        q: &SVector<f64, N>,
+        v: &SVector<f64, V>,
+    ) -> Option<[f64; 2]> {
+        let _ = (base, q, v);
         None
     }
 }

@@ -57,6 +57,33 @@ impl<T: Scalar> Pose<T> {
     }
 }
 
+impl Pose<f64> {
+    /// The pose of such twelve numbers.
+    #[cfg(feature = "std")]
+    #[doc(hidden)]
+    pub fn of_entries([r11, r12, r13, r21, r22, r23, r31, r32, r33, x, y, z]: [f64; 12]) -> Self {
+        Pose {
+            rotation: Matrix3::new(r11, r12, r13, r21, r22, r23, r31, r32, r33),
+            position: Vector3::new(x, y, z),
+        }
+    }
+}
+
+/// The rotation by rows, then the position.
+#[cfg(feature = "serde")]
+impl serde::Serialize for Pose<f64> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.entries().data.0[0].serialize(serializer)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Pose<f64> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        <[f64; 12]>::deserialize(deserializer).map(Pose::of_entries)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

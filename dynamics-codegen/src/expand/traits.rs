@@ -20,7 +20,8 @@ pub(super) fn traits(
 ) -> TokenStream {
     // These traits are of robots whose base stands.
     let has = |function| functions.contains(&function) && !target.freedoms.has_base();
-    let has_energies = has(Function::KineticEnergy) && has(Function::PotentialEnergy);
+    let of_energies = [Function::KineticEnergy, Function::PotentialEnergy];
+    let has_energies = of_energies.iter().all(|energy| functions.contains(energy));
     let model = model(target, angles, table, has_energies);
     let evaluate = evaluate(target, evaluation);
     let pairs = [
@@ -183,22 +184,7 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bo
             const READS_ANGLE: [bool; #n] = [#(#angles),*];
         }
     });
-    let vector = quote!(#path::nalgebra::SVector<f64, #n>);
-    let energies = has_energies.then(|| {
-        quote! {
-            #[inline]
-            fn energies(
-                &self,
-                q: &#vector,
-                qd: &#vector,
-            ) -> ::core::option::Option<[f64; 2]> {
-                ::core::option::Option::Some([
-                    Self::kinetic_energy(self, q, qd),
-                    Self::potential_energy(self, q),
-                ])
-            }
-        }
-    });
+    let energies = has_energies.then(|| energies(target, &n));
     quote! {
         #header {
             const JOINT_NAMES: [&'static str; #n] = #names;
@@ -210,6 +196,31 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bo
             }
 
             #energies
+        }
+    }
+}
+
+/// The method of `Model` that returns both energies.
+fn energies(target: &Target, n: &TokenStream) -> TokenStream {
+    let path = target.path;
+    let (mut name, mut v, mut place) = (quote!(energies), n.clone(), None);
+    if target.freedoms.has_base() {
+        (name, v) = (quote!(energies_on), target.v().into_token_stream());
+        place = Some(quote!(base: &#path::Pose<f64>,));
+    }
+    let base = place.as_ref().map(|_| quote!(base,));
+    quote! {
+        #[inline]
+        fn #name(
+            &self,
+            #place
+            q: &#path::nalgebra::SVector<f64, #n>,
+            qd: &#path::nalgebra::SVector<f64, #v>,
+        ) -> ::core::option::Option<[f64; 2]> {
+            ::core::option::Option::Some([
+                Self::kinetic_energy(self, q, qd),
+                Self::potential_energy(self, #base q),
+            ])
         }
     }
 }

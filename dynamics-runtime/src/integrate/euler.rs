@@ -26,12 +26,22 @@ impl<S: Equations<D>, D: Size> OneStep<S, S::Refusal, D> for Euler {
         let Start { t, ref phase, h } = *from;
         let qdd = system.acceleration(t, phase)?;
         let qd = phase.qd.plus(h, &qdd);
+        // The rates of positions are linear in the velocities.
+        let rates = |qd: D::Vector| {
+            let q = phase.q.clone();
+            system.position_rates(&Phase { q, qd })
+        };
+        let before = || phase.q.plus(h, &rates(phase.qd.clone()));
         let q = match self {
-            Euler::Explicit => phase.q.plus(h, &phase.qd),
-            Euler::Craig => phase.q.plus(h, &phase.qd).plus(0.5 * h * h, &qdd),
-            Euler::SemiImplicit => phase.q.plus(h, &qd),
+            Euler::Explicit => before(),
+            Euler::Craig => before().plus(0.5 * h * h, &rates(qdd)),
+            Euler::SemiImplicit => phase.q.plus(h, &rates(qd.clone())),
         };
         Ok(Phase { q, qd })
+    }
+
+    fn recentred(&self, system: &S, phase: &Phase<D>) -> Option<D::Vector> {
+        system.recentred(phase)
     }
 }
 

@@ -10,6 +10,11 @@ pub(crate) trait OneStep<S, E, D: Size> {
 
     /// The next step is under other equations: what one step hands on to the next is void.
     fn restart(&mut self) {}
+
+    /// As [`Equations::recentred`](super::Equations::recentred).
+    fn recentred(&self, _system: &S, _phase: &Phase<D>) -> Option<D::Vector> {
+        None
+    }
 }
 
 /// An integration by steps of equal length.
@@ -85,6 +90,12 @@ impl<S, E, M: OneStep<S, E, D>, D: Size> Stepper<S, E, D> for FixedStep<M, D> {
         self.method.restart();
         self.next.phase = phase;
         Ok(())
+    }
+
+    fn recentre(&mut self, system: &S) {
+        if let Some(q) = self.method.recentred(system, &self.next.phase) {
+            self.next.phase.q = q;
+        }
     }
 
     /// Samples are ends of steps.

@@ -25,15 +25,6 @@ impl<D: Size> Phase<D> {
         D::of(&self.q)
     }
 
-    /// How this point moves under an acceleration.
-    #[inline(always)]
-    pub(super) fn rate(&self, qdd: D::Vector) -> Self {
-        Phase {
-            q: self.qd.clone(),
-            qd: qdd,
-        }
-    }
-
     /// `self + factor * other`.
     #[inline(always)]
     pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {

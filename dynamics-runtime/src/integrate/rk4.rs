@@ -19,6 +19,10 @@ impl<S: Equations<D>, D: Size> OneStep<S, S::Refusal, D> for Rk4 {
         let inner = k2.plus(1.0, &k3);
         Ok(phase.plus(h / 6.0, &outer.plus(2.0, &inner)))
     }
+
+    fn recentred(&self, system: &S, phase: &Phase<D>) -> Option<D::Vector> {
+        system.recentred(phase)
+    }
 }
 
 #[cfg(test)]

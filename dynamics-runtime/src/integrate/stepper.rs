@@ -27,6 +27,10 @@ pub(crate) trait Stepper<S, E, D: Size> {
     /// Goes on from another phase, or under other equations, at the time reached.
     fn restart(&mut self, system: &S, phase: Phase<D>) -> Result<(), Failure<E>>;
 
+    /// Goes on in a chart around the phase reached, where the positions are coordinates in charts. The last step is no
+    /// longer known.
+    fn recentre(&mut self, _system: &S) {}
+
     /// The number of steps that were tried and thrown away.
     fn rejected(&self) -> u64 {
         0

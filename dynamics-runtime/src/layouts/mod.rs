@@ -47,14 +47,13 @@
 //! ```
 
 mod library;
-mod quaternion;
 
 use core::fmt;
 use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
-use crate::Pose;
+use crate::{Pose, quaternion};
 pub use library::Library;
 use library::{DrakeRules, MuJoCoRules, PinocchioRules, RbdlRules};
 

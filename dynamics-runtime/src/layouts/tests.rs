@@ -3,9 +3,9 @@
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3};
 
 use super::library::{DrakeRules, MuJoCoRules, PinocchioRules, RbdlRules};
-use super::{Layout, Library, MissingJoint, Pinocchio, quaternion};
-use crate::Pose;
+use super::{Layout, Library, MissingJoint, Pinocchio};
 use crate::test_arms::{random_pose, random_state};
+use crate::{Pose, quaternion};
 
 const OURS: [&str; 3] = ["hip", "knee", "ankle"];
 const THEIRS: [&str; 3] = ["ankle", "hip", "knee"];

@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::{Matrix4, SVector};
 
 use super::{Curve, Figure, Outcome, joints};
+use crate::table::Row;
 use crate::{JointType, Model, Trajectory};
 
 impl<const N: usize> Trajectory<N> {
@@ -37,35 +38,15 @@ impl<const N: usize> Trajectory<N> {
 
     /// The same as a figure without a title, to add panels to.
     pub fn figure<R: Model<N>>(&self, robot: &R) -> Figure {
-        let rows = robot.table().rows;
-        let turns: [bool; N] = core::array::from_fn(|i| rows[i].joint_type == JointType::Revolute);
-        let mut figure = Figure::new(String::new());
-        let quantities = [
-            (["position, rad", "position, m"], &self.q),
-            (["velocity, rad/s", "velocity, m/s"], &self.qd),
-            (["acceleration, rad/s²", "acceleration, m/s²"], &self.qdd),
-            (["torque, N m", "force, N"], &self.tau),
-        ];
-        for (labels, values) in quantities {
-            if values.len() != self.len() {
-                continue;
-            }
-            for (kind, label) in [true, false].into_iter().zip(labels) {
-                let curves = joints(robot.joint_names(), &self.t, values.iter().copied());
-                let of_kind = curves
-                    .into_iter()
-                    .zip(turns)
-                    .filter(|(_, turns)| *turns == kind);
-                let curves: Vec<Curve> = of_kind.map(|(curve, _)| curve).collect();
-                if !curves.is_empty() {
-                    figure = figure.panel(label, curves);
-                }
-            }
-        }
-        match self.energy_curves(robot) {
-            Some(curves) => figure.panel("energy, J", curves),
-            None => figure,
-        }
+        let figure = of_joints(
+            Figure::new(String::new()),
+            robot.joint_names(),
+            &robot.table().rows,
+            self,
+        );
+        let states = self.q.iter().zip(&self.qd);
+        let energies = states.map(|(q, qd)| robot.energies(q, qd)).collect();
+        with_energies(figure, &self.t, energies)
     }
 
     /// The path of a frame's origin as curves for a panel, `hand x`, `hand y` and `hand z` for a frame `hand`: `pose` is
@@ -78,20 +59,53 @@ impl<const N: usize> Trajectory<N> {
         };
         [(0, "x"), (1, "y"), (2, "z")].map(curve)
     }
+}
 
-    fn energy_curves<R: Model<N>>(&self, robot: &R) -> Option<[Curve; 3]> {
-        let states = self.q.iter().zip(&self.qd);
-        let energies: Option<Vec<[f64; 2]>> = states.map(|(q, qd)| robot.energies(q, qd)).collect();
-        let energies = energies?;
-        let curve = |name: &str, of: fn(&[f64; 2]) -> f64| {
-            Curve::new(name, &self.t, energies.iter().map(of))
-        };
-        Some([
-            curve("kinetic", |e| e[0]),
-            curve("potential", |e| e[1]),
-            curve("total", |e| e[0] + e[1]),
-        ])
+/// Panels of the joints, apart where they turn and where they slide.
+pub(super) fn of_joints<const N: usize>(
+    mut figure: Figure,
+    names: [&str; N],
+    rows: &[Row; N],
+    run: &Trajectory<N>,
+) -> Figure {
+    let quantities = [
+        (["position, rad", "position, m"], &run.q),
+        (["velocity, rad/s", "velocity, m/s"], &run.qd),
+        (["acceleration, rad/s²", "acceleration, m/s²"], &run.qdd),
+        (["torque, N m", "force, N"], &run.tau),
+    ];
+    for (labels, values) in quantities {
+        if values.len() != run.len() {
+            continue;
+        }
+        for (kind, label) in [JointType::Revolute, JointType::Prismatic]
+            .into_iter()
+            .zip(labels)
+        {
+            let curves = joints(names, &run.t, values.iter().copied());
+            let of_kind = curves.into_iter().zip(rows);
+            let of_kind = of_kind.filter(|(_, row)| row.joint_type == kind);
+            let curves: Vec<Curve> = of_kind.map(|(curve, _)| curve).collect();
+            if !curves.is_empty() {
+                figure = figure.panel(label, curves);
+            }
+        }
     }
+    figure
+}
+
+/// A panel of kinetic, potential and total energy, where they are known.
+pub(super) fn with_energies(figure: Figure, t: &[f64], energies: Option<Vec<[f64; 2]>>) -> Figure {
+    let Some(energies) = energies else {
+        return figure;
+    };
+    let curve = |name: &str, of: fn(&[f64; 2]) -> f64| Curve::new(name, t, energies.iter().map(of));
+    let curves = [
+        curve("kinetic", |e| e[0]),
+        curve("potential", |e| e[1]),
+        curve("total", |e| e[0] + e[1]),
+    ];
+    figure.panel("energy, J", curves)
 }
 
 #[cfg(test)]

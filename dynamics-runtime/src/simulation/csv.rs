@@ -11,7 +11,7 @@ use crate::table::AsArm as _;
 use crate::{simulation::SizedModel, table::JointType};
 
 /// The columns of a joint: the symbol, and the unit of a revolute and of a prismatic one.
-const QUANTITIES: [(&str, [&str; 2]); 4] = [
+pub(super) const QUANTITIES: [(&str, [&str; 2]); 4] = [
     ("q", ["rad", "m"]),
     ("qd", ["rad/s", "m/s"]),
     ("qdd", ["rad/s^2", "m/s^2"]),
@@ -69,22 +69,35 @@ impl<D: Size> SizedTrajectory<D> {
                 header.push(format!("{symbol}.{name} [{unit}]"));
             }
         }
-        let rest = D::from_usize(names.as_ref().len()).vector();
-        if robot.sized_energies(&rest, &rest).is_some() {
-            header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
-        }
-        let mut rows = csv::Writer::from_writer(out);
-        rows.write_record(header)?;
-        for k in 0..self.len() {
+        let rows = (0..self.len()).map(|k| {
             let vectors = (0..4)
                 .filter(is_there)
                 .flat_map(|list| lists[list][k].entries());
-            let energies = robot.sized_energies(&self.q[k], &self.qd[k]);
-            let numbers = [&self.t[k]].into_iter().chain(vectors).copied();
-            rows.write_record(numbers.chain(energies.into_iter().flatten()).map(shortest))?;
-        }
-        rows.flush()
+            let numbers = [&self.t[k]].into_iter().chain(vectors).copied().collect();
+            (numbers, robot.sized_energies(&self.q[k], &self.qd[k]))
+        });
+        let rest = D::from_usize(names.as_ref().len()).vector();
+        write_rows(out, header, robot.sized_energies(&rest, &rest), rows)
     }
+}
+
+/// Writes so many rows below a header: the numbers of a row, and energies where they are known at rest.
+pub(super) fn write_rows(
+    out: impl Write,
+    mut header: Vec<String>,
+    at_rest: Option<[f64; 2]>,
+    rows: impl Iterator<Item = (Vec<f64>, Option<[f64; 2]>)>,
+) -> io::Result<()> {
+    if at_rest.is_some() {
+        header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
+    }
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(header)?;
+    for (numbers, energies) in rows {
+        let energies = energies.into_iter().flatten();
+        writer.write_record(numbers.into_iter().chain(energies).map(shortest))?;
+    }
+    writer.flush()
 }
 
 /// A number in as few letters as it takes: `0.5`, `1e-17`.
@@ -137,21 +150,10 @@ impl SizedTrajectory<Dyn> {
 fn read<D: Size>(
     size: D,
     points_of: Option<&[&str]>,
-    mut input: impl Read,
+    input: impl Read,
 ) -> Result<SizedTrajectory<D>, CsvError> {
-    let mut bytes = Vec::new();
-    let unread = |good: &[u8], reason: String| CsvError {
-        line: 1 + good.iter().filter(|byte| **byte == b'\n').count(),
-        column: 1,
-        letter: 1,
-        mistake: CsvMistake::Reader(reason),
-    };
-    if let Err(error) = input.read_to_end(&mut bytes) {
-        return Err(unread(&bytes, error.to_string()));
-    }
-    let text = core::str::from_utf8(&bytes)
-        .map_err(|error| unread(&bytes[..error.valid_up_to()], error.to_string()))?;
-    let mut rows = Rows::new(text.trim_start_matches('\u{feff}'));
+    let text = text_of(input)?;
+    let mut rows = Rows::new(&text);
     let (joints, mut is_row) = (size.value(), rows.advance());
     let (mut quantities, mut width) = (1, 1 + joints);
     if points_of.is_none() || rows.row.iter().all(|cell| cell.parse::<f64>().is_err()) {
@@ -191,15 +193,32 @@ fn read<D: Size>(
     Ok(trajectory)
 }
 
+/// The text of a file.
+pub(super) fn text_of(mut input: impl Read) -> Result<String, CsvError> {
+    let mut bytes = Vec::new();
+    let unread = |good: &[u8], reason: String| CsvError {
+        line: 1 + good.iter().filter(|byte| **byte == b'\n').count(),
+        column: 1,
+        letter: 1,
+        mistake: CsvMistake::Reader(reason),
+    };
+    if let Err(error) = input.read_to_end(&mut bytes) {
+        return Err(unread(&bytes, error.to_string()));
+    }
+    let text = core::str::from_utf8(&bytes)
+        .map_err(|error| unread(&bytes[..error.valid_up_to()], error.to_string()))?;
+    Ok(text.trim_start_matches('\u{feff}').to_owned())
+}
+
 /// The rows of a text.
-struct Rows<'t> {
+pub(super) struct Rows<'t> {
     text: &'t str,
     reader: csv::Reader<&'t [u8]>,
-    row: csv::StringRecord,
+    pub(super) row: csv::StringRecord,
 }
 
 impl<'t> Rows<'t> {
-    fn new(text: &'t str) -> Self {
+    pub(super) fn new(text: &'t str) -> Self {
         let mut settings = csv::ReaderBuilder::new();
         settings
             .has_headers(false)
@@ -213,7 +232,7 @@ impl<'t> Rows<'t> {
     }
 
     /// Goes on to the next row that is not empty; whether there is one.
-    fn advance(&mut self) -> bool {
+    pub(super) fn advance(&mut self) -> bool {
         // A text in memory can be read to its end.
         while self.reader.read_record(&mut self.row).unwrap_or(false) {
             if self.row.len() > 1 || !self.row[0].is_empty() {
@@ -227,7 +246,7 @@ impl<'t> Rows<'t> {
     ///
     /// The reader tells the byte at which a row begins, or the end of the line before or an empty line before. The lines
     /// that it counts are others where lines end in `\r\n` or are empty.
-    fn mistake(&self, cell: usize, mistake: CsvMistake) -> CsvError {
+    pub(super) fn mistake(&self, cell: usize, mistake: CsvMistake) -> CsvError {
         let byte = self.row.position().map_or(0, |place| place.byte() as usize);
         let rest = self.text[byte..].trim_start_matches(['\r', '\n']);
         let before = &self.text[..self.text.len() - rest.len()];
@@ -299,7 +318,7 @@ impl<'t> Rows<'t> {
         Ok(())
     }
 
-    fn number(&self, cell: usize, is_finite: bool) -> Result<f64, CsvError> {
+    pub(super) fn number(&self, cell: usize, is_finite: bool) -> Result<f64, CsvError> {
         let number = self.row[cell].parse::<f64>().ok();
         let number = number.filter(|x| !is_finite || x.is_finite());
         number.ok_or_else(|| self.mistake(cell, CsvMistake::Number(self.row[cell].to_owned())))

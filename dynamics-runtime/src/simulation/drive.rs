@@ -52,6 +52,7 @@ where
         if taken {
             steps = 0;
         }
+        motion.recentre(system, stepper, recorder);
     }
     Ok(())
 }

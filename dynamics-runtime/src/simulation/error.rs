@@ -6,6 +6,7 @@ use nalgebra::Const;
 
 use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
+use crate::newton_euler::NAMES_OF_BASE;
 use crate::size::{JointVector as _, Size};
 use crate::taylor::Refusal;
 
@@ -213,6 +214,10 @@ pub enum InvalidSetting {
     /// The method works in positions and momenta, and the arm lacks the functions for these: see
     /// [`ForwardDynamics::momenta`](crate::ForwardDynamics::momenta).
     NoMomenta,
+    /// The method is implicit, and the base moves: its rotation is followed by explicit methods alone.
+    MovingBase,
+    /// The rotation of the base at the start is none: its columns are not orthogonal unit vectors to 1e-6, right-handed.
+    Rotation,
 }
 
 impl<D: Size> fmt::Display for SizedSimulationError<D> {
@@ -237,22 +242,76 @@ impl<D: Size> fmt::Debug for SizedSimulationError<D> {
 
 impl<D: Size> core::error::Error for SizedSimulationError<D> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match &self.cause {
-            Cause::SingularMassMatrix(source) => Some(source),
-            Cause::InvalidSetting(source) => Some(source),
-            _ => None,
-        }
+        self.cause.source_of()
     }
 }
 
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, Counted::Joints)
+    }
+}
+
+/// The freedoms that causes and settings count: those of joints, or those of a base that moves before them.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Counted {
+    Joints,
+    OnBase,
+}
+
+impl Counted {
+    /// The name of a freedom: joints count from 1.
+    fn name(self, freedom: usize) -> String {
+        let (name, before) = match self {
+            Counted::Joints => (None, 0),
+            Counted::OnBase => (NAMES_OF_BASE.get(freedom), NAMES_OF_BASE.len()),
+        };
+        name.map_or_else(
+            || format!("joint {}", freedom + 1 - before),
+            |name| (*name).to_owned(),
+        )
+    }
+
+    /// Joints by their own numbers.
+    fn joints(self, set: JointSet) -> JointSet {
+        match self {
+            Counted::Joints => set,
+            Counted::OnBase => JointSet(set.0 >> NAMES_OF_BASE.len()),
+        }
+    }
+}
+
+/// A cause on a base that moves.
+pub(super) struct OfBase<'a>(&'a Cause);
+
+impl fmt::Display for OfBase<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write(f, Counted::OnBase)
+    }
+}
+
+impl Cause {
+    /// The cause of a motion on a base that moves, whose six numbers count first.
+    pub(super) fn on_base(&self) -> OfBase<'_> {
+        OfBase(self)
+    }
+
+    /// The error that this cause is.
+    pub(super) fn source_of(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            Cause::SingularMassMatrix(source) => Some(source),
+            Cause::InvalidSetting(source) => Some(source),
+            _ => None,
+        }
+    }
+
+    fn write(&self, f: &mut fmt::Formatter<'_>, counted: Counted) -> fmt::Result {
         let mut not_finite = |what: &str, joint: &usize| {
-            write!(f, "the {what} of joint {} is not finite", joint + 1)
+            write!(f, "the {what} of {} is not finite", counted.name(*joint))
         };
         match self {
-            Cause::InvalidSetting(setting) => setting.fmt(f),
-            Cause::SingularMassMatrix(error) => error.fmt(f),
+            Cause::InvalidSetting(setting) => setting.write(f, counted),
+            Cause::SingularMassMatrix(error) => write!(f, "{error}"),
             Cause::NonFiniteTorque { joint } => not_finite("torque", joint),
             Cause::NonFiniteAcceleration { joint } => not_finite("acceleration", joint),
             Cause::NonFiniteState { joint } => not_finite("state", joint),
@@ -266,16 +325,17 @@ impl fmt::Display for Cause {
             Cause::NoConvergence => f.write_str("the step is too long for an implicit method"),
             Cause::TooManySteps => f.write_str("more steps between two samples than `max_steps`"),
             Cause::JointLimit { joint, limit } => {
-                write!(f, "joint {} passes its limit {limit:?}", joint + 1)
+                write!(f, "{} passes its limit {limit:?}", counted.name(*joint))
             }
             Cause::Chatter { joint } => write!(
                 f,
-                "joint {} chatters: the torques drive it back to rest from both sides",
-                joint + 1
+                "{} chatters: the torques drive it back to rest from both sides",
+                counted.name(*joint)
             ),
             Cause::Impacts { joints } => write!(
                 f,
-                "the motion does not get on at the stops of {joints}: they hit or leave them again and again"
+                "the motion does not get on at the stops of {}: they hit or leave them again and again",
+                counted.joints(*joints)
             ),
         }
     }
@@ -283,6 +343,12 @@ impl fmt::Display for Cause {
 
 impl fmt::Display for InvalidSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, Counted::Joints)
+    }
+}
+
+impl InvalidSetting {
+    fn write(&self, f: &mut fmt::Formatter<'_>, counted: Counted) -> fmt::Result {
         const TIME: &str = "a finite time that is not lost in the rounding of the duration";
         let mut impossible = |given: fmt::Arguments<'_>, expected: &str| {
             write!(f, "{given} is not possible: expected {expected}")
@@ -307,11 +373,11 @@ impl fmt::Display for InvalidSetting {
             InvalidSetting::Order(order) => write!(f, "series of order {order} are not possible"),
             InvalidSetting::CoulombFriction { joint } => write!(
                 f,
-                "joint {} has Coulomb friction, which Taylor series do not follow",
-                joint + 1
+                "{} has Coulomb friction, which Taylor series do not follow",
+                counted.name(*joint)
             ),
             InvalidSetting::InitialState { joint } => {
-                write!(f, "the initial state of joint {} is not finite", joint + 1)
+                write!(f, "the initial state of {} is not finite", counted.name(*joint))
             }
             InvalidSetting::FrictionSpeed(speed) => {
                 write!(f, "friction cannot be regularised over a speed of {speed:?}")
@@ -322,21 +388,27 @@ impl fmt::Display for InvalidSetting {
             ),
             InvalidSetting::Limits { joint } => write!(
                 f,
-                "the limits of joint {} are no range: the lower one first, both numbers",
-                joint + 1
+                "the limits of {} are no range: the lower one first, both numbers",
+                counted.name(*joint)
             ),
             InvalidSetting::TorqueLimit { joint } => {
-                write!(f, "the torque limit of joint {} is not a number above zero", joint + 1)
+                write!(f, "the torque limit of {} is not a number above zero", counted.name(*joint))
             }
             InvalidSetting::OutsideLimits { joint, q, limits } => write!(
                 f,
-                "joint {} begins at {q:?}, outside of its limits {:?} to {:?}",
-                joint + 1,
+                "{} begins at {q:?}, outside of its limits {:?} to {:?}",
+                counted.name(*joint),
                 limits[0],
                 limits[1]
             ),
             InvalidSetting::NoMomenta => f.write_str(
                 "the method works in momenta, for which the arm lacks mass_matrix or inverse_dynamics",
+            ),
+            InvalidSetting::MovingBase => f.write_str(
+                "the method is implicit and follows no base that moves: take DormandPrince, Dop853, RungeKutta4 or one of Euler's",
+            ),
+            InvalidSetting::Rotation => f.write_str(
+                "the rotation of the base at the start is none: its columns are the axes of the base, orthogonal unit vectors to 1e-6, right-handed",
             ),
         }
     }

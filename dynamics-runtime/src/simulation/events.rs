@@ -131,6 +131,7 @@ where
             if taken {
                 (steps, self.since_sample) = (0, Events::default());
             }
+            self.motion.recentre(self.system, self.stepper, recorder);
         }
         Ok(())
     }

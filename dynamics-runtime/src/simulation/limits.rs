@@ -67,10 +67,11 @@ impl<D: Size> Limits<D> {
 
     /// The limits of a table.
     pub(super) fn of(arm: Arm<'_>, kind: AtLimit) -> Self {
-        let size = D::from_usize(arm.rows.len());
+        let size = D::from_usize(arm.freedoms());
+        let of_joint = |i: usize| arm.rows[i].limits;
         Limits {
             kind,
-            ranges: size.each(|i| arm.rows[i].limits.unwrap_or(ENDLESS)),
+            ranges: size.each(|k| arm.joint_of(k).and_then(of_joint).unwrap_or(ENDLESS)),
             straight: 0.0,
         }
     }

@@ -2,7 +2,6 @@
 
 use super::by_margins::ByMargins;
 use super::drive::drive;
-use super::friction::Law;
 use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
@@ -21,6 +20,9 @@ use crate::size::Size;
 /// The methods of fixed step divide the interval between two samples into the least number of equal steps that are no
 /// longer than `step`: every sample is the end of a step. An infinite `step` is an error, because it says nothing of
 /// accuracy.
+///
+/// On a base that moves, the explicit methods follow its rotation in charts, as H. Munthe-Kaas did (1999); those of this
+/// list from the implicit midpoint rule to Gauss-Legendre, and Radau IIA, refuse it.
 ///
 /// # Structure-preserving methods
 ///
@@ -98,6 +100,24 @@ impl Default for Method {
     }
 }
 
+impl Method {
+    /// Whether its steps need no equations solved.
+    fn is_explicit(&self) -> bool {
+        match self {
+            Method::ExplicitEuler { .. }
+            | Method::CraigEuler { .. }
+            | Method::SemiImplicitEuler { .. }
+            | Method::RungeKutta4 { .. }
+            | Method::DormandPrince(_)
+            | Method::Dop853(_) => true,
+            Method::ImplicitMidpoint { .. }
+            | Method::GaussLegendre4 { .. }
+            | Method::GaussLegendre6 { .. }
+            | Method::Radau5(_) => false,
+        }
+    }
+}
+
 macro_rules! from_settings {
     ($($name:ident)*) => {$(
         impl From<$name> for Method {
@@ -112,8 +132,8 @@ from_settings! { DormandPrince Dop853 Radau5 }
 
 /// A method, and its settings, as a run needs them.
 pub(super) trait Integrator<R, L, D: Size>: Clone {
-    /// Whether the settings make sense for a run of an arm with some friction.
-    fn validate(&self, duration: f64, friction: &Law<D>) -> Result<(), InvalidSetting>;
+    /// Whether the settings make sense for a run of so many seconds.
+    fn validate(&self, motion: &Motion<R, L, D>, duration: f64) -> Result<(), InvalidSetting>;
 
     /// The step of a method whose positions are straight lines within a step; 0 of the others.
     fn straight_step(&self) -> f64 {
@@ -165,7 +185,10 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for 
         }
     }
 
-    fn validate(&self, duration: f64, _: &Law<D>) -> Result<(), InvalidSetting> {
+    fn validate(&self, motion: &Motion<R, L, D>, duration: f64) -> Result<(), InvalidSetting> {
+        if motion.robot.charts().is_some() && !self.is_explicit() {
+            return Err(InvalidSetting::MovingBase);
+        }
         match self {
             Method::ExplicitEuler { step }
             | Method::CraigEuler { step }

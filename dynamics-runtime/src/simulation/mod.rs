@@ -9,11 +9,14 @@ mod csv;
 mod drive;
 mod error;
 mod events;
+mod floating;
 mod friction;
 mod impact;
+mod law;
 mod limits;
 mod method;
 mod motion;
+mod on_charts;
 mod plan;
 mod recorder;
 mod sampling;
@@ -37,20 +40,26 @@ use plan::{Plan, plan_setters};
 use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
 
-pub use crate::equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
+pub use crate::equations_of_motion::{
+    EquationsOfMotion, FloatingEquations, Responses, Simulated, SizedModel,
+};
 pub use crate::model::{Momenta, SizedKinematics, SizedMomenta};
+pub use crate::stand::{OnBase, Stand};
 pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use crate::trajectory::InvalidDuration;
 #[cfg(feature = "csv")]
 pub use csv::{CsvError, CsvMistake, shortest};
 pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulationError};
+pub use floating::{
+    FloatingSample, FloatingTrajectory, SizedFloatingError, SizedFloatingTrajectory,
+};
 pub use friction::Friction;
+pub use law::ForceLaw;
 pub use method::Method;
 pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
 pub use taylor::{HeldTorque, TaylorSimulation};
 pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench, WrenchAt};
-pub use torque::NoTorque;
 pub use trajectory::{Sample, SizedTrajectory, Trajectory, Work};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
@@ -88,18 +97,19 @@ pub use trajectory::{Sample, SizedTrajectory, Trajectory, Work};
 /// ```
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Simulation<'a, R, L, D: Size, W = NoToolWrench, S = Continuous> {
+pub struct Simulation<'a, R, L, K: Stand, W = NoToolWrench, S = Continuous> {
     robot: &'a R,
     torque: L,
     tool_wrench: W,
     asked: S,
-    setting: Setting<D>,
+    setting: Setting<K::Freedoms>,
+    start: K::Start,
 }
 
-impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
-    /// Free motion of the arm.
+impl<'a, R: Simulated<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
+    /// Free motion of the robot.
     pub fn new(robot: &'a R) -> Self {
-        let size = robot.size();
+        let size = robot.velocities();
         let setting = Setting {
             method: Method::default(),
             friction: Law::sign(size),
@@ -109,10 +119,11 @@ impl<'a, R: EquationsOfMotion<D>, D: Size> Simulation<'a, R, NoTorque<D>, D> {
         };
         Simulation {
             robot,
-            torque: |_, q, _| D::of(q).vector(),
+            torque: K::no_torque(),
             tool_wrench: NoToolWrench,
             asked: Continuous,
             setting,
+            start: K::start(),
         }
     }
 }
@@ -132,7 +143,7 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
     }
 }
 
-impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
+impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// Sample and hold, as a digital controller works. With the period p in s, the torque law is called at the times 0,
     /// p, 2 p, ... before the end of the run, once each and in order. Its torque is held until the next of them.
     ///
@@ -171,8 +182,16 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((motion.tau[100][0] - 3.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn control_period(self, period: f64) -> Simulation<'a, R, L, D, W, Sampled> {
+    pub fn control_period(self, period: f64) -> Simulation<'a, R, L, K, W, Sampled> {
         self.with_laws(|torque, tool_wrench, _| (torque, tool_wrench, Sampled { period }))
+    }
+}
+
+impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
+    /// Positions and velocities at t = 0, rad or m, and per second.
+    pub fn initial(mut self, q: D::Vector, qd: D::Vector) -> Self {
+        self.setting.plan.initial = Phase { q, qd };
+        self
     }
 
     /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t in s,
@@ -287,12 +306,14 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     {
         self.with_laws(|torque, others, asked| (torque, WrenchAt { others, place, law }, asked))
     }
+}
 
+impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// The same with other laws.
     fn with_laws<L2, W2, S2>(
         self,
         change: impl FnOnce(L, W, S) -> (L2, W2, S2),
-    ) -> Simulation<'a, R, L2, D, W2, S2> {
+    ) -> Simulation<'a, R, L2, K, W2, S2> {
         let (torque, tool_wrench, asked) = change(self.torque, self.tool_wrench, self.asked);
         Simulation {
             robot: self.robot,
@@ -300,6 +321,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
             tool_wrench,
             asked,
             setting: self.setting,
+            start: self.start,
         }
     }
 
@@ -312,9 +334,9 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// How the dry friction of the arm's table is treated; by default, [`Friction::Sign`].
     pub fn friction(mut self, kind: Friction) -> Self
     where
-        R: SizedModel<D>,
+        R: SizedModel<K>,
     {
-        let dry = self.robot.sized_table().arm().dry_friction::<D>();
+        let dry = self.robot.sized_table().arm().dry_friction::<K::Freedoms>();
         self.setting.friction = Law { kind, dry };
         self
     }
@@ -344,10 +366,10 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// ```
     pub fn saturate(mut self) -> Self
     where
-        R: SizedModel<D>,
+        R: SizedModel<K>,
     {
         let table = self.robot.sized_table();
-        self.setting.greatest = Some(torque::greatest::<D>(table.arm()));
+        self.setting.greatest = Some(torque::greatest::<K::Freedoms>(table.arm()));
         self
     }
 
@@ -393,7 +415,7 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// ```
     pub fn stops(self, restitution: f64) -> Self
     where
-        R: SizedModel<D>,
+        R: SizedModel<K>,
     {
         self.at_limits(AtLimit::Rebounds { restitution })
     }
@@ -404,22 +426,22 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// The time is found to rounding, on steps of the method itself. A joint may rest at a limit.
     pub fn limits_are_errors(self) -> Self
     where
-        R: SizedModel<D>,
+        R: SizedModel<K>,
     {
         self.at_limits(AtLimit::Ends)
     }
 
     fn at_limits(mut self, kind: AtLimit) -> Self
     where
-        R: SizedModel<D>,
+        R: SizedModel<K>,
     {
         let table = self.robot.sized_table();
-        self.setting.friction.dry = table.arm().dry_friction::<D>();
+        self.setting.friction.dry = table.arm().dry_friction::<K::Freedoms>();
         self.setting.limits = Limits::of(table.arm(), kind);
         self
     }
 
-    plan_setters!(D::Vector);
+    plan_setters!();
 }
 
 impl<R, L, W, D: Size> Simulation<'_, R, L, D, W>
@@ -438,8 +460,9 @@ where
     where
         W: ContinuousWrench,
     {
-        let laws = Laws {
+        let laws = Laws::<_, _, _, D> {
             robot: self.robot,
+            charts: &(),
             torque: &self.torque,
             tool_wrench: &self.tool_wrench,
             greatest: self.setting.greatest.as_ref(),
@@ -463,7 +486,9 @@ where
         let (size, period) = (self.robot.size(), Some(self.asked.period));
         let (torque, tool_wrench) = (&mut self.torque, &mut self.tool_wrench);
         let greatest = self.setting.greatest.as_ref();
-        let laws = SampledLaws::new(size, self.robot, period, torque, tool_wrench, greatest);
+        let robot = (self.robot, &());
+        let laws =
+            SampledLaws::<_, _, _, D>::new(size, robot, period, torque, tool_wrench, greatest);
         self.setting.run(self.robot, &laws)
     }
 }
@@ -505,7 +530,7 @@ impl<D: Size, M> Setting<D, M> {
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
         torque::validate(self.greatest.as_ref())?;
-        self.method.validate(self.plan.duration, &self.friction)?;
+        self.method.validate(motion, self.plan.duration)?;
         recorder.plan(&self.plan)?;
         let (laws, initial) = (motion.torque, recorder.phase.clone());
         let mut begun = laws.sample(0.0, &initial).map(|()| initial.clone());

@@ -20,7 +20,7 @@ pub(super) struct Motion<'a, R, L, D: Size> {
     size: D,
     pub(super) robot: &'a R,
     pub(super) torque: &'a L,
-    friction: Law<D>,
+    pub(super) friction: Law<D>,
     pub(super) limits: Limits<D>,
     /// The contact of each joint; without meaning in a motion without events.
     contacts: RefCell<D::Each<Contact>>,
@@ -219,6 +219,9 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
 impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     /// A sample. Its accelerations are NaN where the laws or the equations refuse, which ends no run.
     pub(super) fn sample_at(&self, t: f64, phase: Phase<D>) -> Sample<D> {
+        if let Some(charts) = self.robot.charts() {
+            charts.note(&phase.q);
+        }
         let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, &phase));
         let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, &phase));
         let held = law.and_then(|tau| self.held_under(&phase, &self.with_friction(&phase, tau)));
@@ -255,6 +258,22 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     }
 }
 
+impl<R: EquationsOfMotion<D>, L, D: Size> Motion<'_, R, L, D> {
+    /// Goes on in a chart around the phase reached, where there are charts.
+    pub(super) fn recentre<S>(
+        &self,
+        system: &S,
+        stepper: &mut (impl Stepper<S, Cause, D> + ?Sized),
+        recorder: &mut Recorder<D>,
+    ) {
+        if self.robot.charts().is_some() {
+            stepper.recentre(system);
+            // Velocities are the same in each chart.
+            recorder.phase.q.clone_from(&stepper.phase().q);
+        }
+    }
+}
+
 fn finite<V: JointVector>(qdd: V) -> Result<V, Cause> {
     match first_non_finite(qdd.entries()) {
         Some(joint) => Err(Cause::NonFiniteAcceleration { joint }),
@@ -279,6 +298,18 @@ where
             Some(still) => Ok(self.hold(phase, &tau, &still)?.qdd),
             None => self.free(phase, &tau),
         }
+    }
+
+    #[inline]
+    fn position_rates(&self, phase: &Phase<D>) -> D::Vector {
+        let Phase { q, qd } = phase;
+        let charts = self.robot.charts();
+        charts.map_or_else(|| qd.clone(), |charts| charts.position_rates(q, qd))
+    }
+
+    #[inline]
+    fn recentred(&self, phase: &Phase<D>) -> Option<D::Vector> {
+        Some(self.robot.charts()?.recentred(&phase.q))
     }
 }
 

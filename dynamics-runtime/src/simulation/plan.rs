@@ -44,15 +44,9 @@ impl<D: Size> Plan<D> {
     }
 }
 
-/// The methods by which a simulation is given its plan, where the joints have vectors of a type.
+/// The methods by which a simulation is given its plan, but for its start.
 macro_rules! plan_setters {
-    ($vector:ty) => {
-        /// Positions and velocities at t = 0, rad or m, and per second.
-        pub fn initial(mut self, q: $vector, qd: $vector) -> Self {
-            self.setting.plan.initial = Phase { q, qd };
-            self
-        }
-
+    () => {
         /// The time simulated, s.
         pub fn duration(mut self, duration: f64) -> Self {
             self.setting.plan.duration = duration;

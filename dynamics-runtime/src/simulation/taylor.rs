@@ -15,11 +15,12 @@ use super::recorder::Recorder;
 use super::sampling::Sampled;
 use super::settings::Taylor;
 use super::tool_wrench::NoToolWrench;
-use super::torque::{NoTorque, SampledLaws, greatest};
+use super::torque::{SampledLaws, greatest};
 use super::trajectory::Trajectory;
 use crate::equations_of_motion::inverse_columns;
 use crate::factorisation::JointFactors;
 use crate::integrate::Phase;
+use crate::stand::Stand;
 use crate::table::AsArm as _;
 use crate::taylor::{FEWEST_ORDERS, MAX_TAYLOR_ORDER, SeriesStepper, Steady, mass_matrix, order};
 use crate::{
@@ -44,6 +45,9 @@ pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     torque: L,
     setting: Setting<Const<N>, Taylor>,
 }
+
+/// The law of free motion.
+type NoTorque<const N: usize> = <Const<N> as Stand>::NoTorque;
 
 /// A torque law that is called once each period, and whose torque is held until the next call.
 #[derive(Clone, Copy, Debug)]
@@ -83,9 +87,8 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     pub fn control_period(
         self,
         period: f64,
-    ) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<Const<N>>>> {
-        let law: NoTorque<Const<N>> = |_, _, _| SVector::zeros();
-        let asked = Sampled { period };
+    ) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<N>>> {
+        let (law, asked) = (Const::<N>::no_torque(), Sampled { period });
         self.with_torque(HeldTorque { law, asked })
     }
 
@@ -168,7 +171,13 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
         self
     }
 
-    plan_setters!(SVector<f64, N>);
+    /// Positions and velocities at t = 0, rad or m, and per second.
+    pub fn initial(mut self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
+        self.setting.plan.initial = Phase { q, qd };
+        self
+    }
+
+    plan_setters!();
 }
 
 impl<const N: usize> Setting<Const<N>, Taylor> {
@@ -180,7 +189,7 @@ impl<const N: usize> Setting<Const<N>, Taylor> {
     {
         let mut no_wrench = NoToolWrench;
         let greatest = self.greatest.as_ref();
-        let laws = SampledLaws::new(Const, robot, period, law, &mut no_wrench, greatest);
+        let laws = SampledLaws::new(Const, (robot, &()), period, law, &mut no_wrench, greatest);
         self.run(&BySteps(robot), &laws)
     }
 }
@@ -193,9 +202,13 @@ where
     R: TaylorDynamics<N>,
     L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
 {
-    fn validate(&self, duration: f64, friction: &Law<Const<N>>) -> Result<(), InvalidSetting> {
+    fn validate(
+        &self,
+        motion: &Motion<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>>,
+        duration: f64,
+    ) -> Result<(), InvalidSetting> {
         self.control().validate(duration)?;
-        if let Some(joint) = friction.dry.iter().position(|dry| !dry.is_none()) {
+        if let Some(joint) = motion.friction.dry.iter().position(|dry| !dry.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint });
         }
         let order = self.series_order();

@@ -3,22 +3,28 @@
 use nalgebra::{Matrix4, Vector6};
 
 use super::error::Cause;
-use crate::SizedKinematics;
 use crate::size::Size;
+use crate::stand::{OnBase, Stand, Velocities};
+use crate::{Pose, SizedKinematics};
 
-/// A time, and the positions and velocities then.
-type At<'s, D> = (f64, &'s <D as Size>::Vector, &'s <D as Size>::Vector);
+/// A time, and the place and the velocities then.
+type At<'p, 'v, K> = (f64, <K as Stand>::Place<'p>, &'v Velocities<K>);
 
 /// The force at the tool in a [`Simulation`](crate::Simulation): none, or a law, which needs an arm with generated
 /// [`Kinematics`](crate::Kinematics).
-pub trait ToolWrench<R, D: Size> {
+pub trait ToolWrench<R, K: Stand> {
     /// The joint torques `tau` with those of the force: tau + J^T w.
     #[doc(hidden)]
-    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause>;
+    fn added_to(
+        &self,
+        tau: Velocities<K>,
+        robot: &R,
+        at: At<'_, '_, K>,
+    ) -> Result<Velocities<K>, Cause>;
 
     /// Begins a period, where the law is sampled.
     #[doc(hidden)]
-    fn sample(&mut self, _robot: &R, _at: At<'_, D>) -> Result<(), Cause> {
+    fn sample(&mut self, _robot: &R, _at: At<'_, '_, K>) -> Result<(), Cause> {
         Ok(())
     }
 }
@@ -39,9 +45,14 @@ impl<F> ContinuousWrench for F where F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) ->
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoToolWrench;
 
-impl<R, D: Size> ToolWrench<R, D> for NoToolWrench {
+impl<R, K: Stand> ToolWrench<R, K> for NoToolWrench {
     #[inline]
-    fn added_to(&self, tau: D::Vector, _robot: &R, _at: At<'_, D>) -> Result<D::Vector, Cause> {
+    fn added_to(
+        &self,
+        tau: Velocities<K>,
+        _robot: &R,
+        _at: At<'_, '_, K>,
+    ) -> Result<Velocities<K>, Cause> {
         Ok(tau)
     }
 }
@@ -51,7 +62,7 @@ where
     R: SizedKinematics<D>,
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause> {
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, '_, D>) -> Result<D::Vector, Cause> {
         let (t, q, qd) = at;
         let (pose, jacobian) = (robot.tip_pose(q), robot.tip_jacobian(q));
         let wrench = finite(self(t, &pose, &twist::<D>(&jacobian, qd)))?;
@@ -72,12 +83,12 @@ where
     R: SizedKinematics<D>,
     F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause> {
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, '_, D>) -> Result<D::Vector, Cause> {
         let (_, q, _) = at;
         Ok(tau + torques::<D>(&robot.tip_jacobian(q), &self.wrench, q))
     }
 
-    fn sample(&mut self, robot: &R, (t, q, qd): At<'_, D>) -> Result<(), Cause> {
+    fn sample(&mut self, robot: &R, (t, q, qd): At<'_, '_, D>) -> Result<(), Cause> {
         let twist = twist::<D>(&robot.tip_jacobian(q), qd);
         self.wrench = finite((self.law)(t, &robot.tip_pose(q), &twist))?;
         Ok(())
@@ -101,7 +112,7 @@ where
     P: Fn(&R, &D::Vector) -> (Matrix4<f64>, D::Columns<6>),
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
-    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, D>) -> Result<D::Vector, Cause> {
+    fn added_to(&self, tau: D::Vector, robot: &R, at: At<'_, '_, D>) -> Result<D::Vector, Cause> {
         let (t, q, qd) = at;
         let (pose, jacobian) = (self.place)(robot, q);
         let wrench = finite((self.law)(t, &pose, &twist::<D>(&jacobian, qd)))?;
@@ -109,7 +120,31 @@ where
         Ok(tau + torques::<D>(&jacobian, &wrench, q))
     }
 
-    fn sample(&mut self, robot: &R, at: At<'_, D>) -> Result<(), Cause> {
+    fn sample(&mut self, robot: &R, at: At<'_, '_, D>) -> Result<(), Cause> {
+        self.others.sample(robot, at)
+    }
+}
+
+impl<R, W, P, F, D: Size, V: Size> ToolWrench<R, OnBase<D, V>> for WrenchAt<W, P, F>
+where
+    W: ToolWrench<R, OnBase<D, V>>,
+    P: Fn(&R, &Pose<f64>, &D::Vector) -> (Matrix4<f64>, V::Columns<6>),
+    F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+{
+    fn added_to(
+        &self,
+        tau: V::Vector,
+        robot: &R,
+        at: At<'_, '_, OnBase<D, V>>,
+    ) -> Result<V::Vector, Cause> {
+        let (t, (base, q), v) = at;
+        let (pose, jacobian) = (self.place)(robot, base, q);
+        let wrench = finite((self.law)(t, &pose, &twist::<V>(&jacobian, v)))?;
+        let tau = self.others.added_to(tau, robot, at)?;
+        Ok(tau + torques::<V>(&jacobian, &wrench, v))
+    }
+
+    fn sample(&mut self, robot: &R, at: At<'_, '_, OnBase<D, V>>) -> Result<(), Cause> {
         self.others.sample(robot, at)
     }
 }
@@ -120,9 +155,13 @@ fn twist<D: Size>(jacobian: &D::Columns<6>, qd: &D::Vector) -> Vector6<f64> {
     Vector6::from_fn(|i, _| entry(i))
 }
 
-/// J^T w, for an arm whose positions are `q`.
-fn torques<D: Size>(jacobian: &D::Columns<6>, wrench: &Vector6<f64>, q: &D::Vector) -> D::Vector {
-    D::of(q).vector_of(|j| (0..6).map(|i| jacobian[(i, j)] * wrench[i]).sum())
+/// J^T w: as many numbers as `like` has.
+fn torques<D: Size>(
+    jacobian: &D::Columns<6>,
+    wrench: &Vector6<f64>,
+    like: &D::Vector,
+) -> D::Vector {
+    D::of(like).vector_of(|j| (0..6).map(|i| jacobian[(i, j)] * wrench[i]).sum())
 }
 
 fn finite(wrench: Vector6<f64>) -> Result<Vector6<f64>, Cause> {

@@ -3,9 +3,11 @@
 use core::cell::RefCell;
 
 use super::error::{Cause, InvalidSetting};
+use super::law::ForceLaw;
 use super::tool_wrench::ToolWrench;
 use crate::integrate::{Phase, first_non_finite};
 use crate::size::{JointVector, Size};
+use crate::stand::{Stand, Velocities};
 use crate::table::Arm;
 
 /// The forces that act on the joints from outside of the arm's own equations.
@@ -33,13 +35,11 @@ pub(super) trait TorqueLaw<D: Size> {
     }
 }
 
-/// The torque law of free motion: no torque.
-pub type NoTorque<D> = fn(f64, &<D as Size>::Vector, &<D as Size>::Vector) -> <D as Size>::Vector;
-
 /// The greatest torques of a table, infinite where it has none.
 pub(super) fn greatest<D: Size>(arm: Arm<'_>) -> D::Vector {
-    let limit = |i: usize| arm.rows[i].torque_limit.unwrap_or(f64::INFINITY);
-    D::from_usize(arm.rows.len()).vector_of(limit)
+    let limit = |i: usize| arm.rows[i].torque_limit;
+    let of_freedom = |k| arm.joint_of(k).and_then(limit).unwrap_or(f64::INFINITY);
+    D::from_usize(arm.freedoms()).vector_of(of_freedom)
 }
 
 /// Refuses greatest torques that make no sense.
@@ -66,55 +66,66 @@ fn saturated<V: JointVector>(tau: V, greatest: Option<&V>) -> V {
     })
 }
 
-/// The torques of the motors, a function of t in s, q in rad or m, and qd, and the force at the tool.
-pub(super) struct Laws<'a, R, L, W, D: Size> {
+/// The torques of the motors, a function of t in s, of the place and of the velocities, and the force at the tool.
+pub(super) struct Laws<'a, R, L, W, K: Stand> {
     pub(super) robot: &'a R,
+    pub(super) charts: &'a K::Charts,
     pub(super) torque: &'a L,
     pub(super) tool_wrench: &'a W,
     /// The greatest torques, where motors saturate.
-    pub(super) greatest: Option<&'a D::Vector>,
+    pub(super) greatest: Option<&'a Velocities<K>>,
 }
 
-impl<R, L, W, D: Size> TorqueLaw<D> for Laws<'_, R, L, W, D>
+impl<'a, R, L, W, K: Stand> TorqueLaw<K::Freedoms> for Laws<'a, R, L, W, K>
 where
-    L: Fn(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolWrench<R, D>,
+    &'a L: ForceLaw<K>,
+    W: ToolWrench<R, K>,
 {
     #[inline]
-    fn motors(&self, t: f64, phase: &Phase<D>) -> D::Vector {
-        saturated((self.torque)(t, &phase.q, &phase.qd), self.greatest)
+    fn motors(&self, t: f64, Phase { q, qd }: &Phase<K::Freedoms>) -> Velocities<K> {
+        let mut law = self.torque;
+        let tau = K::seen(self.charts, q, |place| law.forces(t, place, qd));
+        saturated(tau, self.greatest)
     }
 
     #[inline]
-    fn with_tool(&self, tau: D::Vector, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        let at = (t, &phase.q, &phase.qd);
-        self.tool_wrench.added_to(tau, self.robot, at)
+    fn with_tool(
+        &self,
+        tau: Velocities<K>,
+        t: f64,
+        Phase { q, qd }: &Phase<K::Freedoms>,
+    ) -> Result<Velocities<K>, Cause> {
+        K::seen(self.charts, q, |place| {
+            self.tool_wrench.added_to(tau, self.robot, (t, place, qd))
+        })
     }
 }
 
 /// Torques of the motors that are sampled and held, and the force at the tool, which may be.
-pub(super) struct SampledLaws<'a, R, L, W, D: Size> {
+pub(super) struct SampledLaws<'a, R, L, W, K: Stand> {
     robot: &'a R,
+    charts: &'a K::Charts,
     /// The time between two calls; `None` for one call at the start.
     period: Option<f64>,
     torque: RefCell<&'a mut L>,
     tool_wrench: RefCell<&'a mut W>,
-    held: RefCell<D::Vector>,
+    held: RefCell<Velocities<K>>,
     /// The greatest torques, where motors saturate.
-    greatest: Option<&'a D::Vector>,
+    greatest: Option<&'a Velocities<K>>,
 }
 
-impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
+impl<'a, R, L, W, K: Stand> SampledLaws<'a, R, L, W, K> {
     pub(super) fn new(
-        size: D,
-        robot: &'a R,
+        size: K::Freedoms,
+        (robot, charts): (&'a R, &'a K::Charts),
         period: Option<f64>,
         torque: &'a mut L,
         tool_wrench: &'a mut W,
-        greatest: Option<&'a D::Vector>,
+        greatest: Option<&'a Velocities<K>>,
     ) -> Self {
         SampledLaws {
             robot,
+            charts,
             period,
             torque: RefCell::new(torque),
             tool_wrench: RefCell::new(tool_wrench),
@@ -124,38 +135,48 @@ impl<'a, R, L, W, D: Size> SampledLaws<'a, R, L, W, D> {
     }
 
     /// The torques since the last call.
-    pub(super) fn held(&self) -> D::Vector {
+    pub(super) fn held(&self) -> Velocities<K> {
         self.held.borrow().clone()
     }
 }
 
-impl<R, L, W, D: Size> TorqueLaw<D> for SampledLaws<'_, R, L, W, D>
+impl<R, L, W, K: Stand> TorqueLaw<K::Freedoms> for SampledLaws<'_, R, L, W, K>
 where
-    L: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolWrench<R, D>,
+    L: ForceLaw<K>,
+    W: ToolWrench<R, K>,
 {
     #[inline]
-    fn motors(&self, _t: f64, _phase: &Phase<D>) -> D::Vector {
+    fn motors(&self, _t: f64, _phase: &Phase<K::Freedoms>) -> Velocities<K> {
         self.held()
     }
 
     #[inline]
-    fn with_tool(&self, tau: D::Vector, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        let at = (t, &phase.q, &phase.qd);
-        self.tool_wrench.borrow().added_to(tau, self.robot, at)
+    fn with_tool(
+        &self,
+        tau: Velocities<K>,
+        t: f64,
+        Phase { q, qd }: &Phase<K::Freedoms>,
+    ) -> Result<Velocities<K>, Cause> {
+        let tool = self.tool_wrench.borrow();
+        K::seen(self.charts, q, |place| {
+            tool.added_to(tau, self.robot, (t, place, qd))
+        })
     }
 
     fn period(&self) -> Option<f64> {
         self.period
     }
 
-    fn sample(&self, t: f64, phase: &Phase<D>) -> Result<(), Cause> {
-        let tau = (self.torque.borrow_mut())(t, &phase.q, &phase.qd);
-        let tau = saturated(tau, self.greatest);
-        *self.held.borrow_mut() = tau.clone();
-        finite(tau)?;
-        let at = (t, &phase.q, &phase.qd);
-        self.tool_wrench.borrow_mut().sample(self.robot, at)
+    fn sample(&self, t: f64, Phase { q, qd }: &Phase<K::Freedoms>) -> Result<(), Cause> {
+        K::seen(self.charts, q, |place| {
+            let tau = self.torque.borrow_mut().forces(t, place, qd);
+            let tau = saturated(tau, self.greatest);
+            *self.held.borrow_mut() = tau.clone();
+            finite(tau)?;
+            self.tool_wrench
+                .borrow_mut()
+                .sample(self.robot, (t, place, qd))
+        })
     }
 }
 

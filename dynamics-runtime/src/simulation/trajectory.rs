@@ -156,15 +156,19 @@ impl<const N: usize> Trajectory<N> {
     /// interpolation error of samples between steps, which is of lower order than that of the steps and grows with
     /// their length.
     pub fn energy_drift<R: Energy<N>>(&self, robot: &R) -> f64 {
-        let energies = self.energies(robot);
-        let distances = energies.iter().map(|energy| (energy - energies[0]).abs());
-        // Not `f64::max`, which drops a NaN.
-        distances.fold(0.0, |worst: f64, next| {
-            if worst.is_nan() || next <= worst {
-                worst
-            } else {
-                next
-            }
-        })
+        drift(&self.energies(robot))
     }
+}
+
+/// The largest distance from the first; 0 of none, NaN if one is no number.
+pub(super) fn drift(energies: &[f64]) -> f64 {
+    let distances = energies.iter().map(|energy| (energy - energies[0]).abs());
+    // Not `f64::max`, which drops a NaN.
+    distances.fold(0.0, |worst: f64, next| {
+        if worst.is_nan() || next <= worst {
+            worst
+        } else {
+            next
+        }
+    })
 }

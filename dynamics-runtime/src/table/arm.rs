@@ -57,6 +57,21 @@ impl<'t> Arm<'t> {
         with_followers.chain(followers_at(self.rows.len()))
     }
 
+    /// Its degrees of freedom: six of a base that moves, then one for each joint.
+    pub(crate) fn freedoms(self) -> usize {
+        self.freedoms_of_base() + self.rows.len()
+    }
+
+    /// Six of a base that moves, and none of one that stands.
+    fn freedoms_of_base(self) -> usize {
+        6 * usize::from(self.floating.is_some())
+    }
+
+    /// The joint of a degree of freedom, counted from 0; `None` for those of a base that moves.
+    pub(crate) fn joint_of(self, freedom: usize) -> Option<usize> {
+        freedom.checked_sub(self.freedoms_of_base())
+    }
+
     /// The row of the tip, the only one that carries no other: the last one where there are no branches. `None` where
     /// several carry no other, and for no rows.
     pub(crate) fn tip_row(self) -> Option<usize> {

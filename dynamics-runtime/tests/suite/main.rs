@@ -11,6 +11,7 @@ mod endings;
 mod every_method;
 mod friction;
 mod methods;
+mod moving_base;
 mod reference;
 mod sampling;
 mod saturation;

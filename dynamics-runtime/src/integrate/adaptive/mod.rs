@@ -151,6 +151,16 @@ impl<M: Embedded<D>, S: Equations<D>, D: Size> Stepper<S, S::Refusal, D> for Ada
         Ok(())
     }
 
+    fn recentre(&mut self, system: &S) {
+        let Some(q) = system.recentred(&self.next.phase) else {
+            return;
+        };
+        self.next.phase.q = q;
+        // Accelerations are the same in each chart.
+        let first = if self.fresh { M::LAST } else { 0 };
+        self.rates[first].q = system.position_rates(&self.next.phase);
+    }
+
     fn rejected(&self) -> u64 {
         self.rejected
     }

@@ -6,7 +6,7 @@ use nalgebra::Matrix3;
 ///
 /// Source: S. W. Shepperd, *Quaternion from rotation matrix*, J. Guidance and Control 1 (1978), 223-224: the largest of
 /// `4 w^2 = 1 + tr R` and `4 x_i^2 = 1 + 2 R_ii - tr R` is the one that is divided by, and no digit cancels.
-pub(super) fn of(r: &Matrix3<f64>) -> [f64; 4] {
+pub(crate) fn of(r: &Matrix3<f64>) -> [f64; 4] {
     let trace = r.trace();
     let squares = [
         1.0 + trace,
@@ -34,7 +34,7 @@ pub(super) fn of(r: &Matrix3<f64>) -> [f64; 4] {
 }
 
 /// The rotation of a quaternion of any length but zero.
-pub(super) fn rotation(&[w, x, y, z]: &[f64; 4]) -> Matrix3<f64> {
+pub(crate) fn rotation(&[w, x, y, z]: &[f64; 4]) -> Matrix3<f64> {
     let s = 2.0 / (w * w + x * x + y * y + z * z);
     let (xx, yy, zz) = (s * x * x, s * y * y, s * z * z);
     let (xy, yz, xz) = (s * x * y, s * y * z, s * x * z);

@@ -1,0 +1,181 @@
+//! Motions on a base that moves as tables of comma-separated values.
+
+use std::io::{self, Read, Write};
+
+use nalgebra::Const;
+
+use super::{FloatingTrajectory, SizedFloatingTrajectory};
+use crate::Pose;
+use crate::simulation::SizedModel;
+use crate::simulation::csv::{CsvError, CsvMistake, QUANTITIES, Rows, text_of, write_rows};
+use crate::size::{JointVector as _, Size};
+use crate::stand::OnBase;
+use crate::table::{AsArm as _, JointType};
+
+/// The columns of the base before those of the joints: the place, then velocities, accelerations and forces.
+const OF_BASE: [&[&str]; 4] = [
+    &[
+        "base.r11",
+        "base.r12",
+        "base.r13",
+        "base.r21",
+        "base.r22",
+        "base.r23",
+        "base.r31",
+        "base.r32",
+        "base.r33",
+        "base.x [m]",
+        "base.y [m]",
+        "base.z [m]",
+    ],
+    &[
+        "base.vx [m/s]",
+        "base.vy [m/s]",
+        "base.vz [m/s]",
+        "base.wx [rad/s]",
+        "base.wy [rad/s]",
+        "base.wz [rad/s]",
+    ],
+    &[
+        "base.vxd [m/s^2]",
+        "base.vyd [m/s^2]",
+        "base.vzd [m/s^2]",
+        "base.wxd [rad/s^2]",
+        "base.wyd [rad/s^2]",
+        "base.wzd [rad/s^2]",
+    ],
+    &[
+        "base.fx [N]",
+        "base.fy [N]",
+        "base.fz [N]",
+        "base.nx [N m]",
+        "base.ny [N m]",
+        "base.nz [N m]",
+    ],
+];
+
+impl<D: Size, V: Size> SizedFloatingTrajectory<D, V> {
+    /// Writes the samples as comma-separated values: a header, then a line for each sample.
+    ///
+    /// The columns are `t [s]`; the rotation of the base by rows, `base.r11` to `base.r33`, and its position, `base.x [m]` to
+    /// `base.z`; `q.NAME [rad]` of each joint. Then the velocities, `base.vx [m/s]` to `base.wz` and `qd.NAME`; the accelerations,
+    /// `base.vxd` to `base.wzd` and `qdd.NAME`; the forces, `base.fx` to `base.nz` and `tau.NAME`; and energies as
+    /// [`SizedTrajectory::write_csv`](crate::simulation::SizedTrajectory::write_csv) has them. Numbers are read back to the last
+    /// digit.
+    ///
+    /// It needs the feature `csv`.
+    ///
+    /// # Errors
+    ///
+    /// The errors of the writer.
+    pub fn write_csv<R>(&self, robot: &R, out: impl Write) -> io::Result<()>
+    where
+        R: SizedModel<OnBase<D, V>>,
+    {
+        let (names, table) = (robot.names(), robot.sized_table());
+        let lists = [&self.v, &self.a, &self.tau];
+        let is_there = |k: &usize| *k == 0 || lists[k - 1].len() == self.len();
+        let mut header = vec!["t [s]".to_owned()];
+        for k in (0..4).filter(is_there) {
+            header.extend(OF_BASE[k].iter().map(|name| (*name).to_owned()));
+            let (symbol, units) = QUANTITIES[k];
+            for (name, row) in names.as_ref().iter().zip(table.arm().rows) {
+                let unit = units[usize::from(row.joint_type == JointType::Prismatic)];
+                header.push(format!("{symbol}.{name} [{unit}]"));
+            }
+        }
+        let rows = (0..self.len()).map(|k| {
+            let (base, q) = (self.base[k].entries(), self.q[k].entries());
+            let vectors = (1..4)
+                .filter(is_there)
+                .flat_map(|list| lists[list - 1][k].entries());
+            let place = [&self.t[k]].into_iter().chain(base.as_slice()).chain(q);
+            let energies = robot.sized_energies((&self.base[k], &self.q[k]), &self.v[k]);
+            (place.chain(vectors).copied().collect(), energies)
+        });
+        let (base, joints) = (Pose::identity(), names.as_ref().len());
+        let rest = (
+            D::from_usize(joints).vector(),
+            V::from_usize(6 + joints).vector(),
+        );
+        let at_rest = robot.sized_energies((&base, &rest.0), &rest.1);
+        write_rows(out, header, at_rest, rows)
+    }
+}
+
+impl<const N: usize, const V: usize> FloatingTrajectory<N, V> {
+    /// Reads what [`write_csv`](SizedFloatingTrajectory::write_csv) writes. Accelerations and forces may be missing; columns after
+    /// these are passed over, and so are empty lines. The work of the run is not in the table.
+    ///
+    /// It needs the feature `csv`.
+    ///
+    /// # Errors
+    ///
+    /// [`CsvError`] with the line and the column, where the header is not that of a motion of `N` joints on a base that moves,
+    /// a line has too few or too many cells, or a cell holds no number; and where the reader fails.
+    pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
+        let text = text_of(input)?;
+        let mut rows = Rows::new(&text);
+        rows.advance();
+        let quantities = quantities(&rows, N)?;
+        let (width, least) = (rows.row.len(), 1 + 12 + N + (quantities - 1) * V);
+        let mut read = Self::default();
+        while rows.advance() {
+            let found = rows.row.len();
+            if found < least || found > width {
+                // Cells between other separators are one that is no number.
+                rows.number(0, false)?;
+                let expected = width;
+                return Err(rows.mistake(found.min(width), CsvMistake::Cells { found, expected }));
+            }
+            let numbers = (0..least).map(|cell| rows.number(cell, false));
+            let numbers = numbers.collect::<Result<Vec<f64>, _>>()?;
+            let base = core::array::from_fn(|k| numbers[1 + k]);
+            read.t.push(numbers[0]);
+            read.base.push(Pose::of_entries(base));
+            read.q.push(Const::<N>.vector_of(|i| numbers[13 + i]));
+            let lists = [&mut read.v, &mut read.a, &mut read.tau];
+            for (k, list) in lists.into_iter().take(quantities - 1).enumerate() {
+                let first = 13 + N + k * V;
+                list.push(Const::<V>.vector_of(|i| numbers[first + i]));
+            }
+        }
+        Ok(read)
+    }
+}
+
+/// How many quantities a header has: places and velocities at least.
+fn quantities(rows: &Rows<'_>, joints: usize) -> Result<usize, CsvError> {
+    let word = |cell: &str| cell.split([' ', '[']).next().unwrap_or_default().to_owned();
+    let found = |index: usize| word(rows.row.get(index).unwrap_or_default());
+    let expected =
+        |index: usize, expected: String| Err(rows.mistake(index, CsvMistake::Header { expected }));
+    if found(0) != "t" {
+        return expected(0, "t".to_owned());
+    }
+    let mut first = 1;
+    for (k, of_base) in OF_BASE.iter().enumerate() {
+        let symbol = QUANTITIES[k].0;
+        for (i, name) in of_base.iter().enumerate() {
+            match found(first + i) == word(name) {
+                true => {}
+                // The last quantities may be missing, as a whole.
+                false if i == 0 && k >= 2 => return Ok(k),
+                false => return expected(first + i, word(name)),
+            }
+        }
+        first += of_base.len();
+        let is_of_joint = |i: &usize| found(first + i).split(['.', '_']).next() == Some(symbol);
+        if let Some(i) = (0..joints).find(|i| !is_of_joint(i)) {
+            return expected(first + i, symbol.to_owned());
+        }
+        if is_of_joint(&joints) {
+            let next = OF_BASE
+                .get(k + 1)
+                .map_or(String::new(), |next| word(next[0]));
+            return expected(first + joints, next);
+        }
+        first += joints;
+    }
+    Ok(OF_BASE.len())
+}

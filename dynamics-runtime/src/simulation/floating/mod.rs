@@ -1,0 +1,254 @@
+//! Simulations of robots on a base that moves.
+
+#[cfg(feature = "csv")]
+mod csv;
+mod error;
+mod trajectory;
+
+use nalgebra::{Matrix3, Matrix4, Vector6};
+
+use super::error::{InvalidSetting, Outcome as InCharts};
+use super::on_charts::OnCharts;
+use super::recorder::Recorder;
+use super::torque::{Laws, SampledLaws, TorqueLaw};
+use super::{Continuous, ContinuousWrench, Sampled, Setting, Simulation, ToolWrench, WrenchAt};
+use crate::Pose;
+use crate::equations_of_motion::FloatingEquations;
+use crate::integrate::Phase;
+use crate::size::Size;
+use crate::stand::{Charts, OnBase};
+
+pub use error::SizedFloatingError;
+pub use trajectory::{FloatingSample, FloatingTrajectory, SizedFloatingTrajectory};
+
+/// The result of a simulation on a base that moves.
+type Outcome<D, V> = Result<SizedFloatingTrajectory<D, V>, Box<SizedFloatingError<D, V>>>;
+
+/// How far from orthogonal the axes of a base at the start may be.
+const MOST_SKEW: f64 = 1e-6;
+
+/// Whether the columns of a matrix are orthogonal unit vectors, right-handed; not if one is not a number.
+fn is_rotation(axes: &Matrix3<f64>) -> bool {
+    let skew = axes.tr_mul(axes) - Matrix3::identity();
+    skew.iter().all(|entry| entry.abs() <= MOST_SKEW) && axes.determinant() > 0.0
+}
+
+/// On a base that moves, laws are given its pose too, and the six numbers of the base come first among velocities,
+/// accelerations and forces.
+impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> {
+    /// Where the base stands at t = 0, the positions of the joints, rad or m, and the velocities v: linear and angular
+    /// velocity of the base in its own axes, m/s and rad/s, then those of the joints.
+    ///
+    /// ```
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::{SVector, Vector3};
+    /// use robot_dynamics::{Pose, Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A brick of 2 kg.
+    ///     struct Brick;
+    ///     convention: modified,
+    ///     gravity: [0, 0, -10],
+    ///     base: floating { mass: 2, inertia: cuboid(0.1, 0.2, 0.3) },
+    ///     joints: [],
+    /// }
+    ///
+    /// // It is thrown up at 5 m/s, and turns about its x axis twice a second.
+    /// let turns = 4.0 * core::f64::consts::PI;
+    /// let v = SVector::from([0.0, 0.0, 5.0, turns, 0.0, 0.0]);
+    /// let throw = Simulation::new(&Brick).initial(Pose::identity(), SVector::zeros(), v).run()?;
+    /// let end = throw.last().ok_or("no sample")?;
+    /// assert!(end.base.position.norm() < 1e-8);
+    /// assert!((end.base.rotation.column(1) - Vector3::y()).norm() < 1e-7);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn initial(mut self, base: Pose<f64>, q: D::Vector, v: V::Vector) -> Self {
+        self.start = base.rotation;
+        self.setting.plan.initial = Phase {
+            q: Charts::<D, V>::coordinates(&base.position, &q),
+            qd: v,
+        };
+        self
+    }
+
+    /// A force of the surroundings at a frame, besides those that were given before. `place` returns the pose and the
+    /// Jacobian of the frame; `law` the wrench (fx fy fz nx ny nz), N and N m, at the frame's origin in the axes of the
+    /// world, as a function of t in s, that pose and the frame's twist.
+    ///
+    /// ```
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::{SVector, Vector6};
+    /// use robot_dynamics::{Pose, Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A ball of 1 kg on a rope that is tied to it at one side.
+    ///     struct Ball;
+    ///     convention: modified,
+    ///     gravity: [0, 0, -10],
+    ///     base: floating { mass: 1, inertia: sphere(0.1) },
+    ///     joints: [],
+    ///     frames: { knot: { on: base, xyz: [0, 0, 0.1] } },
+    ///     functions: [default, at_knot = (forward_kinematics(knot), jacobian(knot))],
+    /// }
+    ///
+    /// // The rope carries the ball.
+    /// let motion = Simulation::new(&Ball)
+    ///     .wrench_at(
+    ///         |ball, base, q| ball.at_knot(base, q),
+    ///         |_t, _pose, _twist| Vector6::new(0.0, 0.0, 10.0, 0.0, 0.0, 0.0),
+    ///     )
+    ///     .run()?;
+    /// assert!(motion.base[100].position.norm() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[expect(
+        clippy::type_complexity,
+        reason = "the parameters of a simulation, one of them changed"
+    )]
+    pub fn wrench_at<P, F>(
+        self,
+        place: P,
+        law: F,
+    ) -> Simulation<'a, R, L, OnBase<D, V>, WrenchAt<W, P, F>, S>
+    where
+        P: Fn(&R, &Pose<f64>, &D::Vector) -> (Matrix4<f64>, V::Columns<6>),
+        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+    {
+        self.with_laws(|torque, others, asked| (torque, WrenchAt { others, place, law }, asked))
+    }
+}
+
+impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W> {
+    /// The forces on the base and at the joints as a function of t in s, the pose of the base, q in rad or m, and the
+    /// velocities v. The first six are the force at the origin of the base's frame, N, and the moment about it, N m, in the
+    /// axes of the base; then the torques or forces of the joints.
+    ///
+    /// As for a base that stands, the law must be a function of its arguments alone, unless it is given after
+    /// [`control_period`](Simulation::control_period).
+    pub fn torque<F: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector>(
+        self,
+        law: F,
+    ) -> Simulation<'a, R, F, OnBase<D, V>, W> {
+        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
+    }
+}
+
+impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, Sampled> {
+    /// The forces on the base and at the joints, which are held for a period. The law may have a memory: it is called once
+    /// each period, in order.
+    pub fn torque<F: FnMut(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector>(
+        self,
+        law: F,
+    ) -> Simulation<'a, R, F, OnBase<D, V>, W, Sampled> {
+        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
+    }
+}
+
+impl<R, L, W, D: Size, V: Size> Simulation<'_, R, L, OnBase<D, V>, W, Continuous>
+where
+    R: FloatingEquations<D, V>,
+    L: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
+    W: ToolWrench<R, OnBase<D, V>> + ContinuousWrench,
+{
+    /// Runs the simulation.
+    ///
+    /// Methods are explicit ones; the rotation of the base stays one within 1e-15, however many steps there are.
+    ///
+    /// # Errors
+    ///
+    /// [`SizedFloatingError`], with the time and the state reached and all samples up to there. Implicit methods are an
+    /// invalid setting. Never panics, unless a law does.
+    pub fn run(&self) -> Outcome<D, V> {
+        let charts = Charts::around(self.start);
+        let laws = Laws::<_, _, _, OnBase<D, V>> {
+            robot: self.robot,
+            charts: &charts,
+            torque: &self.torque,
+            tool_wrench: &self.tool_wrench,
+            greatest: self.setting.greatest.as_ref(),
+        };
+        let end = self.setting.run_on(self.robot, &self.start, &charts, &laws);
+        placed(charts, end)
+    }
+}
+
+impl<R, L, W, D: Size, V: Size> Simulation<'_, R, L, OnBase<D, V>, W, Sampled>
+where
+    R: FloatingEquations<D, V>,
+    L: FnMut(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
+    W: ToolWrench<R, OnBase<D, V>>,
+{
+    /// Runs the simulation, as under laws that are functions of time and state.
+    ///
+    /// # Errors
+    ///
+    /// [`SizedFloatingError`], as under these.
+    pub fn run(&mut self) -> Outcome<D, V> {
+        let charts = Charts::around(self.start);
+        let laws = SampledLaws::<_, _, _, OnBase<D, V>>::new(
+            self.robot.freedoms(),
+            (self.robot, &charts),
+            Some(self.asked.period),
+            &mut self.torque,
+            &mut self.tool_wrench,
+            self.setting.greatest.as_ref(),
+        );
+        let end = self.setting.run_on(self.robot, &self.start, &charts, &laws);
+        placed(charts, end)
+    }
+}
+
+impl<V: Size> Setting<V> {
+    /// A run in charts, if it begins at a rotation.
+    fn run_on<R: FloatingEquations<D, V>, D: Size>(
+        &self,
+        robot: &R,
+        start: &Matrix3<f64>,
+        charts: &Charts<D, V>,
+        laws: &impl TorqueLaw<V>,
+    ) -> InCharts<V> {
+        if is_rotation(start) {
+            return self.run(&OnCharts { robot, charts }, laws);
+        }
+        let nothing = Recorder::new(self.plan.initial.clone());
+        nothing.finished(Err(InvalidSetting::Rotation.into()), 0)
+    }
+}
+
+/// A motion in charts with the poses of the base.
+fn placed<D: Size, V: Size>(charts: Charts<D, V>, end: InCharts<V>) -> Outcome<D, V> {
+    let (trajectory, error) = match end {
+        Ok(trajectory) => (trajectory, None),
+        Err(error) => {
+            let reached = (charts.pose(&error.q), charts.joints(&error.q));
+            (
+                error.trajectory,
+                Some((reached, error.time, error.qd, error.cause)),
+            )
+        }
+    };
+    let trajectory = SizedFloatingTrajectory {
+        q: trajectory
+            .q
+            .iter()
+            .map(|positions| charts.joints(positions))
+            .collect(),
+        base: charts.noted(),
+        t: trajectory.t,
+        v: trajectory.qd,
+        a: trajectory.qdd,
+        tau: trajectory.tau,
+        work: trajectory.work,
+    };
+    match error {
+        None => Ok(trajectory),
+        Some(((base, q), time, v, cause)) => Err(Box::new(SizedFloatingError {
+            time,
+            base,
+            q,
+            v,
+            cause,
+            trajectory,
+        })),
+    }
+}
