@@ -31,5 +31,5 @@ pub use file::{FileError, FileMistake, ReadOptions};
 pub use file::{read_file, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
-pub use simulated::{RuntimeDynamics, Tip};
+pub use simulated::{Moves, RuntimeDynamics, Stands, Tip};
 pub use value::Value;

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::{
-    Dual, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
-    simulation::{EquationsOfMotion, Responses, SizedModel},
+    Dual, Pose, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
+    simulation::{EquationsOfMotion, FloatingEquations, OnBase, Responses, SizedModel},
     table::RuntimeTable,
 };
 use dynamics_symbolic::Function;
@@ -16,12 +16,13 @@ use crate::{EvaluationError, RuntimeRobot};
 /// A [`RuntimeRobot`] that has the functions by which an arm moves, as
 /// [`Simulation`](dynamics_runtime::Simulation) needs them: vectors are `DVector<f64>`.
 ///
-/// With a [`Tip`], it has the kinematics of its tip too: a simulation of it may have a force at the tool.
+/// With a [`Tip`], it has the kinematics of its tip too: a simulation of it may have a force at the tool. One that [`Moves`] is
+/// on a base that moves.
 #[derive(Clone, Debug)]
 pub struct RuntimeDynamics<'a, K = ()> {
     arm: &'a RuntimeRobot,
     table: RuntimeTable,
-    /// The functions of [`OF_SIMULATIONS`] in their order, as far as they are needed.
+    /// Some of the functions of [`OF_SIMULATIONS`].
     functions: Vec<&'a Compiled>,
     tip: PhantomData<K>,
 }
@@ -29,6 +30,17 @@ pub struct RuntimeDynamics<'a, K = ()> {
 /// The mark of a [`RuntimeDynamics`] that has the functions of its tip.
 #[derive(Clone, Copy, Debug)]
 pub enum Tip {}
+
+/// The mark of a [`RuntimeDynamics`] whose base moves.
+#[derive(Clone, Copy, Debug)]
+pub enum Moves {}
+
+/// The marks of robots whose base stands.
+pub trait Stands {}
+
+impl Stands for () {}
+
+impl Stands for Tip {}
 
 /// The functions of [`RuntimeRobot::dynamics`], then those of [`RuntimeDynamics::with_tip`].
 const OF_SIMULATIONS: [Function; 7] = [
@@ -56,9 +68,6 @@ impl RuntimeRobot {
         &self,
         functions: &[Function],
     ) -> Result<RuntimeDynamics<'_, K>, EvaluationError> {
-        if self.robot().floating().is_some() {
-            return Err(EvaluationError::MovingBase);
-        }
         let compiled = |function: &Function| {
             let mut known = self.functions().iter();
             known
@@ -93,10 +102,27 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotSimulated`] unless all [`simulation_functions`](RuntimeRobot::simulation_functions) but the
-    /// two of the tip were asked for.
+    /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotSimulated`] unless all
+    /// [`simulation_functions`](RuntimeRobot::simulation_functions) but the two of the tip were asked for.
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
-        self.simulated(&OF_SIMULATIONS[..5])
+        match self.robot().floating() {
+            Some(_) => Err(EvaluationError::MovingBase),
+            None => self.simulated(&OF_SIMULATIONS[..5]),
+        }
+    }
+
+    /// A robot on a base that moves, with its motion: a [`Simulation`](dynamics_runtime::Simulation) of it is given the pose of
+    /// the base, and its laws are too.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::StandingBase`] of a robot whose base stands; [`EvaluationError::NotSimulated`] as for
+    /// [`dynamics`](RuntimeRobot::dynamics).
+    pub fn dynamics_on_base(&self) -> Result<RuntimeDynamics<'_, Moves>, EvaluationError> {
+        match self.robot().floating() {
+            Some(_) => self.simulated(&OF_SIMULATIONS[2..5]),
+            None => Err(EvaluationError::StandingBase),
+        }
     }
 }
 
@@ -113,8 +139,9 @@ impl<'a> RuntimeDynamics<'a> {
 
 impl<K> RuntimeDynamics<'_, K> {
     fn compiled(&self, function: Function) -> &Compiled {
-        let place = OF_SIMULATIONS.iter().position(|known| *known == function);
-        self.functions[place.expect("a function of simulations")]
+        let is_it = |compiled: &&&Compiled| compiled.request.function() == Some(function);
+        let found = self.functions.iter().find(is_it);
+        found.expect("a function of this motion")
     }
 
     /// The values of a function, in the arithmetic of its arguments.
@@ -135,15 +162,43 @@ impl<K> RuntimeDynamics<'_, K> {
         let unknown = |_| vec![T::from_f64(f64::NAN); entries];
         self.at(function, arguments).unwrap_or_else(unknown)
     }
+
+    /// Accelerations, and the columns of M^-1 that belong to `joints`. A column is the derivative by a torque, which a dual
+    /// number carries along.
+    fn responses(
+        &self,
+        state: &[&[f64]],
+        tau: &DVector<f64>,
+        joints: &[bool],
+    ) -> Result<Responses<Dyn>, SingularMassMatrix> {
+        let mut columns = DMatrix::zeros(tau.len(), tau.len());
+        let state: Vec<_> = state.iter().map(|x| duals(x, |_| 0.0)).collect();
+        let under = |j: usize| {
+            let tau = duals(tau.as_slice(), |i| f64::from(u8::from(i == j)));
+            let arguments = state.iter().map(Vec::as_slice).chain([tau.as_slice()]);
+            let arguments: Vec<_> = arguments.collect();
+            self.at(Function::ForwardDynamics, &arguments)
+                .map(DVector::from_vec)
+        };
+        let mut free = None;
+        for j in (0..tau.len()).filter(|j| joints[*j]) {
+            let qdd = under(j)?;
+            columns.set_column(j, &qdd.map(|x| x.slope));
+            free = Some(qdd);
+        }
+        // Along no torque, where there is no such joint.
+        let free = free.map_or_else(|| under(tau.len()), Ok)?;
+        Ok((free.map(|x| x.value), columns))
+    }
 }
 
 /// Numbers with a derivative.
-fn duals(values: &DVector<f64>, slope: impl Fn(usize) -> f64) -> Vec<Dual> {
+fn duals(values: &[f64], slope: impl Fn(usize) -> f64) -> Vec<Dual> {
     let pairs = values.iter().enumerate();
     pairs.map(|(i, x)| Dual::new(*x, slope(i))).collect()
 }
 
-impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
+impl<K: Stands> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
     fn size(&self) -> Dyn {
         Dyn(self.arm.dof())
     }
@@ -158,7 +213,6 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         Ok(self.at(Function::ForwardDynamics, &arguments)?.into())
     }
 
-    /// A column of M^-1 is the derivative by a torque, which a dual number carries along.
     fn accelerations_and_responses(
         &self,
         q: &DVector<f64>,
@@ -166,20 +220,7 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
         tau: &DVector<f64>,
         joints: &Vec<bool>,
     ) -> Result<Responses<Dyn>, SingularMassMatrix> {
-        let mut columns = DMatrix::zeros(q.len(), q.len());
-        let [positions, velocities] = [q, qd].map(|vector| duals(vector, |_| 0.0));
-        let mut free = None;
-        for j in (0..q.len()).filter(|j| joints[*j]) {
-            let tau = duals(tau, |i| f64::from(u8::from(i == j)));
-            let entries = self.at(Function::ForwardDynamics, &[&positions, &velocities, &tau])?;
-            let qdd = DVector::from_vec(entries);
-            columns.set_column(j, &qdd.map(|x| x.slope));
-            free = Some(qdd.map(|x| x.value));
-        }
-        match free {
-            Some(free) => Ok((free, columns)),
-            None => Ok((self.accelerations(q, qd, tau)?, columns)),
-        }
+        self.responses(&[q.as_slice(), qd.as_slice()], tau, joints)
     }
 
     fn in_momenta(&self) -> Option<&dyn SizedMomenta<Dyn>> {
@@ -187,7 +228,41 @@ impl<K> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
     }
 }
 
-impl<K> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
+impl FloatingEquations<Dyn, Dyn> for RuntimeDynamics<'_, Moves> {
+    fn freedoms(&self) -> Dyn {
+        Dyn(self.arm.dof())
+    }
+
+    fn accelerations_on(
+        &self,
+        base: &Pose<f64>,
+        q: &DVector<f64>,
+        v: &DVector<f64>,
+        tau: &DVector<f64>,
+    ) -> Result<DVector<f64>, SingularMassMatrix> {
+        let base = base.entries();
+        let arguments = [base.as_slice(), q.as_slice(), v.as_slice(), tau.as_slice()];
+        Ok(self.at(Function::ForwardDynamics, &arguments)?.into())
+    }
+
+    fn responses_on(
+        &self,
+        base: &Pose<f64>,
+        q: &DVector<f64>,
+        v: &DVector<f64>,
+        tau: &DVector<f64>,
+        freedoms: &Vec<bool>,
+    ) -> Result<Responses<Dyn>, SingularMassMatrix> {
+        let base = base.entries();
+        self.responses(
+            &[base.as_slice(), q.as_slice(), v.as_slice()],
+            tau,
+            freedoms,
+        )
+    }
+}
+
+impl<K: Stands> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
     fn inertia(&self, q: &DVector<f64>) -> DMatrix<f64> {
         let entries = self.numbers(Function::MassMatrix, &[q.as_slice()]);
         DMatrix::from_vec(q.len(), q.len(), entries)
@@ -195,7 +270,7 @@ impl<K> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
 
     /// As that of generated arms: dT/dq = M' qd - V, with the rate M' of M along qd.
     fn force(&self, q: &DVector<f64>, qd: &DVector<f64>, tau: &DVector<f64>) -> DVector<f64> {
-        let along = duals(q, |i| qd[i]);
+        let along = duals(q.as_slice(), |i| qd[i]);
         let entries = self.numbers(Function::MassMatrix, &[&along]);
         let slopes = entries.iter().map(|entry| entry.slope);
         let mass_rate = DMatrix::from_iterator(q.len(), q.len(), slopes);
@@ -208,7 +283,7 @@ impl<K> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
     }
 }
 
-impl<K> SizedModel<Dyn> for RuntimeDynamics<'_, K> {
+impl<K: Stands> SizedModel<Dyn> for RuntimeDynamics<'_, K> {
     fn sized_table(&self) -> RuntimeTable {
         self.table.clone()
     }
@@ -222,6 +297,30 @@ impl<K> SizedModel<Dyn> for RuntimeDynamics<'_, K> {
         Some([
             kinetic,
             self.numbers(Function::PotentialEnergy, &[q.as_slice()])[0],
+        ])
+    }
+}
+
+impl SizedModel<OnBase<Dyn, Dyn>> for RuntimeDynamics<'_, Moves> {
+    fn sized_table(&self) -> RuntimeTable {
+        self.table.clone()
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.arm.joint_names().map(str::to_owned).collect()
+    }
+
+    fn sized_energies(
+        &self,
+        (base, q): (&Pose<f64>, &DVector<f64>),
+        v: &DVector<f64>,
+    ) -> Option<[f64; 2]> {
+        let base = base.entries();
+        let of_motion = [q.as_slice(), v.as_slice()];
+        let of_place = [base.as_slice(), q.as_slice()];
+        Some([
+            self.numbers(Function::KineticEnergy, &of_motion)[0],
+            self.numbers(Function::PotentialEnergy, &of_place)[0],
         ])
     }
 }

@@ -3,8 +3,12 @@
 
 use dynamics_evaluation::{EvaluationError, ReadOptions, RuntimeRobot, Value};
 use robot_dynamics::check::Check;
-use robot_dynamics::nalgebra::{DMatrix, Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
-use robot_dynamics::{Certified, DoubleDouble, Pose, check_against_rnea, robot_dynamics};
+use robot_dynamics::nalgebra::{
+    DMatrix, DVector, Matrix3, Quaternion, SVector, UnitQuaternion, Vector3,
+};
+use robot_dynamics::{
+    Certified, DoubleDouble, Pose, Simulation, check_against_rnea, robot_dynamics,
+};
 
 use super::trees::{Reference, State, assert_near, largest, reference};
 
@@ -119,18 +123,22 @@ fn robots_on_moving_bases_agree_with_newton_euler() {
     }
 }
 
+/// The entries beside the file at run time.
+const BESIDE: &str =
+    "gravity = [0, 0, -9.81]\nbase = \"floating\"\nallow = [\"unphysical_inertia\"]";
+
+fn file() -> String {
+    let folder = env!("CARGO_MANIFEST_DIR");
+    format!("{folder}/../data/urdf/trees/hyq_no_sensors.urdf")
+}
+
 /// A robot that is read at run time has the digits of the compiled one.
 #[test]
 fn a_robot_at_run_time_moves_its_base() {
-    let path = format!(
-        "{}/../data/urdf/trees/hyq_no_sensors.urdf",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let beside = "gravity = [0, 0, -9.81]\nbase = \"floating\"\nallow = [\"unphysical_inertia\"]";
     let options = ReadOptions::new()
         .functions(["inverse_dynamics", "forward_dynamics", "mass_matrix"])
-        .entries(beside);
-    let robot = RuntimeRobot::from_file(path, &options).unwrap_or_else(|error| panic!("{error}"));
+        .entries(BESIDE);
+    let robot = RuntimeRobot::from_file(file(), &options).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(robot.dof(), 18);
     let reference = reference("hyq_no_sensors_free");
     let (base, q, [v, a, _]) = state(&reference, &reference.states[1]);
@@ -157,6 +165,62 @@ fn a_robot_at_run_time_moves_its_base() {
         robot
             .dynamics()
             .is_err_and(|error| error == EvaluationError::MovingBase)
+    );
+}
+
+/// In free fall a robot that is read at run time moves as the compiled one.
+#[test]
+fn a_robot_at_run_time_falls_like_the_compiled_one() {
+    // The last two are of a tip.
+    let functions = RuntimeRobot::simulation_functions();
+    let functions = &functions[..5];
+    let options = ReadOptions::new()
+        .functions(functions.iter().copied())
+        .entries(BESIDE);
+    let robot = RuntimeRobot::from_file(file(), &options).unwrap_or_else(|error| panic!("{error}"));
+    let robot = robot.dynamics_on_base().expect("its functions");
+    let pushes = |t: f64| 5.0 * (3.0 * t).sin();
+    let (base, v) = (Pose::identity(), Velocity::from_fn(|i, _| 0.1 * i as f64));
+    let middle =
+        |i: usize, _| Hyq::JOINT_LIMITS[i].map_or(0.0, |[low, high]| 0.4 * low + 0.6 * high);
+    let q: SVector<f64, 12> = SVector::from_fn(middle);
+    let compiled = Simulation::new(&Hyq)
+        .initial(base, q, v)
+        .torque(|t, _, _, v| v * -0.2 + SVector::repeat(pushes(t)));
+    let compiled = compiled.duration(0.1).samples(3).run().expect("a motion");
+    let dynamic = |vector: &[f64]| DVector::from_column_slice(vector);
+    let read = Simulation::new(&robot)
+        .initial(base, dynamic(q.as_slice()), dynamic(v.as_slice()))
+        .torque(|t, _, _, v| v * -0.2 + DVector::repeat(18, pushes(t)));
+    let read = read.duration(0.1).samples(3).run().expect("a motion");
+    assert!(
+        read.energies(&robot)
+            .iter()
+            .all(|energy| energy.is_finite())
+    );
+    for (one, other) in compiled.samples().zip(read.samples()) {
+        let turn = (one.base.rotation - other.base.rotation).amax();
+        let speed = one
+            .v
+            .iter()
+            .zip(&other.v)
+            .map(|(one, other)| (one - other).abs());
+        let speed = speed.fold(0.0, f64::max);
+        assert!(
+            turn < 1e-7 && speed < 1e-6,
+            "{} s: {turn:e} {speed:e}",
+            one.t
+        );
+    }
+    let beside = BESIDE.replace("base = \"floating\"\n", "");
+    let options = ReadOptions::new()
+        .functions(functions.iter().copied())
+        .entries(&beside);
+    let standing = RuntimeRobot::from_file(file(), &options).expect("a trunk that stands");
+    assert!(
+        standing
+            .dynamics_on_base()
+            .is_err_and(|error| error == EvaluationError::StandingBase)
     );
 }
 
@@ -209,8 +273,17 @@ fn a_push_at_a_foot_is_handed_to_base_and_joints() {
     assert!((torques.fixed_rows::<3>(0) - force).amax() < 1e-12);
 }
 
+/// On a stack with room: unoptimised, the frame of a long function in lanes or in 31 digits takes a thread's usual one.
 #[test]
 fn batches_tuples_and_other_numbers_are_single_calls() {
+    let thread = std::thread::Builder::new().stack_size(64 << 20);
+    let test = thread
+        .spawn(other_forms_are_single_calls)
+        .expect("a thread");
+    test.join().expect("the same values");
+}
+
+fn other_forms_are_single_calls() {
     let reference = reference("hyq_no_sensors_free");
     let states: Vec<_> = (0..37)
         .map(|k| state(&reference, &reference.states[k % reference.states.len()]))
