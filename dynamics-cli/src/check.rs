@@ -8,7 +8,7 @@ use dynamics_symbolic::{Function, Request};
 
 use crate::compare::compare;
 use crate::failure::Failure;
-use crate::load::{arm, count, file_of, read, read_both, requests};
+use crate::load::{arm, count, file_of, read_both, read_on_any_base, requests};
 use crate::progress::Progress;
 
 /// The text of `check`.
@@ -17,7 +17,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let samples = count(given, "samples");
     let other = given.get_one::<PathBuf>("against");
     let (model, other) = match other {
-        None => (read(path, given)?, None),
+        None => (read_on_any_base(path, given)?, None),
         Some(other) => {
             let [model, of_other] = read_both(other, given)?;
             (model, Some((other, of_other)))

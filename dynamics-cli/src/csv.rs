@@ -35,17 +35,22 @@ pub(crate) fn written(
         let energies = robot.sized_energies(&sample.q, &sample.qd);
         let is_energy = !energies.iter().flatten().all(is_finite);
         if let Some(column) = overflow.or_else(|| is_energy.then(|| "energy".to_owned())) {
-            let message = format!(
-                "`{column}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its \
-                 positions are too large, or the numbers of the robot are",
-                shortest(sample.t)
-            );
+            let message = too_large(&column, sample.t);
             return Err(Failure::after(String::new(), message));
         }
     }
     let mut text = Vec::new();
     motion.write_csv(robot, &mut text)?;
     Ok(String::from_utf8(text)?)
+}
+
+/// The reason why a motion is no table.
+pub(crate) fn too_large(column: &str, t: f64) -> String {
+    format!(
+        "`{column}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its positions \
+         are too large, or the numbers of the robot are",
+        shortest(t)
+    )
 }
 
 /// The points of a file: rows of a time and a position of every joint, with velocities where the file has them.

@@ -83,7 +83,7 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
         return Ok(());
     }
     let is_given = |option: &&str| matches!(given.try_contains_id(option), Ok(true));
-    let mut options = ["chain", "ignore", "round-angles"].into_iter();
+    let mut options = ["chain", "ignore", "round-angles", "base"].into_iter();
     options.find(is_given).map_or(Ok(()), |option| {
         Err(Failure::of_the_command_line(format!(
             "`--{option}` is about a URDF file, a tree of links: {} is a table",
@@ -97,8 +97,7 @@ fn read_with(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result
     let model = read_any(path, options, needed)?;
     if model.robot.freedoms().has_base() {
         let message = format!(
-            "{}: the base moves, which this command does not know: `robot-dynamics generate` and the macro write the \
-             functions of such a robot",
+            "{}: the base moves, which this command does not know: `check`, `simulate` and `generate` do",
             path.display()
         );
         return Err(Failure::after(String::new(), message));
@@ -297,6 +296,9 @@ fn entries(given: &ArgMatches, is_meant: impl Fn(&str) -> bool) -> Result<String
             let _ = writeln!(text, "{key} = [{}]", words.join(", "));
         }
     }
+    if let Ok(Some(base)) = given.try_get_one::<String>("base") {
+        let _ = writeln!(text, "base = {base:?}");
+    }
     let mut locks = Vec::new();
     for (joint, position) in assignments(given, LOCK)? {
         if is_meant(&joint) {
@@ -336,6 +338,19 @@ pub(crate) fn arm(
     let programs = programs(path, robot, requests)?;
     let arm = RuntimeRobot::of_programs(robot.clone(), &programs);
     arm.map_err(|error| Failure::of_file(path, error))
+}
+
+/// The robot of a file on any base, with single functions.
+pub(crate) fn robot_with(
+    given: &ArgMatches,
+    functions: impl IntoIterator<Item = Function>,
+) -> Result<RuntimeRobot, Failure> {
+    let path = file_of(given);
+    let needed: Vec<_> = functions.into_iter().collect();
+    let requests: Vec<_> = needed.iter().copied().map(Request::from).collect();
+    about_links(given, &[path])?;
+    let model = read_any(path, with_values(given, path, None, "chain")?, needed)?;
+    arm(path, &model.robot, &requests)
 }
 
 /// The robot of a file with single functions.

@@ -24,6 +24,10 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .help("Acceleration of gravity, m/s^2, in place of the file's; a URDF file has none"),
         )
         .arg(
+            choice("base", "BASE", ["floating"])
+                .help("The base moves: the root link of a URDF file is its body. `check`, `generate` and `simulate` know such robots"),
+        )
+        .arg(
             several("field", "NAME=VALUE")
                 .help("The value of a name in the file's cells, such as load=2.5; may be given several times"),
         )

@@ -98,9 +98,12 @@ fn simulate() -> Command {
     of_a_file("simulate", "Move the arm, and write its motion as CSV")
         .long_about(
             "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities, \
-             accelerations, torques and energies as CSV. Joints with dry friction stick; limits are passed as if they were not there.",
+             accelerations, torques and energies as CSV. Joints with dry friction stick; limits are passed as if they were not there. \
+             On a base that moves, velocities and torques begin with six numbers of the base in its own axes, linear before \
+             angular, and the CSV has the rotation of the base by rows and its position.",
         )
         .arg(functions().help(BESIDES))
+        .arg(vector("pose", "Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
         .arg(vector("from", "Positions at the start, rad or m; zeros where this is left out"))
         .arg(vector("velocity", "Velocities at the start, rad/s or m/s; zeros where this is left out"))
         .arg(vector("torque", "Torques and forces at the joints, N m or N; zeros where this is left out"))

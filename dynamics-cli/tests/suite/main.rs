@@ -6,6 +6,7 @@ mod convert;
 mod formulas;
 mod help;
 mod long_arms;
+mod moving_base;
 mod refusals;
 mod rust;
 mod trees;

@@ -1,0 +1,138 @@
+//! Robots on a base that moves: checks, motions, and what is refused.
+
+use super::calls::{data, errors, file, output};
+
+/// A brick with a wheel.
+const BRICK: &str = r#"
+convention = "modified"
+gravity = [0, 0, -10]
+base = { floating = true, mass = 2, com = [0, 0, 0], inertia = { xx = 0.02, yy = 0.03, zz = 0.04 } }
+[[joint]]
+name = "wheel"
+type = "revolute"
+mass = 0.5
+inertia = { xx = 0.001, yy = 0.001, zz = 0.002 }
+"#;
+
+const HYQ: &str = "urdf/trees/hyq_no_sensors.urdf";
+
+#[test]
+fn tables_and_files_are_checked() {
+    let brick = file("brick.toml", BRICK);
+    let text = output(&[
+        "check",
+        &brick,
+        "--functions",
+        "default,jacobian,centroidal_momentum_matrix",
+    ]);
+    for function in [
+        "inverse_dynamics",
+        "forward_dynamics",
+        "centroidal_momentum_matrix",
+    ] {
+        assert!(text.contains(function), "{text}");
+    }
+    let hyq = data(HYQ);
+    let functions = [
+        "--functions",
+        "mass_matrix,inverse_dynamics",
+        "--samples",
+        "3",
+    ];
+    let about = [
+        "--base",
+        "floating",
+        "--gravity",
+        "0,0,-9.81",
+        "--allow",
+        "unphysical_inertia",
+    ];
+    let call = [&["check", &hyq][..], &functions, &about].concat();
+    assert!(output(&call).contains("inverse_dynamics"));
+}
+
+/// A throw with a spin: the base falls by g t^2 / 2, and a torque at the wheel turns it against the body.
+#[test]
+fn a_throw_is_simulated() {
+    let brick = file("thrown.toml", BRICK);
+    let text = output(&[
+        "simulate",
+        &brick,
+        "--pose",
+        "1,2,3,0,0,1.5",
+        "--velocity",
+        "0,0,5,0,0,2,0",
+        "--torque",
+        "0,0,0,0,0,0,0.1",
+        "--duration",
+        "0.5",
+        "--samples",
+        "3",
+    ]);
+    let lines: Vec<&str> = text.lines().collect();
+    assert!(
+        lines[0].starts_with("t [s],base.r11,")
+            && lines[0].contains(",q.wheel [rad],base.vx [m/s],")
+    );
+    let numbers: Vec<f64> = lines[3]
+        .split(',')
+        .map(|cell| cell.parse().expect("a number"))
+        .collect();
+    let (x, y, z, q) = (numbers[10], numbers[11], numbers[12], numbers[13]);
+    let height = 3.0 + 5.0 * 0.5 - 0.5 * 10.0 * 0.25;
+    assert!(
+        (x - 1.0).abs() < 1e-8 && (y - 2.0).abs() < 1e-8 && (z - height).abs() < 1e-8,
+        "{text}"
+    );
+    // Of 0.1 N m the wheel has 1 / 0.002, and the brick the other way 1 / 0.04.
+    let (of_wheel, of_brick) = (0.1 / 0.002, 0.1 / 0.04);
+    assert!((q - 0.125 * (of_wheel + of_brick)).abs() < 1e-7, "{q}");
+    let yaw = f64::atan2(numbers[4], numbers[1]);
+    assert!((yaw - (1.5 + 1.0 - 0.125 * of_brick)).abs() < 1e-7, "{yaw}");
+}
+
+#[test]
+fn what_makes_no_sense_is_told() {
+    let brick = file("refused_brick.toml", BRICK);
+    let lines = BRICK.lines().filter(|line| !line.starts_with("base"));
+    let arm = file("standing_brick.toml", lines.collect::<Vec<_>>().join("\n"));
+    let hyq = data(HYQ);
+    for (call, message) in [
+        (
+            &["simulate", &brick, "--velocity", "1"][..],
+            "`--velocity` has 1 number: expected 7, six of the base, then one for each joint that moves",
+        ),
+        (
+            &["simulate", &brick, "--from", "1,2"],
+            "`--from` has 2 numbers: expected 1, one for each joint that moves",
+        ),
+        (
+            &["simulate", &brick, "--pose", "1,2"],
+            "`--pose` has 2 numbers: expected six, X,Y,Z,ROLL,PITCH,YAW",
+        ),
+        (
+            &["simulate", &arm, "--pose", "0,0,0,0,0,0"],
+            "`--pose` is of a robot whose base moves: this one stands",
+        ),
+        (
+            &["check", &arm, "--base", "floating"],
+            "`--base` is about a URDF file, a tree of links",
+        ),
+        (
+            &[
+                "check",
+                &hyq,
+                "--base",
+                "flaoting",
+                "--gravity",
+                "0,0,-9.81",
+            ],
+            "invalid value 'flaoting' for '--base <BASE>'",
+        ),
+    ] {
+        let told = errors(call, 2);
+        assert!(told.contains(message), "{told}");
+    }
+    let told = errors(&["show", &brick], 1);
+    assert!(told.contains("the base moves, which this command does not know: `check`, `simulate` and `generate` do"), "{told}");
+}
