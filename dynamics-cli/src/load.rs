@@ -97,7 +97,7 @@ fn read_with(path: &Path, options: ReadOptions, needed: Vec<Function>) -> Result
     let model = read_any(path, options, needed)?;
     if model.robot.freedoms().has_base() {
         let message = format!(
-            "{}: the base moves, which this command does not know: `check`, `simulate` and `generate` do",
+            "{}: the base moves, which this command does not know: `check`, `measure`, `simulate` and `generate` do",
             path.display()
         );
         return Err(Failure::after(String::new(), message));

@@ -5,10 +5,11 @@ use std::time::Instant;
 
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::DoubleDouble;
+use dynamics_runtime::nalgebra::{Rotation3, Vector3};
+use dynamics_runtime::{DoubleDouble, Pose};
 
 use crate::failure::Failure;
-use crate::load::{arm, file_of, read, requests};
+use crate::load::{arm, file_of, read_on_any_base, requests};
 use crate::progress::Progress;
 
 /// States at which functions are evaluated.
@@ -20,7 +21,7 @@ const SECONDS: f64 = 0.05;
 /// The table of `measure`.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read(path, given)?;
+    let model = read_on_any_base(path, given)?;
     let arm = arm(path, &model.robot, &requests(&model)?)?;
     let mut text = format!(
         "{:<32}{:>11}{:>9}{:>10}{:>15}\n",
@@ -117,8 +118,18 @@ fn seconds<E>(mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
     Ok(least)
 }
 
-/// Entries of an argument: within pi of positions, some per second of rates.
+/// Entries of an argument: within pi of positions, some per second of rates; twelve for each pose of a base.
 fn entries(argument: &str, count: usize, seed: usize) -> Vec<f64> {
+    if argument == "base" {
+        let turns = entries("turn", count / 4, seed);
+        let pose = |turn: &[f64]| {
+            let (x, y, z) = (turn[0], turn[1], turn[2]);
+            let position = Vector3::new(z, x, y);
+            let rotation = Rotation3::new(Vector3::new(x, y, z)).into_inner();
+            <[f64; 12]>::from(Pose { rotation, position }.entries())
+        };
+        return turns.chunks_exact(3).flat_map(pose).collect();
+    }
     let range = if argument == "q" {
         core::f64::consts::PI
     } else {

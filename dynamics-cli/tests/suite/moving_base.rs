@@ -92,6 +92,23 @@ fn a_throw_is_simulated() {
 }
 
 #[test]
+fn times_and_errors_are_measured() {
+    let brick = file("measured_brick.toml", BRICK);
+    let text = output(&[
+        "measure",
+        &brick,
+        "--functions",
+        "mass_matrix,inverse_dynamics,jacobian",
+    ]);
+    for line in text.lines().skip(1) {
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        let error: f64 = cells[4].parse().expect("an error");
+        assert!(error < 1e-14, "{line}");
+    }
+    assert_eq!(text.lines().count(), 4, "{text}");
+}
+
+#[test]
 fn what_makes_no_sense_is_told() {
     let brick = file("refused_brick.toml", BRICK);
     let lines = BRICK.lines().filter(|line| !line.starts_with("base"));
@@ -134,5 +151,5 @@ fn what_makes_no_sense_is_told() {
         assert!(told.contains(message), "{told}");
     }
     let told = errors(&["show", &brick], 1);
-    assert!(told.contains("the base moves, which this command does not know: `check`, `simulate` and `generate` do"), "{told}");
+    assert!(told.contains("the base moves, which this command does not know: `check`, `measure`, `simulate` and `generate` do"), "{told}");
 }

@@ -143,7 +143,7 @@ fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
 
 /// The factor c = (1 - h cot h) / a^2 with h = a/2, of an angle a with the given square.
 fn curvature(square: f64) -> f64 {
-    /// The Bernoulli numbers |B_2k| / (2k)!, whose powers of a^2 c is the series of.
+    /// The series of c in powers of a^2 has the Bernoulli numbers |B_2k| / (2k)!.
     const SERIES: [f64; 8] = [
         1.0 / 12.0,
         1.0 / 720.0,
