@@ -58,16 +58,19 @@ impl<'t> Arm<'t> {
     }
 
     /// Its degrees of freedom: six of a base that moves, then one for each joint.
+    #[cfg(feature = "std")]
     pub(crate) fn freedoms(self) -> usize {
         self.freedoms_of_base() + self.rows.len()
     }
 
     /// Six of a base that moves, and none of one that stands.
+    #[cfg(feature = "std")]
     fn freedoms_of_base(self) -> usize {
         6 * usize::from(self.floating.is_some())
     }
 
     /// The joint of a degree of freedom, counted from 0; `None` for those of a base that moves.
+    #[cfg(feature = "std")]
     pub(crate) fn joint_of(self, freedom: usize) -> Option<usize> {
         freedom.checked_sub(self.freedoms_of_base())
     }
