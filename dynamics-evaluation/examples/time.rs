@@ -1,4 +1,4 @@
-//! Nanoseconds a state of some functions of an arm of the data files, in batches on one core:
+//! Nanoseconds a state of some functions of an arm of the data files, one by one and in batches on one core:
 //! `cargo run --release -p dynamics-evaluation --example time -- panda`.
 
 use dynamics_evaluation::RuntimeRobot;
@@ -27,13 +27,19 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .collect();
     let level = Level::new();
     let title = format!("{name}, {STATES} states, ns a state");
-    let mut table = Table::new(title, &["function", "operations", "slots", "AVX2", "here"]);
+    let columns = ["function", "operations", "slots", "one", "AVX2", "here"];
+    let mut table = Table::new(title, &columns);
     for function in FUNCTIONS {
         let name = function.name();
         let arguments: Vec<&[f64]> = vector[..function.arguments().len()]
             .iter()
             .map(Vec::as_slice)
             .collect();
+        let states: Vec<Vec<&[f64]>> = (0..STATES)
+            .map(|k| state(&arguments, k, arm.dof()))
+            .collect();
+        let one = |state: &Vec<&[f64]>| arm.evaluate(name, state).expect("regular");
+        let one = nanoseconds(Effort::FULL.nanoseconds(&states, one));
         let mut results = vec![0.0; STATES * arm.entries(name)?];
         let mut time = |level: Level| {
             let batch = |_: &()| {
@@ -51,11 +57,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             [name.to_owned()]
                 .into_iter()
                 .chain(counts)
-                .chain([avx2, here]),
+                .chain([one, avx2, here]),
         );
     }
     println!("{}", table.text());
     Ok(())
+}
+
+/// The arguments of a state.
+fn state<'a>(arguments: &[&'a [f64]], state: usize, dof: usize) -> Vec<&'a [f64]> {
+    let entries = state * dof..(state + 1) * dof;
+    arguments.iter().map(|all| &all[entries.clone()]).collect()
 }
 
 /// Numbers between -2 and 2, the same each time.

@@ -8,6 +8,7 @@ use dynamics_symbolic::{Proven, Request};
 use crate::block::{Stage, stages};
 use crate::error::{BuildError, EvaluationError};
 use crate::layout::Layout;
+use crate::single::{Prepared, Single};
 use crate::tape::Tape;
 
 /// A function of a robot.
@@ -19,6 +20,8 @@ pub(crate) struct Compiled {
     /// The arguments, each with its number of entries.
     pub(crate) arguments: Vec<(Argument, usize)>,
     pub(crate) tape: Tape,
+    /// The tape at one state, with its numbers for the present values of the fields; none if it is too long.
+    pub(crate) single: Option<(Single, Prepared)>,
     pub(crate) stages: Vec<Stage>,
     /// The numbers that all states share, for the present values of the fields.
     pub(crate) shared: Vec<f64>,
@@ -49,6 +52,7 @@ impl Compiled {
                 sin_cos: counted.sin_cos,
                 exponentials: counted.exponentials,
             },
+            single: Single::new(&tape, &layout).map(|single| (single, Prepared::default())),
             stages: stages(&tape),
             shared: Vec::new(),
             layout,

@@ -18,6 +18,7 @@ mod possible;
 mod read;
 mod robot;
 mod simulated;
+mod single;
 mod table;
 mod tape;
 mod validate;

@@ -79,14 +79,16 @@ pub(crate) fn axes<T: Scalar>(
 }
 
 /// The entry of an argument that a symbol is read of, for a follower times the factor.
-struct Source<T> {
-    argument: Argument,
-    entry: usize,
+#[derive(Clone, Debug)]
+pub(crate) struct Source<T> {
+    pub(crate) argument: Argument,
+    pub(crate) entry: usize,
     factor: Option<T>,
     read: Read<T>,
 }
 
 /// The function of that number that is read.
+#[derive(Clone, Debug)]
 enum Read<T> {
     Itself,
     Sign,
@@ -95,7 +97,7 @@ enum Read<T> {
 }
 
 impl<T: Scalar> Source<T> {
-    fn new(symbol: &Symbol, axes: &[Axis<T>]) -> Option<Self> {
+    pub(crate) fn new(symbol: &Symbol, axes: &[Axis<T>]) -> Option<Self> {
         let (argument, axis, read) = match *symbol {
             Symbol::Position(i) => (Argument::Position, i, Read::Itself),
             Symbol::Velocity(i) => (Argument::Velocity, i, Read::Itself),
@@ -135,7 +137,7 @@ impl<T: Scalar> Source<T> {
     }
 
     /// The number that is read where the entry is x.
-    fn value(&self, x: T) -> T {
+    pub(crate) fn value(&self, x: T) -> T {
         let x = self.factor.map_or(x, |factor| factor * x);
         match self.read {
             Read::Itself => x,

@@ -41,6 +41,54 @@ fn flat(value: &dynamics_evaluation::Value) -> Vec<f64> {
     }
 }
 
+/// One state is evaluated by steps that are all alike, other scalars operation by operation: the digits, and the signs of
+/// zeros, are the same. States with zeros of both signs have terms that vanish.
+#[test]
+fn one_state_has_the_digits_of_its_operations() {
+    let bits = |values: &[f64]| values.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+    let mut compared = 0;
+    let names = ["two_link_craig", "puma560", "stanford", "panda"];
+    let robots = names.map(arms::robot).into_iter();
+    for robot in robots.chain([arms::tree("forked_chain")]) {
+        let name = robot.name.clone();
+        let functions = FUNCTIONS.into_iter();
+        // The tree has no tip.
+        let functions = functions.filter(|f| !f.row().of_tip || robot.tip_row().is_some());
+        let functions: Vec<Function> = functions.collect();
+        let arm = RuntimeRobot::new(robot, functions.iter().copied()).expect(&name);
+        for function in functions {
+            let mut states = vec![arguments(function, 3, arm.dof())];
+            for zero in [0.0, -0.0] {
+                let every_second = |(width, mut entries): (usize, Vec<f64>)| {
+                    entries.iter_mut().step_by(2).for_each(|x| *x = zero);
+                    (width, entries)
+                };
+                let others = arguments(function, 3, arm.dof()).into_iter();
+                states.push(others.map(every_second).collect());
+            }
+            for (state, entries) in states
+                .iter()
+                .flat_map(|entries| (0..3).map(move |k| (k, entries)))
+            {
+                let of_state = entries
+                    .iter()
+                    .map(|(width, entries)| &entries[state * width..][..*width]);
+                let of_state: Vec<&[f64]> = of_state.collect();
+                let alike = arm
+                    .evaluate(function.name(), &of_state)
+                    .map(|value| flat(&value));
+                let plain = arm.evaluate_in(function.name(), &of_state);
+                let name = format!("{name} {}", function.name());
+                assert_eq!(alike.as_ref().err(), plain.as_ref().err(), "{name}");
+                let [alike, plain] = [alike, plain].map(|values| bits(&values.unwrap_or_default()));
+                assert_eq!(alike, plain, "{name}");
+                compared += alike.len();
+            }
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+}
+
 /// Sums may be fused in lanes: the bound is a hundred roundings of the largest entry of an output.
 #[test]
 fn batches_of_any_length_have_the_values_of_single_states() {
