@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use dynamics_codegen::Model;
-use dynamics_symbolic::emit::{c_source, javascript_module};
+use dynamics_symbolic::emit::{
+    c_source, javascript_module, matlab_files, python_module, snake_case,
+};
 
 use crate::failure::Failure;
 use crate::load::{file_of, programs, read_on_any_base, requests};
@@ -40,16 +42,18 @@ fn other(
     model: &Model,
 ) -> Result<Vec<(String, String)>, Failure> {
     let programs = programs(path, &model.robot, &requests(model)?)?;
-    let source = c_source(&model.robot, &programs);
-    let name = source.name;
+    let robot = &model.robot;
+    let name = snake_case(&robot.name);
     Ok(match language {
-        Some("c") => vec![
-            (format!("{name}.h"), source.header),
-            (format!("{name}.c"), source.source),
-        ],
-        _ => vec![(
-            format!("{name}.mjs"),
-            javascript_module(&model.robot, &programs),
-        )],
+        Some("c") => {
+            let source = c_source(robot, &programs);
+            vec![
+                (format!("{name}.h"), source.header),
+                (format!("{name}.c"), source.source),
+            ]
+        }
+        Some("python") => vec![(format!("{name}.py"), python_module(robot, &programs))],
+        Some("matlab") => matlab_files(robot, &programs),
+        _ => vec![(format!("{name}.mjs"), javascript_module(robot, &programs))],
     })
 }

@@ -77,12 +77,13 @@ fn generate() -> Command {
             "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
              the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \
              the name of the file, documented methods, the runtime's traits. `c` is C99, a header and a source without \
-             dependencies, which are C++ and device code as well. `js` is an ES module. The same file gives the same \
-             bytes each time.",
+             dependencies, which are C++ and device code as well. `js` is an ES module. `python` is a module for numpy, \
+             jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. The same file \
+             gives the same bytes each time.",
         )
         .arg(functions())
         .arg(
-            choice("lang", "LANGUAGE", ["rust", "c", "js"])
+            choice("lang", "LANGUAGE", ["rust", "c", "js", "python", "matlab"])
                 .required(true)
                 .help("The language"),
         )

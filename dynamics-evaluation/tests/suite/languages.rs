@@ -1,4 +1,4 @@
-//! Functions in C and JavaScript beside their values in Rust, on every arm of the data files.
+//! Functions in other languages beside their values in Rust, on every arm of the data files.
 //!
 //! The programs are the same. Products and sums are rounded alike, so that values are equal to the last
 //! bit where sines and exponentials are: the C compiler, and the engine that runs the module, take those
@@ -16,28 +16,28 @@ use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::robot::{Frame, Placement, Robot};
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
-use crate::generated;
+use crate::{arrays, generated};
 
 /// States at which functions are called.
-const STATES: usize = 5;
+pub(super) const STATES: usize = 5;
 
 /// A bound on errors where sines are those of another library: of values relative to the largest entry.
 /// The arms' condition numbers stay below 1e5.
 const OF_OTHER_SINES: f64 = 1e-10;
 
 /// The arms whose functions are called with the sines of other libraries too.
-const OF_OTHER_LIBRARIES: [&str; 3] = ["panda", "puma560", "scene"];
+pub(super) const OF_OTHER_LIBRARIES: [&str; 3] = ["panda", "puma560", "scene"];
 
 /// An arm, its programs, and the states at which they are called.
-struct Case {
-    arm: RuntimeRobot,
-    programs: Vec<(Request, Proven)>,
-    angles: Vec<f64>,
-    exponents: Vec<f64>,
+pub(super) struct Case {
+    pub(super) arm: RuntimeRobot,
+    pub(super) programs: Vec<(Request, Proven)>,
+    pub(super) angles: Vec<f64>,
+    pub(super) exponents: Vec<f64>,
 }
 
 impl Case {
-    fn new<R: Into<Request>>(
+    pub(super) fn new<R: Into<Request>>(
         robot: Robot,
         fields: &[f64],
         functions: impl IntoIterator<Item = R>,
@@ -74,7 +74,11 @@ impl Case {
         }
     }
 
-    fn arguments(&self, request: &Request, state: usize) -> Vec<(&'static str, Vec<f64>)> {
+    pub(super) fn arguments(
+        &self,
+        request: &Request,
+        state: usize,
+    ) -> Vec<(&'static str, Vec<f64>)> {
         let arguments = request.arguments().into_iter();
         let entries = arguments.map(|a| (a.name(), argument(a.name(), self.arm.dof(), state)));
         entries.collect()
@@ -118,14 +122,14 @@ fn by_rows(value: &Value) -> Vec<f64> {
 }
 
 /// A folder for the files of a test.
-fn folder(name: &str) -> PathBuf {
+pub(super) fn folder(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&folder).expect("a folder");
     folder
 }
 
 /// Whether a program can be run; what is left out without it is said.
-fn is_there(program: &str) -> bool {
+pub(super) fn is_there(program: &str) -> bool {
     let found = Command::new(program).arg("--version").output().is_ok();
     if !found {
         println!("left out: {program} is not installed");
@@ -134,7 +138,7 @@ fn is_there(program: &str) -> bool {
 }
 
 #[track_caller]
-fn run(command: &mut Command) -> String {
+pub(super) fn run(command: &mut Command) -> String {
     let output = command.output().expect("a program that runs");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{command:?}: {errors}");
@@ -152,7 +156,7 @@ fn printed(text: &str) -> Vec<Result<Vec<f64>, usize>> {
 }
 
 #[track_caller]
-fn assert_same(found: &str, case: &Case, label: &str, of_other_sines: bool) {
+pub(super) fn assert_same(found: &str, case: &Case, label: &str, of_other_sines: bool) {
     // Where this build fuses products with sums, which other languages do not, the last digits differ too.
     let is_rounded_otherwise = of_other_sines || cfg!(target_feature = "fma");
     let (found, expected) = (printed(found), case.expected());
@@ -494,7 +498,8 @@ fn cases(has_joints: fn(usize) -> bool) -> impl Iterator<Item = Case> {
 
 fn assert_languages(cases: impl Iterator<Item = Case>) {
     let (has_c, has_javascript) = (is_there("gcc") && is_there("g++"), is_there("node"));
-    if !has_c && !has_javascript {
+    let (has_numpy, has_octave) = (arrays::is_numpy_there(), is_there("octave-cli"));
+    if ![has_c, has_javascript, has_numpy, has_octave].contains(&true) {
         return;
     }
     for case in cases {
@@ -504,6 +509,12 @@ fn assert_languages(cases: impl Iterator<Item = Case>) {
         }
         if has_javascript {
             assert_javascript(&case, &name);
+        }
+        if has_numpy {
+            arrays::assert_python(&case, &name);
+        }
+        if has_octave {
+            arrays::assert_matlab(&case, &name);
         }
     }
 }
@@ -607,6 +618,7 @@ fn names_of_joints_stay_what_they_are() {
             .current_dir(&folder)
             .args(["--check", "robot.mjs"]));
     }
+    arrays::assert_names_stay(&robot, &programs, &NAMES);
 }
 
 /// `cargo test -p dynamics-evaluation --test suite languages:: -- --ignored`

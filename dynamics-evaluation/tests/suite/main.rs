@@ -1,5 +1,6 @@
 //! Robots at run time beside generated ones and beside Newton-Euler.
 
+mod arrays;
 mod batches;
 mod data_files;
 mod generated;

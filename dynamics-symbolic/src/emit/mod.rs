@@ -15,7 +15,9 @@ mod polynomial;
 mod series;
 mod signature;
 
-pub use languages::{CSource, c_source, description, javascript_module, snake_case};
+pub use languages::{
+    CSource, c_source, description, javascript_module, matlab_files, python_module, snake_case,
+};
 pub use signature::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
     stub_of_trait,

@@ -1,14 +1,14 @@
 //! The text of functions in other languages: readable, and the same each time. That their values are
 //! those of Rust is a test of `dynamics-evaluation`.
 
-use dynamics_symbolic::emit::{c_source, javascript_module};
+use dynamics_symbolic::emit::{c_source, javascript_module, matlab_files, python_module};
 use dynamics_symbolic::{Function, Request, proven_program};
 use expect_test::expect_file;
 
 use super::formulas::two_link_craig;
 
 #[test]
-fn two_link_arm_in_c_and_javascript() {
+fn two_link_arm_in_other_languages() {
     let robot = two_link_craig();
     let functions = Function::default_set(false).into_iter().map(Request::from);
     let program = |request: Request| {
@@ -20,4 +20,10 @@ fn two_link_arm_in_c_and_javascript() {
     expect_file!["../golden/two_link_craig.h"].assert_eq(&files.header);
     expect_file!["../golden/two_link_craig.c"].assert_eq(&files.source);
     expect_file!["../golden/two_link_craig.mjs"].assert_eq(&javascript_module(&robot, &programs));
+    expect_file!["../golden/two_link_craig.py"].assert_eq(&python_module(&robot, &programs));
+    let files = matlab_files(&robot, &programs).into_iter();
+    let texts: Vec<_> = files
+        .map(|(name, text)| format!("% {name}\n{text}"))
+        .collect();
+    expect_file!["../golden/two_link_craig.m"].assert_eq(&texts.join("\n"));
 }

@@ -1,8 +1,8 @@
-//! The lines of a function, which C and JavaScript write alike.
+//! The lines of a function, which all languages write alike.
 
 use super::{Language, in_order, input_names, line_names, pivots, plain};
 use crate::function::{Argument, Request, spans};
-use crate::program::{Line, Operand, Output, Program, Proven, Rest};
+use crate::program::{Instruction, Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::{Robot, Symbol, Value};
 
 /// A function that is being written.
@@ -39,8 +39,7 @@ impl<'a> Body<'a> {
 
     /// One line of text for each input, each result and each pivot that is tested.
     pub(super) fn statements(&self, request: &Request) -> Vec<String> {
-        let declaration = self.language.declaration;
-        let declare = |name: &String, value: String| format!("{declaration} {name} = {value};");
+        let declare = |name: &String, value: String| (self.language.declare)(name, &value);
         let symbols = in_order(self.program).into_iter();
         let inputs =
             symbols.map(|(index, symbol)| declare(&self.inputs[index], self.input(symbol)));
@@ -81,26 +80,36 @@ impl<'a> Body<'a> {
         let text = |operand: Operand| self.operand(operand);
         match *line {
             Line::Single(instruction) => {
-                let [a, b] = instruction.operands();
-                format!("{} {} {}", text(a), instruction.operator(), text(b))
+                let [a, b] = instruction.operands().map(text);
+                match instruction {
+                    Instruction::Mul(..) => self.product(&a, &b),
+                    Instruction::Div(..) => format!("{a}{}{b}", self.language.over),
+                    Instruction::Add(..) | Instruction::Sub(..) => {
+                        format!("{a} {} {b}", instruction.operator())
+                    }
+                }
             }
             Line::Fused {
                 product: (x, y),
                 is_subtracted,
                 rest,
             } => {
-                let product = format!("{} * {}", text(x), text(y));
+                let product = self.product(&text(x), &text(y));
                 match (rest, is_subtracted) {
                     (Rest::Plus(a), false) => format!("{product} + {}", text(a)),
                     (Rest::Plus(a), true) => format!("{} - {product}", text(a)),
                     (Rest::Minus(a), _) => format!("{product} - {}", text(a)),
                     (Rest::Product(a, b), _) => {
                         let sign = if is_subtracted { '-' } else { '+' };
-                        format!("{} * {} {sign} {product}", text(a), text(b))
+                        format!("{} {sign} {product}", self.product(&text(a), &text(b)))
                     }
                 }
             }
         }
+    }
+
+    fn product(&self, a: &str, b: &str) -> String {
+        format!("{a}{}{b}", self.language.times)
     }
 
     fn operand(&self, operand: Operand) -> String {
@@ -116,7 +125,7 @@ impl<'a> Body<'a> {
         let language = self.language;
         if let Some((argument, i)) = symbol.entry() {
             let entry = self.robot.entry_of(argument, i);
-            return format!("{}[{entry}]", argument.name());
+            return (language.entry)(argument.name(), entry);
         }
         match symbol {
             Symbol::Pi => number(core::f64::consts::PI),
@@ -130,8 +139,9 @@ impl<'a> Body<'a> {
                 let row = self.robot.row_of(*i);
                 let stribeck = row.and_then(|row| row.stribeck.as_ref());
                 let v = stribeck.map_or(String::new(), |stribeck| self.cell(&stribeck.velocity));
-                let x = format!("({} / {v})", self.of_joint(Argument::Velocity, *i));
-                call(language.exponential, format!("-({x} * {x})"))
+                let velocity = self.of_joint(Argument::Velocity, *i);
+                let x = format!("({velocity}{}{v})", language.over);
+                call(language.exponential, format!("-({})", self.product(&x, &x)))
             }
             _ => unreachable!("an entry of an argument"),
         }
@@ -139,10 +149,13 @@ impl<'a> Body<'a> {
 
     /// The position or velocity behind a symbol's index; a follower's is that of the joint it follows times the factor.
     fn of_joint(&self, argument: Argument, i: usize) -> String {
-        let entry = |i: usize| format!("{}[{}]", argument.name(), self.robot.entry_of(argument, i));
+        let entry =
+            |i: usize| (self.language.entry)(argument.name(), self.robot.entry_of(argument, i));
         match self.robot.followed(i) {
             None => entry(i),
-            Some((leader, factor)) => format!("({} * {})", self.cell(factor), entry(leader)),
+            Some((leader, factor)) => {
+                format!("({})", self.product(&self.cell(factor), &entry(leader)))
+            }
         }
     }
 
@@ -154,8 +167,8 @@ impl<'a> Body<'a> {
             Value::Field(i) => (self.language.field)(plain(&self.robot.fields[*i])),
             Value::Neg(a) => format!("(-{})", cell(a)),
             Value::Add(a, b) => format!("({} + {})", cell(a), cell(b)),
-            Value::Mul(a, b) => format!("({} * {})", cell(a), cell(b)),
-            Value::Div(a, b) => format!("({} / {})", cell(a), cell(b)),
+            Value::Mul(a, b) => format!("({})", self.product(&cell(a), &cell(b))),
+            Value::Div(a, b) => format!("({}{}{})", cell(a), self.language.over, cell(b)),
         }
     }
 }

@@ -20,7 +20,10 @@ pub struct CSource {
 }
 
 const C: Language = Language {
-    declaration: "const double",
+    declare: |name, value| format!("const double {name} = {value};"),
+    entry: |argument, i| format!("{argument}[{i}]"),
+    times: " * ",
+    over: " / ",
     field: |field| format!("arm->{}", free_name(field, WORDS)),
     sine: "ROBOT_DYNAMICS_SIN",
     cosine: "ROBOT_DYNAMICS_COS",
@@ -30,7 +33,7 @@ const C: Language = Language {
         let number = joint + 1;
         format!("if (!robot_dynamics_is_pivot({pivot}, {diagonal})) return {number};")
     },
-    own_functions: [
+    own_functions: &[
         ("robot_dynamics_sign(", SIGN),
         ("robot_dynamics_is_pivot(", IS_PIVOT),
     ],

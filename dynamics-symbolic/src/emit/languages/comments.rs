@@ -70,12 +70,17 @@ fn function_lines(
 
 /// The comment at the top of a file: `conventions` has the lines that differ between languages.
 pub(super) fn title(robot: &Robot, conventions: [&str; 2]) -> String {
+    comment(&title_lines(robot, conventions))
+}
+
+/// The lines of that comment.
+pub(super) fn title_lines(robot: &Robot, conventions: [&str; 2]) -> [String; 4] {
     let first = format!(
         "Equations of motion of `{}`, written by robot-dynamics.",
         robot.name
     );
     let [second, third] = conventions.map(str::to_owned);
-    comment(&[first, String::new(), second, third])
+    [first, String::new(), second, third]
 }
 
 /// A comment of several lines, in the form that C and JavaScript share. The marks of comments and the trigraphs of C that

@@ -1,21 +1,32 @@
 //! JavaScript: an ES module.
 
-use super::body::{Body, number};
+use super::arrangement::Arrangement;
+use super::body::Body;
 use super::comments::{comment, lines as documentation, title};
 use super::{Language, argument_names, free_name, indented, plain};
-use crate::function::{Request, Shape, Size, Sizes};
+use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
 
 const JAVASCRIPT: Language = Language {
-    declaration: "const",
+    declare: |name, value| format!("const {name} = {value};"),
+    entry: |argument, i| format!("{argument}[{i}]"),
+    times: " * ",
+    over: " / ",
     field: |field| format!("arm.{field}"),
     sine: "Math.sin",
     cosine: "Math.cos",
     exponential: "Math.exp",
     sign: "sign",
     test_pivot: |joint, pivot, diagonal| format!("assertPivot({joint}, {pivot}, {diagonal});"),
-    own_functions: [(" sign(", SIGN), ("assertPivot(", IS_PIVOT)],
+    own_functions: &[(" sign(", SIGN), ("assertPivot(", IS_PIVOT)],
+};
+
+const ARRANGEMENT: Arrangement = Arrangement {
+    number: |entry| entry,
+    vector: |entries| array(entries.iter().cloned()),
+    matrix: |rows| array(rows.iter().map(|row| array(row.iter().cloned()))),
+    list: |values| array(values.iter().cloned()),
 };
 
 /// Words that no function may be named.
@@ -95,14 +106,11 @@ fn array(entries: impl Iterator<Item = String>) -> String {
 fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let body = Body::new(robot, proven, &JAVASCRIPT);
     let sizes = proven.sizes(request, robot.freedoms());
-    let values = body.values(request);
-    let parts = request.parts().iter().zip(&values);
-    let mut values =
-        parts.map(|(part, values)| value(part.function.shape(), sizes, &mut values.iter()));
+    let values = ARRANGEMENT.values(request, sizes, &body.values(request));
     let returned = if request.is_tuple() {
-        array(&mut values)
+        array(values.into_iter())
     } else {
-        values.collect()
+        values.concat()
     };
     let mut lines = body.statements(request);
     lines.push(format!("return {returned};"));
@@ -113,21 +121,4 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
         argument_names(robot, request).join(", "),
         indented(&lines, 2)
     )
-}
-
-/// Values in their arrangement.
-fn value<'v>(shape: &Shape, sizes: Sizes, values: &mut impl Iterator<Item = &'v String>) -> String {
-    let mut entry = |_| values.next().cloned().unwrap_or_else(|| number(0.0));
-    match shape {
-        Shape::Number => entry(0),
-        Shape::Matrix(rows, Size::One) => array((0..rows.of(sizes)).map(entry)),
-        Shape::Matrix(rows, columns) => {
-            let (rows, columns) = (rows.of(sizes), columns.of(sizes));
-            array((0..rows).map(|_| array((0..columns).map(&mut entry))))
-        }
-        Shape::Each(count, one) => array((0..count.of(sizes)).map(|_| value(one, sizes, values))),
-        Shape::Tuple(parts) => array(parts.iter().map(|part| value(part, sizes, values))),
-        // Never written: it is no program over numbers.
-        Shape::Series => array([].into_iter()),
-    }
 }

@@ -1,16 +1,21 @@
-//! Programs as C99 and as JavaScript: the same lines as the Rust method, without a dependency.
+//! Programs as C99, JavaScript, Python and MATLAB: the same lines as the Rust method.
 //!
 //! Products and sums are rounded one by one: where a compiler does not fuse them by itself, values are those of a Rust
 //! build without fused instructions, but for sines and exponentials, which are those of the language's library.
 
+mod arrangement;
 mod body;
 mod c;
 mod comments;
 mod javascript;
+mod matlab;
+mod python;
 
 pub use c::{CSource, c_source};
 pub use comments::description;
 pub use javascript::javascript_module;
+pub use matlab::matlab_files;
+pub use python::python_module;
 
 use super::documentation;
 use super::inputs::{in_order, input_names};
@@ -19,10 +24,15 @@ use super::pivots::pivots;
 use crate::function::Request;
 use crate::robot::Robot;
 
-/// How a language says what differs between C and JavaScript.
+/// How a language says what differs between languages.
 struct Language {
-    /// The words in front of the name of a number that is computed.
-    declaration: &'static str,
+    /// The statement that gives a number that is computed its name.
+    declare: fn(&str, &str) -> String,
+    /// How an entry of an argument is read, counted from 0.
+    entry: fn(&str, usize) -> String,
+    /// The operators between two numbers, with the spaces around them.
+    times: &'static str,
+    over: &'static str,
     /// How a field of the robot is read.
     field: fn(&str) -> String,
     /// The functions of a number.
@@ -33,7 +43,7 @@ struct Language {
     /// The statement that ends a function unless the pivot of a joint is good beside the diagonal entry.
     test_pivot: fn(usize, &str, &str) -> String,
     /// How a call of an own function begins, and the text of that function.
-    own_functions: [(&'static str, &'static str); 2],
+    own_functions: &'static [(&'static str, &'static str)],
 }
 
 impl Language {
@@ -41,7 +51,9 @@ impl Language {
     fn called(&self, text: &str) -> String {
         let own_functions = self.own_functions.iter();
         let called = own_functions.filter(|(call, _)| text.contains(call));
-        called.map(|(_, function)| *function).collect()
+        let mut functions: Vec<&str> = called.map(|(_, function)| *function).collect();
+        functions.dedup();
+        functions.concat()
     }
 }
 
