@@ -53,27 +53,72 @@ fn folder(documents: &[String]) -> PathBuf {
     folder
 }
 
+/// Makes the calls of the command in a document. Returns how many there are.
+#[track_caller]
+fn call(document: &str, folder: &Path) -> usize {
+    let blocks = blocks(document);
+    let shell = blocks.iter().filter(|(language, _)| *language == "sh");
+    let lines = shell.flat_map(|(_, lines)| lines);
+    let calls = lines.filter(|line| line.starts_with("robot-dynamics "));
+    let made = calls.map(|line| {
+        // The rest of the line is a remark.
+        let call = line.split_once('#').map_or(*line, |(call, _)| call);
+        let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+        let arguments = call.split_whitespace().skip(1);
+        succeed(command.args(arguments).current_dir(folder));
+    });
+    made.count()
+}
+
+#[track_caller]
+fn succeed(command: &mut Command) {
+    let output = command.output().expect("a program that runs");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{command:?}\n{errors}");
+}
+
 #[test]
 fn calls_in_documents_succeed() {
     let documents = documents();
     let folder = folder(&documents);
-    let mut calls = 0;
-    for document in &documents {
-        let blocks = blocks(document);
-        let shell = blocks.iter().filter(|(language, _)| *language == "sh");
-        let lines = shell.flat_map(|(_, lines)| lines);
-        for line in lines.filter(|line| line.starts_with("robot-dynamics ")) {
-            // The rest of the line is a remark.
-            let call = line.split_once('#').map_or(*line, |(call, _)| call);
-            let output = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"))
-                .args(call.split_whitespace().skip(1))
-                .current_dir(&folder)
-                .output()
-                .expect("the command");
-            let errors = String::from_utf8_lossy(&output.stderr);
-            assert_eq!(output.status.code(), Some(0), "{line}\n{errors}");
-            calls += 1;
-        }
-    }
+    let calls: usize = documents
+        .iter()
+        .map(|document| call(document, &folder))
+        .sum();
     assert!(calls >= 10, "{calls} calls were found");
+}
+
+/// The programs of the chapter on Python and MATLAB, which have assertions of their own.
+#[test]
+#[ignore = "needs numpy and Octave: .ci/run runs it"]
+fn programs_in_other_languages_run() {
+    let folder = folder(&documents()).join("programs");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::copy(
+        folder.join("../two_link.toml"),
+        folder.join("two_link.toml"),
+    )
+    .expect("the arm");
+    let chapter = root().join("docs/guide/src/python_and_matlab.md");
+    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    assert!(call(&chapter, &folder) >= 2);
+    let mut programs = 0;
+    for (language, lines) in blocks(&chapter) {
+        let (file, mut command) = match language {
+            "python" => ("program.py", Command::new("/usr/bin/python3")),
+            "matlab" => ("program.m", Command::new("octave-cli")),
+            _ => continue,
+        };
+        if command.arg("--version").output().is_err() {
+            println!("left out: {command:?} is not installed");
+            continue;
+        }
+        // There is no screen.
+        let lines = lines.into_iter().filter(|line| !line.starts_with("plot("));
+        std::fs::write(folder.join(file), lines.collect::<Vec<_>>().join("\n")).expect("a file");
+        let mut command = Command::new(command.get_program());
+        succeed(command.arg(file).current_dir(&folder));
+        programs += 1;
+    }
+    println!("{programs} programs");
 }
