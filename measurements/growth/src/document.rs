@@ -41,6 +41,9 @@ Two legs of six joints, a trunk of two, a neck of two and two arms of seven, all
 (`humanoid` of `testkit/arms`): expansion in an optimised engine and rustc, as above. Entries of M
 between branches are zero and take no operations. `growth -- --tree` prints this section alone.";
 
+/// The longest expansion and the longest time of rustc that a tree is meant to take, s.
+const BARS: [f64; 2] = [1.0, 10.0];
+
 /// The document, with the machine and the date.
 pub(crate) fn document(chains: &[Chain]) -> Outcome<String> {
     let mut text = INTRODUCTION.to_owned() + &origin()?;
@@ -63,9 +66,14 @@ pub(crate) fn section(tree: &Chain) -> String {
         seconds(Some(tree.release)),
         seconds(Some(tree.dev)),
     ]);
+    let [of_expansion, of_rustc] = BARS;
+    let verdict = |time: f64, bar: f64| if time <= bar { "kept" } else { "missed" };
     format!(
-        "\n## A tree\n\n{TREE}\n\n{}\nMeasured on {}, {}.\n",
+        "\n## A tree\n\n{TREE}\n\n{}\nBars: expansion within {of_expansion} s, {}; rustc within {of_rustc} s, {}.\n\
+         Measured on {}, {}.\n",
         table.markdown_rows(),
+        verdict(tree.expansion, of_expansion),
+        verdict(tree.release.max(tree.dev), of_rustc),
         machine::now()[0],
         machine::processor(),
     )
