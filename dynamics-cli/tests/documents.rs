@@ -104,20 +104,20 @@ fn programs_in_other_languages_run() {
     assert!(call(&chapter, &folder) >= 2);
     let mut programs = 0;
     for (language, lines) in blocks(&chapter) {
-        let (file, mut command) = match language {
-            "python" => ("program.py", Command::new("/usr/bin/python3")),
-            "matlab" => ("program.m", Command::new("octave-cli")),
+        let (file, interpreter, probe) = match language {
+            "python" => ("program.py", "/usr/bin/python3", ["-c", "import numpy"]),
+            "matlab" => ("program.m", "octave-cli", ["--eval", "1;"]),
             _ => continue,
         };
-        if command.arg("--version").output().is_err() {
-            println!("left out: {command:?} is not installed");
+        let probed = Command::new(interpreter).args(probe).output();
+        if !probed.is_ok_and(|output| output.status.success()) {
+            println!("left out: {interpreter} {probe:?} does not run");
             continue;
         }
         // There is no screen.
         let lines = lines.into_iter().filter(|line| !line.starts_with("plot("));
         std::fs::write(folder.join(file), lines.collect::<Vec<_>>().join("\n")).expect("a file");
-        let mut command = Command::new(command.get_program());
-        succeed(command.arg(file).current_dir(&folder));
+        succeed(Command::new(interpreter).arg(file).current_dir(&folder));
         programs += 1;
     }
     println!("{programs} programs");

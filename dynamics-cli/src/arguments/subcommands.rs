@@ -72,7 +72,7 @@ fn check() -> Command {
 }
 
 fn generate() -> Command {
-    of_a_file("generate", "Write the functions as source code: Rust, C or JavaScript")
+    of_a_file("generate", "Write the functions as source code: Rust, C, JavaScript, Python or MATLAB")
         .long_about(
             "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
              the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \

@@ -230,3 +230,46 @@ impl Builder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dynamics_symbolic::function::{Function, Request};
+
+    /// So many sums, each of which reads the one before.
+    fn tape(sums: usize) -> Tape {
+        let sum = |operand| Step::Compute {
+            operation: Operation::Add(operand, Place::Shared(0)),
+            to: Some(0),
+        };
+        let first = core::iter::once(sum(Place::Shared(0)));
+        Tape {
+            constants: vec![1.0],
+            parameters: Vec::new(),
+            shared: Vec::new(),
+            inputs: Vec::new(),
+            steps: first
+                .chain((1..sums).map(|_| sum(Place::Slot(0))))
+                .collect(),
+            slots: 1,
+            outputs: vec![Output {
+                place: Place::Slot(0),
+                negative: true,
+            }],
+        }
+    }
+
+    /// Beside the results stand the shared number, 1 and -0.
+    #[test]
+    fn tapes_have_as_many_numbers_as_indices_can_tell_apart() {
+        let arm = arms::robot("two_link_saha");
+        let request = Request::from(Function::KineticEnergy);
+        let layout = Layout::new(&request, arm.freedoms(), 1);
+        let most = INDICES / 2 - 3;
+        assert!(Single::new(&tape(most + 1), &layout).is_none());
+        let single = Single::new(&tape(most), &layout).expect("short enough");
+        let prepared = single.prepare(&[1.0], &[], &[]);
+        let values = single.values(&prepared, &[]).expect("no pivots");
+        assert_eq!(values, [-(most as f64 + 1.0)]);
+    }
+}

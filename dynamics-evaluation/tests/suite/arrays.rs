@@ -270,6 +270,44 @@ pub(super) fn assert_names_stay(robot: &Robot, programs: &[(Request, Proven)], n
     }
 }
 
+/// An argument of another size is told by its name or its shape.
+#[test]
+fn arguments_of_another_size_are_refused() {
+    let robot = arms::robot("two_link_saha");
+    let case = Case::new(robot, &[], [Function::MassMatrix]);
+    let folder = folder("arrays_sizes");
+    let write = |file: &str, text: &str| std::fs::write(folder.join(file), text).expect("a file");
+    write("robot.py", &python_module(case.arm.robot(), &case.programs));
+    for (file, text) in matlab_files(case.arm.robot(), &case.programs) {
+        write(&file, &text);
+    }
+    let refused = |command: &mut Command| {
+        let output = command.current_dir(&folder).output().expect("a program");
+        assert!(!output.status.success(), "{command:?}");
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    if is_numpy_there() {
+        for q in ["[1.0, 2.0, 3.0]", "0.3", "[[1.0], [2.0]]"] {
+            let errors =
+                refused(python().args(["-c", &format!("import robot\nrobot.mass_matrix({q})")]));
+            assert!(
+                errors.contains("expected 2 entries along the last axis, found the shape"),
+                "{errors}"
+            );
+        }
+    }
+    if is_there("octave-cli") {
+        for (q, found) in [("[1; 2; 3]", 3), ("[1 2]", 1)] {
+            let call = format!("mass_matrix({q})");
+            let errors = refused(Command::new("octave-cli").args(["--norc", "--eval", &call]));
+            assert!(
+                errors.contains(&format!("q: expected 2 rows, found {found}")),
+                "{errors}"
+            );
+        }
+    }
+}
+
 /// With symbols of sympy, numbers put in afterwards: the values are those of Rust.
 #[test]
 fn symbols_of_sympy_are_numbers_in_the_end() {

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::comments::{comment, lines, title};
-use super::{Language, argument_names, free_name, indented, snake_case};
+use super::{Language, argument_names, argument_sizes, free_name, indented, snake_case};
 use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -207,8 +207,7 @@ impl Writer<'_> {
         if !self.robot.fields.is_empty() {
             parameters.push(format!("const {}_fields *arm", self.name));
         }
-        for argument in request.arguments() {
-            let entries = argument.shape().map_or(0, |shape| shape.entries(sizes));
+        for (argument, entries) in argument_sizes(request, sizes) {
             parameters.push(format!("const double {}[{entries}]", argument.name()));
         }
         if !is_number(request) {

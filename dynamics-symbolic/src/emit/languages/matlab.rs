@@ -3,8 +3,8 @@
 use super::arrangement::Arrangement;
 use super::body::Body;
 use super::comments::lines as documentation;
-use super::{Language, argument_names, free_name, indented};
-use crate::function::Request;
+use super::{Language, argument_names, argument_sizes, free_name, indented};
+use crate::function::{Argument, Request};
 use crate::program::Proven;
 use crate::robot::Robot;
 
@@ -111,14 +111,11 @@ fn file(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String
     let mut lines = Vec::new();
     // -0 changes no number, not even -0: added to entries it gives all of them a column for each state.
     let mut zeros = vec!["-0".to_owned()];
-    for argument in request.arguments() {
+    for (argument, entries) in argument_sizes(request, sizes) {
         let name = argument.name();
-        let shape = argument.shape();
-        let entries = shape.as_ref().map_or(0, |shape| shape.entries(sizes));
-        lines.push(if name == "base" {
-            format!("{name} = entries_of_pose({name});")
-        } else {
-            format!("check_rows('{name}', {name}, {entries});")
+        lines.push(match argument {
+            Argument::Base => format!("{name} = entries_of_pose({name});"),
+            _ => format!("check_rows('{name}', {name}, {entries});"),
         });
         zeros.push(format!("zeros(1, size({name}, 2))"));
     }
@@ -150,6 +147,8 @@ fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String
     let lines = documentation(robot, request, proven, REFUSAL).into_iter();
     let mut text = format!("%{}\n", name.to_uppercase());
     for line in lines.chain(conventions) {
+        // A name with a line break would end the comment.
+        let line = line.replace(char::is_control, " ");
         text.push_str(format!("%   {line}").trim_end());
         text.push('\n');
     }

@@ -21,7 +21,7 @@ use super::documentation;
 use super::inputs::{in_order, input_names};
 use super::names::{line_names, plain};
 use super::pivots::pivots;
-use crate::function::Request;
+use crate::function::{Argument, Request, Sizes};
 use crate::robot::Robot;
 
 /// How a language says what differs between languages.
@@ -42,7 +42,7 @@ struct Language {
     sign: &'static str,
     /// The statement that ends a function unless the pivot of a joint is good beside the diagonal entry.
     test_pivot: fn(usize, &str, &str) -> String,
-    /// How a call of an own function begins, and the text of that function.
+    /// How a call of an own function begins, and the text of that function. One that several calls need follows itself.
     own_functions: &'static [(&'static str, &'static str)],
 }
 
@@ -71,6 +71,15 @@ fn argument_names(robot: &Robot, request: &Request) -> Vec<&'static str> {
     let arguments = request.arguments();
     let names = arguments.iter().map(|argument| argument.name());
     fields.into_iter().chain(names).collect()
+}
+
+/// The arguments of a function, each with its number of entries.
+fn argument_sizes(request: &Request, sizes: Sizes) -> impl Iterator<Item = (Argument, usize)> {
+    let arguments = request.arguments().into_iter();
+    arguments.map(move |argument| {
+        let entries = argument.shape().map_or(0, |shape| shape.entries(sizes));
+        (argument, entries)
+    })
 }
 
 /// Lines of text behind so many spaces each.

@@ -3,8 +3,8 @@
 use super::arrangement::Arrangement;
 use super::body::Body;
 use super::comments::{lines as documentation, title_lines};
-use super::{Language, argument_names, free_name, indented, plain};
-use crate::function::Request;
+use super::{Language, argument_names, argument_sizes, free_name, indented, plain};
+use crate::function::{Argument, Request};
 use crate::program::Proven;
 use crate::robot::Robot;
 
@@ -162,14 +162,11 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     };
     let mut reads = Vec::new();
     let mut zeros = Vec::new();
-    for argument in request.arguments() {
+    for (argument, entries) in argument_sizes(request, sizes) {
         let name = argument.name();
-        let shape = argument.shape();
-        let entries = shape.as_ref().map_or(0, |shape| shape.entries(sizes));
-        reads.push(if name == "base" {
-            format!("{name} = _entries_of_pose(xp, {name})")
-        } else {
-            format!("{name} = _entries(xp, {name}, {entries})")
+        reads.push(match argument {
+            Argument::Base => format!("{name} = _entries_of_pose(xp, {name})"),
+            _ => format!("{name} = _entries(xp, {name}, {entries})"),
         });
         if entries > 0 {
             zeros.push(format!("-xp.zeros_like({name}[0])"));
