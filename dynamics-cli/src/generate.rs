@@ -10,7 +10,7 @@ use dynamics_symbolic::emit::{
 
 use crate::failure::Failure;
 use crate::load::{file_of, programs, read_on_any_base, requests};
-use crate::rust;
+use crate::progress::Progress;
 use crate::write::{make_folder, write};
 
 /// Writes the files, and says which.
@@ -18,7 +18,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let model = read_on_any_base(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
-        Some("rust") => vec![rust::source(path, model)?],
+        Some("rust") => vec![rust(path, model)?],
         language => other(language, path, &model)?,
     };
     let out = given.get_one::<PathBuf>("out");
@@ -33,6 +33,16 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         .iter()
         .map(|(path, _)| format!("{}\n", path.display()));
     Ok(names.collect())
+}
+
+/// The expansion of the macro.
+fn rust(path: &Path, model: Model) -> Result<(String, String), Failure> {
+    let progress = Progress::new(1);
+    progress.doing("deriving and proving the functions");
+    let of_file = path.file_name().unwrap_or_default().to_string_lossy();
+    let source = dynamics_cli::rust::source(&of_file, model);
+    drop(progress);
+    source.map_err(|messages| Failure::of_file(path, messages))
 }
 
 /// Names and texts of the files in another language.

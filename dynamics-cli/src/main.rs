@@ -13,9 +13,8 @@ mod inverse;
 mod joints;
 mod load;
 mod measure;
-mod page;
+mod page_file;
 mod progress;
-mod rust;
 mod show;
 mod simulate;
 mod spline;
@@ -57,7 +56,7 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "simulate" => simulate::run(given),
         "inverse" => inverse::run(given),
         "measure" => measure::run(given),
-        "page" => page::run(given),
+        "page" => page_file::run(given),
         "convert" => convert::run(given),
         _ => Ok(arguments::completions(given)),
     };

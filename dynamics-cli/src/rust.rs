@@ -1,24 +1,22 @@
 //! The expansion of the macro as a file of Rust.
 
-use std::path::Path;
-
 use dynamics_codegen::{Model, items_of};
 use dynamics_symbolic::emit::snake_case;
 use proc_macro2::{Ident, Span};
 use quote::{format_ident, quote};
 use syn::{Item, ItemMacro};
 
-use crate::failure::Failure;
-use crate::progress::Progress;
-
 /// The crate that the file's own crate depends on.
 const FACADE: &str = "::robot_dynamics";
 
-/// The name of the file, and its text.
-pub(crate) fn source(path: &Path, model: Model) -> Result<(String, String), Failure> {
+/// The name of the file, and its text, for the robot of a file of that name.
+///
+/// # Errors
+///
+/// The messages about functions that could not be derived, one a line.
+pub fn source(of_file: &str, model: Model) -> Result<(String, String), String> {
     let module = snake_case(&model.robot.name);
     let name = struct_name(&module);
-    let of_file = path.file_name().unwrap_or_default().to_string_lossy();
     let documentation = [
         format!(" The arm of `{of_file}`, with its equations of motion."),
         String::new(),
@@ -32,19 +30,17 @@ pub(crate) fn source(path: &Path, model: Model) -> Result<(String, String), Fail
                 .join(", ")
         ),
     ];
-    let progress = Progress::new(1);
-    progress.doing("deriving and proving the functions");
-    let facade = syn::parse_str(FACADE)?;
+    let facade = syn::parse_str(FACADE).map_err(|error| error.to_string())?;
     let items = items_of(model, name, &documentation, facade).map_err(|errors| {
         let messages = errors.iter().map(|error| error.message.as_str());
-        Failure::of_file(path, messages.collect::<Vec<_>>().join("\n"))
+        messages.collect::<Vec<_>>().join("\n")
     })?;
-    drop(progress);
     let head = format!(
         "// Generated from {of_file} by `robot-dynamics generate --lang rust`: what the macro `robot_dynamics!` expands to\n\
          // for this arm. The crate that it stands in depends on `robot-dynamics`.\n\n"
     );
-    let text = head + &formatted(syn::parse2(items)?);
+    let items = syn::parse2(items).map_err(|error| error.to_string())?;
+    let text = head + &formatted(items);
     Ok((format!("{module}.rs"), text))
 }
 

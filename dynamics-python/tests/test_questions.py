@@ -1,5 +1,7 @@
 """Formulas, operations, source code and checks."""
 
+import html
+
 import numpy as np
 import pytest
 
@@ -40,6 +42,8 @@ def test_source_in_other_languages(two_link: rd.Robot) -> None:
     (module,) = two_link.source("js").values()
     assert "export function inverse_dynamics" in module
     assert "mass_matrix.m" in two_link.source("matlab", functions=["mass_matrix"])
+    (expansion,) = two_link.source("rust", functions=["mass_matrix"]).values()
+    assert "pub struct TwoLink" in expansion and "pub fn mass_matrix" in expansion
     with pytest.raises(ValueError, match="`lang` is \"fortran\""):
         two_link.source("fortran")
 
@@ -54,6 +58,15 @@ def test_a_function_for_other_namespaces(arm: rd.Robot, two_link: rd.Robot) -> N
 
     M = two_link.function("mass_matrix")(Fields, np.zeros(2))
     np.testing.assert_allclose(M, two_link.mass_matrix(np.zeros(2)), atol=1e-14)
+
+
+def test_a_notebook_shows_the_page(arm: rd.Robot, two_link: rd.Robot) -> None:
+    page = two_link.page()
+    assert page.startswith("<!DOCTYPE html>") and "robotEquations" in page and "shoulder" in page
+    shown = two_link._repr_html_()
+    assert shown is not None and html.unescape(shown).count(page) == 1
+    without_values = rd.Robot.from_file(DATA / "files" / "two_link.toml", fields=list(FIELDS))
+    assert without_values._repr_html_() is None
 
 
 def test_functions_are_checked(arm: rd.Robot) -> None:

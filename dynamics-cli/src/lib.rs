@@ -1,0 +1,5 @@
+//! Texts that the command `robot-dynamics` writes, for other programs: the page of a robot, and its functions in Rust.
+#![forbid(unsafe_code)]
+
+pub mod page;
+pub mod rust;
