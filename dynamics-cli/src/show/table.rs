@@ -52,13 +52,7 @@ pub(super) fn table(robot: &Robot) -> String {
             None => cells(robot, row),
         });
     }
-    let tip = robot
-        .tip_row()
-        .and_then(|row| robot.rows[row].mount.as_ref());
-    if let Some(mount) = tip.filter(|mount| !mount.tip.is_empty()) {
-        let tip = places(&mount.tip);
-        let _ = writeln!(text, "{:<width$}{:<11}{tip}", "tip", "fixed");
-    }
+    text.push_str(&tip(robot, width).unwrap_or_default());
     if let Some(tool) = &robot.tool {
         let body = body(&tool.mass, &tool.com, &tool.inertia);
         let _ = writeln!(text, "{:<width$}{}{body}", "tool", place(&tool.placement));
@@ -70,6 +64,15 @@ pub(super) fn table(robot: &Robot) -> String {
         text.push_str(&of_frame(robot, frame, width));
     }
     text
+}
+
+/// The tip that a file has, unless it is the last link frame of an arm without branches.
+fn tip(robot: &Robot, width: usize) -> Option<String> {
+    let row = robot.tip_row()?;
+    let tip = robot.rows[row].tip()?;
+    let is_known = robot.is_serial() && tip.is_empty();
+    let (on, tip) = (carrier(robot, link(robot, Some(row)), width), places(tip));
+    (!is_known).then(|| format!("{:<width$}{:<11}{on}{tip}\n", "tip", "fixed"))
 }
 
 /// The link behind a row, by the name of its joint.

@@ -118,9 +118,8 @@ fn show_places_links_of_files() {
     );
 }
 
-/// A branch that stands still is one: no tip is shown, because no function could be asked for it.
-#[test]
-fn show_names_no_tip_beside_a_branch_that_stands_still() {
+/// A column with a hand, and a mast beside it whose joint can be locked. The link `tool` is where its joint says.
+fn fork(tool: &str) -> String {
     let body = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
     let joint = |name: &str, kind: &str, parent: &str, child: &str| {
         format!(
@@ -128,20 +127,59 @@ fn show_names_no_tip_beside_a_branch_that_stands_still() {
              <origin xyz='0.2 0 0.1'/></joint>"
         )
     };
-    let urdf = format!(
+    format!(
         "<robot name='fork'><link name='root'/><link name='left'>{body}</link><link name='right'>{body}</link>\
-         <link name='point'/>{}{}{}</robot>",
+         <link name='hand'/><link name='tool'/>{}{}{}{}</robot>",
         joint("one", "continuous", "root", "left"),
         joint("two", "continuous", "root", "right"),
-        joint("three", "fixed", "left", "point"),
-    );
-    let urdf = file("fork.urdf", urdf);
-    let options = ["--gravity", "0,0,-9.81", "--lock", "two=0.2", "--functions"];
-    let call = |function: &'static str| [&["show", &*urdf][..], &options, &[function]].concat();
+        joint("three", "fixed", "left", "hand"),
+        joint("four", "fixed", tool, "tool"),
+    )
+}
+
+/// The tip is the only link that ends on the last one that moves, whatever stands still beside it: it is shown, compared
+/// with Newton-Euler, and where the chain to it ends.
+#[test]
+fn a_branch_that_stands_still_leaves_the_tip_where_it_is() {
+    let urdf = file("fork_with_tip.urdf", fork("hand"));
+    let common = ["--gravity", "0,0,-9.81", "--lock", "two=0.2"];
+    let text = output(&[&["show", &*urdf], &common[..]].concat());
+    let tip = text.lines().find(|line| line.starts_with("tip "));
+    let words: Vec<_> = tip.expect("a tip").split_whitespace().collect();
+    assert_eq!(words[1..3], ["fixed", "one"], "{text}");
+    let functions = ["--functions", "forward_kinematics,jacobian,tool_velocity"];
+    let text = output(&[&["check", &*urdf], &common[..], &functions].concat());
+    assert_eq!(text.matches("jacobian").count(), 1, "{text}");
+    let pose = |options: ReadOptions| {
+        let options = options.functions(["forward_kinematics"]);
+        let options = options.entries("gravity = [0, 0, -9.81]\nlock = { two = 0.2 }");
+        let arm = RuntimeRobot::from_file(&urdf, &options).expect("an arm with a tip");
+        let pose = arm.forward_kinematics(&[0.7]);
+        pose.expect("a pose").as_slice().to_vec()
+    };
+    let of_tree = pose(ReadOptions::new());
+    assert_eq!(of_tree, pose(ReadOptions::new().chain(["root", "tool"])));
+    // Three places of 0.2 along x, about which the joint turns.
+    assert!((of_tree[12] - 0.6).abs() < 1e-15, "{of_tree:?}");
+}
+
+/// Two links that end on the last one that moves are no tip: functions are asked for at frames, or the tip is named.
+#[test]
+fn two_ends_on_the_last_link_are_no_tip() {
+    let urdf = file("fork_with_two_ends.urdf", fork("left"));
+    let common = ["--gravity", "0,0,-9.81", "--ignore", "two"];
+    let call = |function: &'static str| {
+        [&["show", &*urdf][..], &common, &["--functions", function]].concat()
+    };
     let text = output(&call("mass_matrix"));
     assert!(!text.contains("\ntip "), "{text}");
     let refused = errors(&call("jacobian"), 2);
-    assert!(refused.contains("ask for it at a frame"), "{refused}");
+    assert!(
+        refused.contains("several links end on that of `one`: ask for it at a frame"),
+        "{refused}"
+    );
+    let named = [&call("jacobian")[..], &["--chain", "root,tool"]].concat();
+    assert!(output(&named).contains("\ntip "), "the tip is named");
 }
 
 /// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are
