@@ -420,6 +420,29 @@ fn many_trees_are_the_same_in_both_conventions() {
     convert_trees(100);
 }
 
+/// A tree written as a URDF file is the same robot, frames as links. URDF has no words for motors.
+#[test]
+fn trees_are_written_as_urdf() {
+    for (name, text) in trees(2) {
+        let without_motors = text.lines().filter(|line| !line.starts_with("motor"));
+        let text = without_motors.collect::<Vec<_>>().join("\n");
+        let path = file(&format!("{name}_to_urdf.toml"), text);
+        let source = read(&path, &ReadOptions::new());
+        let gravity = source.gravity.each_ref().map(|g| g.to_f64(&[]));
+        let allow = "allow = [\"no_inertia\", \"odd_com\", \"unphysical_inertia\"]";
+        let poses = source.frames.iter();
+        let poses = poses.map(|frame| format!("forward_kinematics({:?})", frame.name));
+        let functions = poses.chain(["inverse_dynamics".to_owned()]);
+        let entries = format!("gravity = {gravity:?}\n{allow}");
+        let besides = ReadOptions::new().entries(&entries).functions(functions);
+        let to = format!("{name}.urdf");
+        let (_, urdf) = converted(&path, &["--to", "urdf"], &to, &besides);
+        let difference = difference(&source, &urdf);
+        println!("{name:<20} {difference:.1e}");
+        assert!(difference < 1e-12, "{name}: {difference:e}");
+    }
+}
+
 /// Files of trees are compared without a tip, and by their frames if these are asked for.
 #[test]
 fn trees_are_compared_with_other_files() {
