@@ -443,6 +443,34 @@ fn trees_are_written_as_urdf() {
     }
 }
 
+/// A tree falls: its lift by g t^2 / 2, and all of it without a change of energy.
+#[test]
+fn a_tree_is_simulated() {
+    let torso = file("simulated_torso.toml", TORSO);
+    let from = ["--from", "0.1,0.2,0.3,-0.4,0.5,0"];
+    let text = output(
+        &[
+            &["simulate", &torso, "--duration", "0.4", "--samples", "3"][..],
+            &from,
+        ]
+        .concat(),
+    );
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().expect("a head").split(',').collect();
+    let column = |name: &str| names.iter().position(|known| *known == name).expect(name);
+    let rows = lines.map(|line| line.split(',').map(|cell| cell.parse().expect("a number")));
+    let rows: Vec<Vec<f64>> = rows.map(Iterator::collect).collect();
+    let energy =
+        |row: &[f64]| row[column("kinetic energy [J]")] + row[column("potential energy [J]")];
+    let fall = rows[2][column("q.lift [m]")] + 0.5 * 9.81 * 0.16;
+    assert!(fall.abs() < 1e-9, "{text}");
+    for row in &rows {
+        let drift = energy(row) - energy(&rows[0]);
+        assert!(drift.abs() < 1e-6, "{drift:e}");
+    }
+    assert!(rows[2][column("q.right_elbow [rad]")] != 0.5, "{text}");
+}
+
 /// Files of trees are compared without a tip, and by their frames if these are asked for.
 #[test]
 fn trees_are_compared_with_other_files() {
