@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod beside;
 mod check;
 mod compare;
 mod convert;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
 use dynamics_codegen::description::Allow;
+use dynamics_codegen::files::number as number_of;
 
 /// A subcommand about a robot file, with the options that say what the file does not.
 pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
@@ -80,10 +81,9 @@ pub(super) fn several(name: &'static str, shown: &'static str) -> Arg {
 }
 
 fn small_angle(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(angle) if (0.0..=0.1).contains(&angle) => Ok(angle),
-        _ => Err("expected an angle from 0 to 0.1 rad, such as 1e-4".to_owned()),
-    }
+    within(text, "an angle from 0 to 0.1 rad, such as 1e-4", |angle| {
+        (0.0..=0.1).contains(&angle)
+    })
 }
 
 /// A word of several.
@@ -115,20 +115,25 @@ pub(super) fn out() -> Arg {
     .long("out")
 }
 
-/// A finite number.
+/// A number as it is, or a value in the macro's words.
 fn finite(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        _ => Err("expected a number".to_owned()),
+    number_of(text).map_err(|mistake| {
+        format!("expected a number, or a value such as PI/2 or deg(90): {mistake}")
+    })
+}
+
+/// A number among those that are good, which are what is expected.
+fn within(text: &str, expected: &str, is_good: impl Fn(f64) -> bool) -> Result<f64, String> {
+    match number_of(text) {
+        Ok(x) if is_good(x) => Ok(x),
+        Ok(_) => Err(format!("expected {expected}")),
+        Err(mistake) => Err(format!("expected {expected}: {mistake}")),
     }
 }
 
 /// A number above zero.
 fn positive(text: &str) -> Result<f64, String> {
-    match finite(text) {
-        Ok(x) if x > 0.0 => Ok(x),
-        _ => Err("expected a number above zero".to_owned()),
-    }
+    within(text, "a number above zero", |x| x > 0.0)
 }
 
 /// A number above zero.
@@ -143,9 +148,9 @@ pub(super) fn number(name: &'static str, help: &'static str) -> Arg {
 
 /// A number from `least` to `most`.
 pub(super) fn number_between(name: &'static str, least: f64, most: f64, help: &'static str) -> Arg {
-    number(name, help).value_parser(move |text: &str| match finite(text) {
-        Ok(x) if (least..=most).contains(&x) => Ok(x),
-        _ => Err(format!("expected a number from {least:e} to {most}")),
+    number(name, help).value_parser(move |text: &str| {
+        let expected = format!("a number from {least:e} to {most}");
+        within(text, &expected, |x| (least..=most).contains(&x))
     })
 }
 

@@ -13,8 +13,9 @@ use dynamics_symbolic::emit::javascript_module;
 use dynamics_symbolic::robot::{Frame, Robot};
 use dynamics_symbolic::{Function, Request};
 
+use crate::beside::fields;
 use crate::failure::Failure;
-use crate::load::{fields, file_of, programs, read, read_with_fields};
+use crate::load::{file_of, programs, read, read_with_fields};
 use crate::simulate::positions;
 use html::html;
 use literal::module_with_a_global;

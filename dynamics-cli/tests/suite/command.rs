@@ -392,3 +392,31 @@ fn measure_prints_times_and_errors() {
         "{text}"
     );
 }
+
+/// Wherever an option takes a number it takes a value of the macro's words.
+#[test]
+fn options_take_values() {
+    let pendulum = file("option_values.toml", PENDULUM);
+    for [value, number] in [
+        [
+            "simulate --samples 3 --from PI/2,-deg(90) --velocity sqrt(4),1/4 --duration 1/2",
+            "simulate --samples 3 --from 1.5707963267948966,-1.5707963267948966 --velocity 2,0.25 --duration 0.5",
+        ],
+        [
+            "inverse --samples 3 --to deg(180),PI",
+            "inverse --samples 3 --to 3.141592653589793,3.141592653589793",
+        ],
+        [
+            "check --samples 3 --tolerance 1/1000 --gravity 0,-2*5,0",
+            "check --samples 3 --tolerance 0.001 --gravity 0,-10,0",
+        ],
+        ["show --lock knee=PI/6", "show --lock knee=deg(30)"],
+    ] {
+        let [of_value, of_number] = [value, number].map(|line| {
+            let mut words: Vec<&str> = line.split(' ').collect();
+            words.insert(1, &pendulum);
+            output(&words)
+        });
+        assert_eq!(of_value, of_number, "{value}");
+    }
+}
