@@ -16,9 +16,9 @@ pub(super) fn table(robot: &Robot) -> String {
         (false, Convention::Standard) => "standard convention",
         (false, Convention::Modified) => "modified convention",
     };
-    let joints = match robot.dof() {
+    let joints = match robot.freedoms().joints {
         1 => "1 joint that moves".to_owned(),
-        dof => format!("{dof} joints that move"),
+        count => format!("{count} joints that move"),
     };
     let (name, gravity) = (&robot.name, numbers(&robot.gravity));
     let mut text = format!("{name}: {joints}, {how}, gravity {gravity} m/s^2\n\n");
@@ -42,6 +42,10 @@ pub(super) fn table(robot: &Robot) -> String {
     }
     if let Some(base) = robot.placement() {
         let _ = writeln!(text, "{:<width$}{}", "base", place(base));
+    }
+    if let Some(Body { mass, com, inertia }) = robot.floating() {
+        let body = body(mass, com, inertia);
+        let _ = writeln!(text, "{:<width$}{:<11}{body}", "base", "moves");
     }
     for (i, row) in robot.rows.iter().enumerate() {
         let on = carrier(robot, link(robot, robot.parent(i)), width);
