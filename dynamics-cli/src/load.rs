@@ -54,8 +54,8 @@ pub(crate) fn read_with_fields(
     read_with(path, with_fields(given, path)?, needed)
 }
 
-/// The robot of the argument `FILE` and that of another one, with the same settings. A joint that only one
-/// of the files has is locked or left out there.
+/// The robot of the argument `FILE` and that of another one, with the same settings, on any base. A joint that only
+/// one of the files has is locked or left out there.
 pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], Failure> {
     let path = file_of(given);
     let chain_of_other = if given.contains_id("against-chain") {
@@ -66,7 +66,7 @@ pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], 
     about_links(given, &[path, other])?;
     let read = |path: &Path, other: &Path, chain: &str| {
         let options = with_values(given, path, Some(other), chain)?;
-        read_with(path, options, Vec::new())
+        read_any(path, options, Vec::new())
     };
     Ok([
         read(path, other, "chain")?,

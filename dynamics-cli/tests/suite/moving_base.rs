@@ -85,6 +85,28 @@ fn formulas_of_a_base_are_newtons_and_eulers() {
     );
 }
 
+/// Two files of a robot on a moving base agree, or the number of the base that differs is named.
+#[test]
+fn files_of_moving_bases_are_compared() {
+    let brick = file("compared_brick.toml", BRICK);
+    let same = file("same_brick.toml", BRICK);
+    let text = output(&["check", &brick, "--against", &same]);
+    assert!(text.contains("gravity_vector       0.0e0"), "{text}");
+    let heavier = file(
+        "heavier_brick.toml",
+        BRICK.replace("zz = 0.04", "zz = 0.05"),
+    );
+    let told = errors(&["check", &brick, "--against", &heavier], 1);
+    assert!(told.contains("the two files differ by more than"), "{told}");
+    let standing = BRICK.lines().filter(|line| !line.starts_with("base"));
+    let standing = file(
+        "brick_that_stands.toml",
+        standing.collect::<Vec<_>>().join("\n"),
+    );
+    let told = errors(&["check", &brick, "--against", &standing], 1);
+    assert!(told.contains("the base stands, and moves in"), "{told}");
+}
+
 /// A throw with a spin: the base falls by g t^2 / 2, and a torque at the wheel turns it against the body.
 #[test]
 fn a_throw_is_simulated() {
