@@ -3,7 +3,7 @@
 use super::calls::{data, errors, file, output};
 
 /// A brick with a wheel.
-const BRICK: &str = r#"
+pub(super) const BRICK: &str = r#"
 convention = "modified"
 gravity = [0, 0, -10]
 base = { floating = true, mass = 2, com = [0, 0, 0], inertia = { xx = 0.02, yy = 0.03, zz = 0.04 } }
@@ -151,5 +151,5 @@ fn what_makes_no_sense_is_told() {
         assert!(told.contains(message), "{told}");
     }
     let told = errors(&["show", &brick], 1);
-    assert!(told.contains("the base moves, which this command does not know: `check`, `measure`, `simulate` and `generate` do"), "{told}");
+    assert!(told.contains("the base moves, which this command does not know: `check`, `measure`, `evaluate`, `simulate` and `generate` do"), "{told}");
 }
