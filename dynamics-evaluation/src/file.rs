@@ -214,6 +214,26 @@ pub fn read_file(path: &Path, options: &ReadOptions) -> Result<Model, FileError>
     read(path, &text, format, options)
 }
 
+/// Reads a robot from the text of a file, whose name tells the format: `TOML` is that of a table.
+///
+/// # Errors
+///
+/// [`FileError`], with all mistakes of the text and of the options.
+#[doc(hidden)]
+pub fn read_source(path: &Path, text: &str, options: &ReadOptions) -> Result<Model, FileError> {
+    let is_text = path == Path::new(TEXT);
+    let format = if is_text {
+        Some(Format::Toml)
+    } else {
+        Format::of(path)
+    };
+    let format = format.ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
+    read(path, text, format, options)
+}
+
+/// The name of a text in messages.
+const TEXT: &str = "TOML";
+
 fn read(
     path: &Path,
     text: &str,
@@ -308,7 +328,7 @@ impl RuntimeRobot {
     ///
     /// [`FileError`], with all mistakes of the text, which is the file `TOML` in messages, and of the options.
     pub fn from_toml(text: &str, options: &ReadOptions) -> Result<Self, FileError> {
-        let path = Path::new("TOML");
+        let path = Path::new(TEXT);
         RuntimeRobot::of_model(read(path, text, Format::Toml, options)?, path)
     }
 

@@ -12,6 +12,8 @@ pub(crate) struct Layout {
     /// The outputs that are values, each with its place among them. Values stand in the order of
     /// the shape, matrices by columns.
     pub(crate) values: Vec<(usize, usize)>,
+    /// The same with matrices by rows, in the order of the places.
+    pub(crate) by_rows: Vec<(usize, usize)>,
     /// The tests that M is not singular, in the order in which they are made.
     pub(crate) tests: Vec<Test>,
 }
@@ -58,8 +60,11 @@ impl Layout {
                 }));
             }
         }
+        let outputs = values.iter().enumerate();
+        let by_rows = outputs.map(|(place, (output, _))| (*output, place));
         Layout {
             sizes,
+            by_rows: by_rows.collect(),
             values,
             tests,
         }

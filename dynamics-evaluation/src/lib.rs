@@ -17,6 +17,7 @@ mod methods;
 mod possible;
 mod read;
 mod robot;
+mod rows;
 mod simulated;
 mod single;
 mod table;
@@ -29,8 +30,9 @@ pub use dynamics_runtime;
 pub use error::{BuildError, EvaluationError, UnknownField};
 pub use file::{FileError, FileMistake, ReadOptions};
 #[doc(hidden)]
-pub use file::{read_file, read_text};
+pub use file::{read_file, read_source, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use robot::RuntimeRobot;
+pub use rows::Arrangement;
 pub use simulated::{Moves, RuntimeDynamics, Stands, Tip};
 pub use value::Value;

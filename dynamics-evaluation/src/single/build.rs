@@ -217,6 +217,8 @@ impl Builder {
         for &(output, place) in &layout.values {
             values[place] = short(outputs[output]);
         }
+        let by_rows = layout.by_rows.iter();
+        let by_rows = by_rows.map(|(output, _)| short(outputs[*output]));
         let tests = layout.tests.iter().map(|test| Test {
             pivot: index(outputs[test.pivot]),
             diagonal: index(outputs[test.diagonal]),
@@ -226,6 +228,7 @@ impl Builder {
             reads: self.reads,
             parts,
             values,
+            by_rows: by_rows.collect(),
             tests: tests.collect(),
         }
     }

@@ -66,8 +66,9 @@ enum Of {
 pub(crate) struct Single {
     reads: Vec<(Symbol, Of)>,
     parts: Vec<Part>,
-    /// The values in their order, and the tests of pivots, whose outputs are indices here.
+    /// The values with matrices by columns, the same by rows, and the tests of pivots, whose outputs are indices here.
     values: Vec<u16>,
+    by_rows: Vec<u16>,
     tests: Vec<Test>,
 }
 
@@ -110,13 +111,37 @@ impl Single {
         prepared: &Prepared,
         arguments: &[&[f64]],
     ) -> Result<Vec<f64>, SingularMassMatrix> {
+        let mut results = vec![0.0; self.values.len()];
+        self.write(prepared, arguments, &self.values, &mut results)?;
+        Ok(results)
+    }
+
+    /// The values at a state, matrices by rows, in room for so many.
+    pub(crate) fn values_by_rows(
+        &self,
+        prepared: &Prepared,
+        arguments: &[&[f64]],
+        results: &mut [f64],
+    ) -> Result<(), SingularMassMatrix> {
+        self.write(prepared, arguments, &self.by_rows, results)
+    }
+
+    fn write(
+        &self,
+        prepared: &Prepared,
+        arguments: &[&[f64]],
+        values: &[u16],
+        results: &mut [f64],
+    ) -> Result<(), SingularMassMatrix> {
         ROOM.with_borrow_mut(|numbers| {
             self.carry_out(numbers, prepared, arguments);
-            let at = |index: u16| numbers[usize::from(index)];
             for test in &self.tests {
                 test.result(|index| numbers[index])?;
             }
-            Ok(self.values.iter().map(|index| at(*index)).collect())
+            for (result, index) in results.iter_mut().zip(values) {
+                *result = numbers[usize::from(*index)];
+            }
+            Ok(())
         })
     }
 

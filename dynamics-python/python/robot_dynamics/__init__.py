@@ -1,0 +1,15 @@
+"""Equations of motion of robots: derived from a table or a URDF file, proven, and evaluated over arrays of numpy.
+
+    import robot_dynamics as rd
+
+    arm = rd.Robot.from_file("panda.urdf", chain=("panda_link0", "panda_link8"), gravity=(0, 0, -9.81))
+    tau = arm.inverse_dynamics(q, qd, qdd)
+
+The last axis of an array has the joints, and the axes before it are broadcast as numpy does. SI units, radians.
+"""
+
+from ._errors import Mistake, SingularMassMatrix, TableError
+from ._native import Function
+from ._robot import Robot
+
+__all__ = ["Function", "Mistake", "Robot", "SingularMassMatrix", "TableError"]

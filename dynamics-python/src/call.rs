@@ -1,0 +1,278 @@
+//! A call: of one state without detours, of many with all that numpy allows.
+
+use std::thread;
+
+use dynamics_evaluation::EvaluationError;
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::arguments::{Given, broadcast};
+use crate::errors;
+use crate::function::Ready;
+use crate::results::{Out, Results, array};
+use dynamics_evaluation::Arrangement;
+
+/// From so many states on other threads of Python run meanwhile.
+const DETACHED: usize = 16;
+
+/// The most arguments that a function has.
+const MOST_ARGUMENTS: usize = 6;
+
+/// The most numbers that a value has without room on the heap.
+const SHORT: usize = 128;
+
+/// The value at one state, whose arguments are contiguous vectors of doubles; `None` of others.
+pub(crate) fn of_one_state<'py>(
+    py: Python<'py>,
+    ready: &Ready,
+    arguments: &Bound<'py, PyTuple>,
+) -> PyResult<Option<Bound<'py, PyAny>>> {
+    let count = ready.arguments.len();
+    let Arrangement::Array(axes) = &ready.arrangement else {
+        return Ok(None);
+    };
+    if arguments.len() != count || count > MOST_ARGUMENTS || ready.entries > SHORT {
+        return Ok(None);
+    }
+    let mut read: [Vec<f64>; MOST_ARGUMENTS] = Default::default();
+    for (i, argument) in ready.arguments.iter().enumerate() {
+        let given = arguments.get_borrowed_item(i)?;
+        let Ok(given) = given.cast::<PyArray1<f64>>() else {
+            return Ok(None);
+        };
+        match given.to_vec() {
+            Ok(numbers) if numbers.len() == argument.entries => read[i] = numbers,
+            _ => return Ok(None),
+        }
+    }
+    let slices = read.each_ref().map(Vec::as_slice);
+    let mut room = [0.0; SHORT];
+    let results = &mut room[..ready.entries];
+    let evaluated = ready
+        .arm
+        .evaluate_by_rows(&ready.name, &slices[..count], results);
+    evaluated.map_err(|error| raised(py, &error, &[]))?;
+    array(py, axes, results).map(Some)
+}
+
+/// The exception of an error at a state, by its index along the leading axes.
+fn raised(py: Python<'_>, error: &EvaluationError, lead: &[usize]) -> PyErr {
+    match error {
+        EvaluationError::Singular {
+            state,
+            joint,
+            error,
+        } => {
+            let mut rest = state.unwrap_or(0);
+            let mut index: Vec<usize> = Vec::new();
+            for size in lead.iter().rev() {
+                index.push(rest % size);
+                rest /= size;
+            }
+            index.reverse();
+            errors::singular(py, index, joint, &error.to_string())
+        }
+        other => PyRuntimeError::new_err(other.to_string()),
+    }
+}
+
+/// Settings of a call.
+struct Settings<'py> {
+    out: Option<Bound<'py, PyAny>>,
+    threads: usize,
+    nan: bool,
+}
+
+/// The value at many states, or of arguments that are converted first.
+pub(crate) fn of_many<'py>(
+    py: Python<'py>,
+    ready: &Ready,
+    arguments: &Bound<'py, PyTuple>,
+    keywords: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let (values, settings) = sorted(ready, arguments, keywords)?;
+    let pairs = ready.arguments.iter().zip(&values);
+    let given: Vec<Given<'_, 'py>> = pairs
+        .map(|(argument, value)| Given::new(argument, value))
+        .collect::<PyResult<_>>()?;
+    let lead = broadcast(&given)?;
+    let rows = given.iter().map(|one| one.rows(&lead));
+    let rows: Vec<_> = rows.collect::<PyResult<_>>()?;
+    let locks: Vec<_> = rows
+        .iter()
+        .map(|rows| rows.try_readonly())
+        .collect::<Result<_, _>>()?;
+    let slices: Vec<&[f64]> = locks
+        .iter()
+        .map(|lock| lock.as_slice())
+        .collect::<Result<_, _>>()?;
+    let is_single = is_single(py, &given)?;
+    let out = Out::new(ready, &lead, is_single, settings.out)?;
+    let mut results = Results::new(py, ready, &lead, out)?;
+    let (threads, states) = (settings.threads, lead.iter().product());
+    let failed = results.fill(|numbers| {
+        if states < DETACHED {
+            return evaluate(ready, &slices, numbers, states, 1);
+        }
+        py.detach(|| evaluate(ready, &slices, numbers, states, threads))
+    })?;
+    match failed {
+        Err(EvaluationError::Singular { .. }) if settings.nan => {}
+        Err(error) => return Err(raised(py, &error, &lead)),
+        Ok(()) => {}
+    }
+    drop(locks);
+    results.finish(py, ready, &lead, is_single)
+}
+
+/// The arguments in their order, and the settings.
+fn sorted<'py>(
+    ready: &Ready,
+    arguments: &Bound<'py, PyTuple>,
+    keywords: Option<&Bound<'py, PyDict>>,
+) -> PyResult<(Vec<Bound<'py, PyAny>>, Settings<'py>)> {
+    let count = ready.arguments.len();
+    let mut places: Vec<Option<Bound<'py, PyAny>>> = arguments.iter().map(Some).collect();
+    if places.len() > count {
+        return Err(PyTypeError::new_err(format!(
+            "{} takes {count} arguments, and {} were given",
+            ready.signature(),
+            places.len()
+        )));
+    }
+    places.resize(count, None);
+    let mut settings = Settings {
+        out: None,
+        threads: 1,
+        nan: false,
+    };
+    for (key, value) in keywords.into_iter().flatten() {
+        let key: String = key.extract()?;
+        match key.as_str() {
+            "out" => settings.out = (!value.is_none()).then_some(value),
+            "threads" => settings.threads = threads(&value)?,
+            "on_singular" => settings.nan = is_nan(&value)?,
+            name => {
+                let place = ready.arguments.iter().position(|of| of.name == name);
+                match place {
+                    Some(place) if places[place].is_none() => places[place] = Some(value),
+                    Some(_) => {
+                        let message = format!("{}: `{name}` is given twice", ready.signature());
+                        return Err(PyTypeError::new_err(message));
+                    }
+                    None => {
+                        let message = format!("{} has no argument `{name}`", ready.signature());
+                        return Err(PyTypeError::new_err(message));
+                    }
+                }
+            }
+        }
+    }
+    let given = places.into_iter().zip(&ready.arguments);
+    let given = given.map(|(place, argument)| {
+        place.ok_or_else(|| {
+            let signature = ready.signature();
+            PyTypeError::new_err(format!("{signature}: `{}` is missing", argument.name))
+        })
+    });
+    Ok((given.collect::<PyResult<_>>()?, settings))
+}
+
+fn threads(value: &Bound<'_, PyAny>) -> PyResult<usize> {
+    match value.extract::<usize>() {
+        _ if value.is_none() => Ok(1),
+        Ok(count) if count > 0 => Ok(count),
+        _ => Err(PyValueError::new_err(format!(
+            "`threads` is {value}: expected a number of at least 1"
+        ))),
+    }
+}
+
+fn is_nan(value: &Bound<'_, PyAny>) -> PyResult<bool> {
+    match value.extract::<&str>() {
+        Ok("nan") => Ok(true),
+        Ok("raise") => Ok(false),
+        _ => Err(PyValueError::new_err(format!(
+            "`on_singular` is {value}: expected \"raise\" or \"nan\""
+        ))),
+    }
+}
+
+/// Whether numpy would have the result in single precision.
+fn is_single(py: Python<'_>, given: &[Given<'_, '_>]) -> PyResult<bool> {
+    let is_double = |one: &Given<'_, '_>| {
+        let kind = one.array().dtype();
+        use numpy::PyArrayDescrMethods;
+        kind.kind() == b'f' && kind.itemsize() == 8
+    };
+    if given.is_empty() || given.iter().any(is_double) {
+        return Ok(false);
+    }
+    let arrays = PyTuple::new(py, given.iter().map(Given::array))?;
+    let kind = py.import("numpy")?.getattr("result_type")?.call1(arrays)?;
+    let kind: String = kind.getattr("name")?.extract()?;
+    Ok(kind == "float32")
+}
+
+/// Evaluates all states, on some threads. The values of states at which M is singular are NaN.
+fn evaluate(
+    ready: &Ready,
+    arguments: &[&[f64]],
+    results: &mut [f64],
+    states: usize,
+    threads: usize,
+) -> Result<(), EvaluationError> {
+    let (name, arm) = (ready.name.as_str(), &ready.arm);
+    let has_width = ready.arguments.first().is_some_and(|of| of.entries > 0);
+    if states == 1 || !has_width {
+        let value = arm.evaluate_by_rows(name, arguments, &mut results[..ready.entries]);
+        if value.is_err() {
+            results.fill(f64::NAN);
+        } else {
+            let (first, rest) = results.split_at_mut(ready.entries);
+            rest.chunks_exact_mut(ready.entries)
+                .for_each(|row| row.copy_from_slice(first));
+        }
+        return value;
+    }
+    let chunk = states.div_ceil(threads.min(states)).next_multiple_of(32);
+    if chunk >= states {
+        return arm.batch_by_rows(name, arguments, results);
+    }
+    let part = |first: usize, results: &mut [f64]| {
+        let count = results.len() / ready.entries;
+        let pairs = ready.arguments.iter().zip(arguments);
+        let parts = pairs.map(|(of, rows)| &rows[first * of.entries..(first + count) * of.entries]);
+        let parts: Vec<&[f64]> = parts.collect();
+        arm.batch_by_rows(name, &parts, results)
+            .map_err(|error| later(error, first))
+    };
+    thread::scope(|scope| {
+        let chunks = results.chunks_mut(chunk * ready.entries).enumerate();
+        let running: Vec<_> = chunks
+            .map(|(k, results)| scope.spawn(move || part(k * chunk, results)))
+            .collect();
+        let ended = running.into_iter().map(|thread| thread.join());
+        let ended: Vec<_> = ended.collect();
+        let ended = ended.into_iter().map(|end| end.expect("no batch panics"));
+        ended.collect()
+    })
+}
+
+/// The error of a state that stands behind so many others.
+fn later(error: EvaluationError, before: usize) -> EvaluationError {
+    match error {
+        EvaluationError::Singular {
+            state,
+            joint,
+            error,
+        } => EvaluationError::Singular {
+            state: state.map(|state| state + before),
+            joint,
+            error,
+        },
+        other => other,
+    }
+}

@@ -1,0 +1,132 @@
+//! A robot as it was read, and its functions, each derived when it is first needed.
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock, mpsc};
+use std::thread;
+use std::time::Duration;
+
+use dynamics_codegen::Model;
+use dynamics_evaluation::{BuildError, FileError, ReadOptions, RuntimeRobot, read_source};
+use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::{Function, Proven, Request, proven_program};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+
+/// How often a derivation that runs is interrupted for signals such as Ctrl-C.
+const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
+
+/// The stack of a derivation, as the main thread of a program has it.
+const STACK: usize = 8 << 20;
+
+/// A robot and the functions that were asked for.
+pub(crate) struct Description {
+    pub(crate) robot: Robot,
+    functions: Vec<Lazy>,
+}
+
+/// A function that is derived when it is first needed.
+struct Lazy {
+    request: Request,
+    derived: OnceLock<Result<Derived, String>>,
+}
+
+/// A function, derived and proven.
+pub(crate) struct Derived {
+    pub(crate) request: Request,
+    pub(crate) proven: Proven,
+    /// The robot with this function alone, whose fields have no value.
+    pub(crate) arm: Arc<RuntimeRobot>,
+}
+
+impl Description {
+    /// Reads the text of a file of that name.
+    pub(crate) fn read(path: &Path, text: &str, options: &ReadOptions) -> Result<Self, FileError> {
+        let Model {
+            robot, requests, ..
+        } = read_source(path, text, options)?;
+        let of_request = |(request, _)| Lazy {
+            request,
+            derived: OnceLock::new(),
+        };
+        if !robot.freedoms().has_base() && robot.freedoms().joints == 0 {
+            return Err(FileError::Build(path.to_owned(), BuildError::NoJoints));
+        }
+        Ok(Description {
+            robot,
+            functions: requests.into_iter().map(of_request).collect(),
+        })
+    }
+
+    /// The functions that are programs over numbers, each by its place.
+    pub(crate) fn functions(&self) -> impl Iterator<Item = (usize, &Request)> {
+        let is_program =
+            |(_, request): &(usize, &Request)| request.function() != Some(Function::TaylorSeries);
+        let requests = self.functions.iter().map(|lazy| &lazy.request);
+        requests.enumerate().filter(is_program)
+    }
+
+    /// The name of the function at that place.
+    pub(crate) fn name_at(&self, place: usize) -> &str {
+        self.functions[place].request.name()
+    }
+
+    /// The place of the function of that name.
+    pub(crate) fn place(&self, name: &str) -> PyResult<usize> {
+        let found = self.functions().find(|(_, request)| request.name() == name);
+        found.map(|(place, _)| place).ok_or_else(|| {
+            let names: Vec<_> = self.functions().map(|(_, of)| of.name()).collect();
+            PyValueError::new_err(format!(
+                "`{name}` was not asked for by `functions`: expected one of {}",
+                names.join(", ")
+            ))
+        })
+    }
+
+    /// The function at that place, which is derived if this has not been done.
+    pub(crate) fn derived(self: &Arc<Self>, py: Python<'_>, place: usize) -> PyResult<&Derived> {
+        let slot = &self.functions[place].derived;
+        if slot.get().is_none() {
+            self.derive_beside(py, place)?;
+        }
+        match slot.get() {
+            Some(Ok(derived)) => Ok(derived),
+            Some(Err(reason)) => Err(PyRuntimeError::new_err(reason.clone())),
+            None => Err(PyRuntimeError::new_err("the derivation has failed")),
+        }
+    }
+
+    /// Derives on a thread of its own, so that signals are heard meanwhile. After Ctrl-C it goes on in the background.
+    fn derive_beside(self: &Arc<Self>, py: Python<'_>, place: usize) -> PyResult<()> {
+        let (end, mut ended) = mpsc::channel::<()>();
+        let this = Arc::clone(self);
+        thread::Builder::new().stack_size(STACK).spawn(move || {
+            let lazy = &this.functions[place];
+            lazy.derived.get_or_init(|| this.derive(&lazy.request));
+            drop(end);
+        })?;
+        loop {
+            let waited;
+            (ended, waited) = py.detach(move || {
+                let waited = ended.recv_timeout(BETWEEN_SIGNALS);
+                (ended, waited)
+            });
+            if waited == Err(mpsc::RecvTimeoutError::Disconnected) {
+                return Ok(());
+            }
+            py.check_signals()?;
+        }
+    }
+
+    fn derive(&self, request: &Request) -> Result<Derived, String> {
+        let proven = proven_program(&self.robot, request).map_err(|failure| failure.to_string())?;
+        let programs = [(request.clone(), proven)];
+        let arm = RuntimeRobot::of_programs(self.robot.clone(), &programs);
+        let arm = arm.map_err(|error| error.to_string())?;
+        let [(request, proven)] = programs;
+        Ok(Derived {
+            request: self.robot.request(request),
+            proven,
+            arm: Arc::new(arm),
+        })
+    }
+}

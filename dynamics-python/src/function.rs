@@ -1,0 +1,117 @@
+//! A function of a robot, as Python calls it.
+
+use std::sync::{Arc, OnceLock};
+
+use dynamics_evaluation::{Arrangement, RuntimeRobot};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+
+use crate::arguments::Argument;
+use crate::call;
+use crate::description::{Derived, Description};
+
+/// A function of a robot. It is derived at its first call, and kept.
+#[pyclass(frozen, module = "robot_dynamics")]
+pub(crate) struct Function {
+    description: Arc<Description>,
+    place: usize,
+    fields: Arc<[f64]>,
+    ready: OnceLock<Ready>,
+}
+
+/// All that a call needs to know.
+pub(crate) struct Ready {
+    pub(crate) arm: Arc<RuntimeRobot>,
+    pub(crate) name: String,
+    pub(crate) arguments: Vec<Argument>,
+    pub(crate) arrangement: Arrangement,
+    pub(crate) entries: usize,
+}
+
+impl Function {
+    pub(crate) fn new(description: &Arc<Description>, place: usize, fields: &Arc<[f64]>) -> Self {
+        Function {
+            description: Arc::clone(description),
+            place,
+            fields: Arc::clone(fields),
+            ready: OnceLock::new(),
+        }
+    }
+
+    pub(crate) fn ready(&self, py: Python<'_>) -> PyResult<&Ready> {
+        if let Some(ready) = self.ready.get() {
+            return Ok(ready);
+        }
+        let derived = self.description.derived(py, self.place)?;
+        let ready = Ready::new(derived, &self.fields)?;
+        Ok(self.ready.get_or_init(|| ready))
+    }
+}
+
+impl Ready {
+    fn new(derived: &Derived, fields: &[f64]) -> PyResult<Self> {
+        let error =
+            |error: dynamics_evaluation::EvaluationError| PyValueError::new_err(error.to_string());
+        let mut arm = Arc::clone(&derived.arm);
+        if !fields.is_empty() {
+            let mut with_fields = (*arm).clone();
+            with_fields.set_fields(fields).map_err(error)?;
+            let mut pairs = with_fields.field_names().iter().zip(fields);
+            if let Some((name, _)) = pairs.find(|(_, value)| value.is_nan()) {
+                return Err(PyValueError::new_err(format!(
+                    "field `{name}` has no value: `with_fields({name}=..)` gives it one"
+                )));
+            }
+            arm = Arc::new(with_fields);
+        }
+        let name = derived.request.name();
+        let moves = arm.robot().freedoms().has_base();
+        let arguments = arm.arguments(name).map_err(error)?;
+        Ok(Ready {
+            arguments: arguments
+                .map(|(name, entries)| Argument::new(name, entries, moves))
+                .collect(),
+            arrangement: arm.arrangement(name).map_err(error)?,
+            entries: arm.entries(name).map_err(error)?,
+            name: name.to_owned(),
+            arm,
+        })
+    }
+
+    /// The function with its arguments.
+    pub(crate) fn signature(&self) -> String {
+        let names: Vec<_> = self.arguments.iter().map(|of| of.name).collect();
+        format!("{}({})", self.name, names.join(", "))
+    }
+}
+
+#[pymethods]
+impl Function {
+    #[pyo3(signature = (*arguments, **keywords))]
+    fn __call__<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        keywords: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let ready = self.ready(py)?;
+        if keywords.is_none()
+            && let Some(value) = call::of_one_state(py, ready, arguments)?
+        {
+            return Ok(value);
+        }
+        call::of_many(py, ready, arguments, keywords)
+    }
+
+    /// The name.
+    #[getter]
+    fn __name__(&self) -> &str {
+        self.description.name_at(self.place)
+    }
+
+    fn __repr__(&self) -> String {
+        let robot = &self.description.robot.name;
+        format!("<function {} of {robot}>", self.__name__())
+    }
+}

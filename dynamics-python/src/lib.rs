@@ -1,0 +1,23 @@
+//! The native part of the Python package `robot_dynamics`: robots at run time, and their functions over arrays.
+//!
+//! Physics is that of `dynamics-evaluation`. This layer reads arguments, hands out arrays and raises errors.
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod call;
+mod description;
+mod errors;
+mod function;
+mod results;
+mod robot;
+
+use pyo3::prelude::*;
+
+/// What the Python modules of the package build on.
+#[pymodule(gil_used = false)]
+mod _native {
+    #[pymodule_export]
+    use super::function::Function;
+    #[pymodule_export]
+    use super::robot::{Arm, text_of};
+}
