@@ -16,8 +16,8 @@ use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
-use crate::simulate::positions;
 use crate::spline::Spline;
+use crate::state::positions;
 
 type Motion = SizedTrajectory<Dyn>;
 

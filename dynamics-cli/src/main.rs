@@ -7,6 +7,7 @@ mod check;
 mod compare;
 mod convert;
 mod csv;
+mod evaluate;
 mod excerpt;
 mod failure;
 mod generate;
@@ -15,11 +16,13 @@ mod joints;
 mod load;
 mod measure;
 mod page;
+mod poses;
 mod progress;
 mod rust;
 mod show;
 mod simulate;
 mod spline;
+mod state;
 mod write;
 
 use std::io::Write as _;
@@ -55,6 +58,7 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "show" => show::run(given),
         "check" => check::run(given),
         "generate" => return generate::run(given),
+        "evaluate" => evaluate::run(given),
         "simulate" => simulate::run(given),
         "inverse" => inverse::run(given),
         "measure" => measure::run(given),

@@ -26,7 +26,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             choice("base", "BASE", ["floating"])
-                .help("The base moves: the root link of a URDF file is its body. `check`, `measure`, `generate` and `simulate` know such robots"),
+                .help("The base moves: the root link of a URDF file is its body. `show`, `check`, `measure`, `generate`, `evaluate` and `simulate` know such robots"),
         )
         .arg(
             several("field", "NAME=VALUE")
@@ -180,4 +180,15 @@ pub(super) fn vector(name: &'static str, help: &'static str) -> Arg {
         .allow_hyphen_values(true)
         .value_parser(finite)
         .help(help)
+}
+
+/// Where a base that moves is.
+pub(super) fn pose(help: &'static str) -> Arg {
+    vector("pose", help)
+}
+
+/// Torques and forces at the joints.
+pub(super) fn torque() -> Arg {
+    let help = "Torques and forces at the joints, N m or N; zeros where this is left out";
+    vector("torque", help)
 }

@@ -3,7 +3,8 @@
 use clap::{ArgAction, ArgGroup, Command};
 
 use super::options::{
-    choice, count, functions, number, number_between, of_a_file, out, path, vector, words,
+    choice, count, functions, number, number_between, of_a_file, out, path, pose, torque, vector,
+    words,
 };
 use crate::convert::WITHOUT;
 
@@ -13,6 +14,7 @@ pub(super) fn all() -> Vec<Command> {
         show(),
         check(),
         generate(),
+        evaluate(),
         simulate(),
         inverse(),
         measure(),
@@ -95,6 +97,32 @@ fn generate() -> Command {
         )
 }
 
+fn evaluate() -> Command {
+    of_a_file("evaluate", "Print the values of all functions at one state")
+        .long_about(
+            "Print the values of all functions at one state, in tables with the names of the joints: the poses of the tip \
+             and of frames first, then what the file or --functions asks for. --at lists the positions of the joints that \
+             move, then their velocities, then their accelerations: with N joints N, 2 N or 3 N numbers, zeros where the \
+             list ends. It may be given once for each of the three. On a base that moves, velocities, accelerations and \
+             torques begin with six numbers of the base in its own axes, linear before angular.",
+        )
+        .arg(functions())
+        .arg(
+            vector("at", "Positions, rad or m, then velocities, then accelerations; zeros where they are left out")
+                .value_name("Q,...[,QD,...[,QDD,...]]")
+                .action(ArgAction::Append),
+        )
+        .arg(pose("Where a base that moves is: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
+        .arg(torque())
+        .arg(count("digits", "6", 1, 17, "Significant digits that are printed; 17 tell doubles apart"))
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics evaluate two_link.toml --at PI/2,-0.5\n  \
+             robot-dynamics evaluate two_link.toml --at 0.3,1 --at 0,2 --at 0,0 --functions inverse_dynamics --digits 17",
+        )
+}
+
 fn simulate() -> Command {
     of_a_file("simulate", "Move the arm, and write its motion as CSV")
         .long_about(
@@ -104,10 +132,10 @@ fn simulate() -> Command {
              angular, and the CSV has the rotation of the base by rows and its position.",
         )
         .arg(functions().help(BESIDES))
-        .arg(vector("pose", "Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
+        .arg(pose("Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
         .arg(vector("from", "Positions at the start, rad or m; zeros where this is left out"))
         .arg(vector("velocity", "Velocities at the start, rad/s or m/s; zeros where this is left out"))
-        .arg(vector("torque", "Torques and forces at the joints, N m or N; zeros where this is left out"))
+        .arg(torque())
         .arg(number("duration", "Time simulated, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
         .arg(number_between("tolerance", 1e-15, 1.0, "Relative and absolute tolerance of a step").default_value("1e-9"))

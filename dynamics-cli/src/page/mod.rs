@@ -10,13 +10,14 @@ use std::io::Write as _;
 
 use clap::ArgMatches;
 use dynamics_symbolic::emit::javascript_module;
-use dynamics_symbolic::robot::{Frame, Robot};
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::beside::fields;
 use crate::failure::Failure;
 use crate::load::{file_of, programs, read, read_with_fields};
-use crate::simulate::positions;
+use crate::poses::poses;
+use crate::state::positions;
 use html::html;
 use literal::module_with_a_global;
 
@@ -52,37 +53,6 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(html)
-}
-
-/// The poses that the page shows: of the tip, if there is one, and of all frames. Where there is no tip, each link that
-/// carries no other becomes a frame of the robot, unless one stands on it.
-fn poses(robot: &mut Robot) -> Vec<Request> {
-    let of_tip = robot.tip_row().map(|_| Function::ForwardKinematics.into());
-    if of_tip.is_none() {
-        let is_end = |row: &usize| {
-            let carries = (0..robot.rows.len()).any(|other| robot.parent(other) == Some(*row));
-            !carries && robot.frames.iter().all(|frame| frame.on != Some(*row))
-        };
-        let ends = (0..robot.rows.len()).filter(is_end);
-        let ends = ends.map(|row| Frame {
-            name: robot.rows[row].name.clone(),
-            on: Some(row),
-            places: Vec::new(),
-            body: None,
-        });
-        let ends: Vec<_> = ends.collect();
-        robot.frames.extend(ends);
-    }
-    let frames = robot.frames.iter().enumerate();
-    let mut poses: Vec<Request> = of_tip.into_iter().collect();
-    for (index, frame) in frames {
-        let pose = Request::of_frame(Function::ForwardKinematics, index, &frame.name);
-        // Frames whose names differ in signs alone would be one method.
-        if poses.iter().all(|other| other.name() != pose.name()) {
-            poses.push(pose);
-        }
-    }
-    poses
 }
 
 /// Bytes up to which a page opens at once on a phone.

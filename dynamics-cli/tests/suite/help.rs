@@ -2,10 +2,11 @@
 
 use super::calls::{errors, output};
 
-const SUBCOMMANDS: [&str; 9] = [
+const SUBCOMMANDS: [&str; 10] = [
     "show",
     "check",
     "generate",
+    "evaluate",
     "simulate",
     "inverse",
     "measure",

@@ -3,7 +3,7 @@
 use super::calls::{data, errors, file, output};
 
 /// A brick with a wheel.
-const BRICK: &str = r#"
+pub(super) const BRICK: &str = r#"
 convention = "modified"
 gravity = [0, 0, -10]
 base = { floating = true, mass = 2, com = [0, 0, 0], inertia = { xx = 0.02, yy = 0.03, zz = 0.04 } }

@@ -78,8 +78,8 @@ fn at_frame(robot: &Robot, frame: Option<usize>, text: &str) -> String {
     text.replace("the tip", &format!("the {named}"))
 }
 
-/// The quantity that is returned, or each quantity of a tuple, in order.
-fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
+/// The quantity that is returned with its unit, or each quantity of a tuple, in order: lines behind a space each.
+pub fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
     let parts = request.parts().iter();
     let descriptions = parts.map(|part| description(robot, *part));
     if !request.is_tuple() {
