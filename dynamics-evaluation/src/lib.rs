@@ -7,6 +7,7 @@
 
 mod at;
 mod block;
+mod bounds;
 mod checked;
 mod compiled;
 mod error;

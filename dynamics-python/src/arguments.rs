@@ -37,7 +37,7 @@ impl Argument {
         }
     }
 
-    fn is_pose(&self) -> bool {
+    pub(crate) fn is_pose(&self) -> bool {
         self.name == BASE
     }
 }

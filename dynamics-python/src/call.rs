@@ -17,48 +17,53 @@ use dynamics_evaluation::Arrangement;
 /// From so many states on other threads of Python run meanwhile.
 const DETACHED: usize = 16;
 
-/// The most arguments that a function has.
-const MOST_ARGUMENTS: usize = 6;
+/// The most arguments of a call without detours.
+pub(crate) const MOST_ARGUMENTS: usize = 5;
 
-/// The most numbers that a value has without room on the heap.
-const SHORT: usize = 128;
+/// The most numbers of all its arguments, and of its value.
+pub(crate) const SHORT: usize = 64;
 
-/// The value at one state, whose arguments are contiguous vectors of doubles; `None` of others.
+/// The value at one state, whose arguments are vectors of doubles; `None` of others.
 pub(crate) fn of_one_state<'py>(
     py: Python<'py>,
     ready: &Ready,
     arguments: &Bound<'py, PyTuple>,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let count = ready.arguments.len();
     let Arrangement::Array(axes) = &ready.arrangement else {
         return Ok(None);
     };
-    if arguments.len() != count || count > MOST_ARGUMENTS || ready.entries > SHORT {
+    if arguments.len() != ready.arguments.len() || !ready.is_short {
         return Ok(None);
     }
-    let mut read: [Vec<f64>; MOST_ARGUMENTS] = Default::default();
+    let mut numbers = [0.0; SHORT];
+    let mut rest = numbers.as_mut_slice();
+    let mut slices: [&[f64]; MOST_ARGUMENTS] = [&[]; MOST_ARGUMENTS];
     for (i, argument) in ready.arguments.iter().enumerate() {
         let given = arguments.get_borrowed_item(i)?;
         let Ok(given) = given.cast::<PyArray1<f64>>() else {
             return Ok(None);
         };
-        match given.to_vec() {
-            Ok(numbers) if numbers.len() == argument.entries => read[i] = numbers,
-            _ => return Ok(None),
+        if given.len() != argument.entries || argument.is_pose() {
+            return Ok(None);
         }
+        let (own, others) = rest.split_at_mut(argument.entries);
+        for (k, number) in own.iter_mut().enumerate() {
+            *number = given.get_owned([k]).unwrap_or(f64::NAN);
+        }
+        (slices[i], rest) = (own, others);
     }
-    let slices = read.each_ref().map(Vec::as_slice);
     let mut room = [0.0; SHORT];
     let results = &mut room[..ready.entries];
-    let evaluated = ready
-        .arm
-        .evaluate_by_rows(&ready.name, &slices[..count], results);
+    let evaluated =
+        ready
+            .arm
+            .evaluate_by_rows(&ready.name, &slices[..ready.arguments.len()], results);
     evaluated.map_err(|error| raised(py, &error, &[]))?;
     array(py, axes, results).map(Some)
 }
 
 /// The exception of an error at a state, by its index along the leading axes.
-fn raised(py: Python<'_>, error: &EvaluationError, lead: &[usize]) -> PyErr {
+pub(crate) fn raised(py: Python<'_>, error: &EvaluationError, lead: &[usize]) -> PyErr {
     match error {
         EvaluationError::Singular {
             state,
@@ -85,12 +90,16 @@ struct Settings<'py> {
     nan: bool,
 }
 
+/// What is computed of a function: its values or their bounds, at so many states and on so many threads.
+type Evaluation = fn(&Ready, &[&[f64]], &mut [f64], usize, usize) -> Result<(), EvaluationError>;
+
 /// The value at many states, or of arguments that are converted first.
 pub(crate) fn of_many<'py>(
     py: Python<'py>,
     ready: &Ready,
     arguments: &Bound<'py, PyTuple>,
     keywords: Option<&Bound<'py, PyDict>>,
+    evaluate: Evaluation,
 ) -> PyResult<Bound<'py, PyAny>> {
     let (values, settings) = sorted(ready, arguments, keywords)?;
     let pairs = ready.arguments.iter().zip(&values);
@@ -216,8 +225,38 @@ fn is_single(py: Python<'_>, given: &[Given<'_, '_>]) -> PyResult<bool> {
     Ok(kind == "float32")
 }
 
+/// Proven bounds of the values' rounding at all states, on one thread.
+pub(crate) fn bounds(
+    ready: &Ready,
+    arguments: &[&[f64]],
+    results: &mut [f64],
+    states: usize,
+    _threads: usize,
+) -> Result<(), EvaluationError> {
+    let mut ended = Ok(());
+    for (state, row) in (0..states).zip(results.chunks_exact_mut(ready.entries)) {
+        let pairs = ready.arguments.iter().zip(arguments);
+        let of_state = pairs.map(|(of, rows)| &rows[state * of.entries..(state + 1) * of.entries]);
+        let of_state: Vec<&[f64]> = of_state.collect();
+        match ready.arm.bounds_by_rows(&ready.name, &of_state) {
+            Ok(bounds) => row.copy_from_slice(&bounds),
+            Err(EvaluationError::Singular { joint, error, .. }) => {
+                row.fill(f64::NAN);
+                let state = Some(state);
+                ended = ended.and(Err(EvaluationError::Singular {
+                    state,
+                    joint,
+                    error,
+                }));
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    ended
+}
+
 /// Evaluates all states, on some threads. The values of states at which M is singular are NaN.
-fn evaluate(
+pub(crate) fn evaluate(
     ready: &Ready,
     arguments: &[&[f64]],
     results: &mut [f64],
@@ -225,6 +264,9 @@ fn evaluate(
     threads: usize,
 ) -> Result<(), EvaluationError> {
     let (name, arm) = (ready.name.as_str(), &ready.arm);
+    if states == 0 {
+        return Ok(());
+    }
     let has_width = ready.arguments.first().is_some_and(|of| of.entries > 0);
     if states == 1 || !has_width {
         let value = arm.evaluate_by_rows(name, arguments, &mut results[..ready.entries]);

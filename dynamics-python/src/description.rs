@@ -57,6 +57,18 @@ impl Description {
         })
     }
 
+    /// The same functions of another robot.
+    pub(crate) fn of_robot(&self, robot: Robot) -> Self {
+        let functions = self.functions.iter().map(|lazy| Lazy {
+            request: lazy.request.clone(),
+            derived: OnceLock::new(),
+        });
+        Description {
+            robot,
+            functions: functions.collect(),
+        }
+    }
+
     /// The functions that are programs over numbers, each by its place.
     pub(crate) fn functions(&self) -> impl Iterator<Item = (usize, &Request)> {
         let is_program =

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
 use crate::arguments::Argument;
-use crate::call;
+use crate::call::{self, MOST_ARGUMENTS, SHORT};
 use crate::description::{Derived, Description};
 
 /// A function of a robot. It is derived at its first call, and kept.
@@ -27,6 +27,8 @@ pub(crate) struct Ready {
     pub(crate) arguments: Vec<Argument>,
     pub(crate) arrangement: Arrangement,
     pub(crate) entries: usize,
+    /// Whether a call of one state has room for all its numbers.
+    pub(crate) is_short: bool,
 }
 
 impl Function {
@@ -68,12 +70,15 @@ impl Ready {
         let name = derived.request.name();
         let moves = arm.robot().freedoms().has_base();
         let arguments = arm.arguments(name).map_err(error)?;
+        let arguments = arguments.map(|(name, entries)| Argument::new(name, entries, moves));
+        let arguments: Vec<_> = arguments.collect();
+        let read: usize = arguments.iter().map(|of| of.entries).sum();
+        let entries = arm.entries(name).map_err(error)?;
         Ok(Ready {
-            arguments: arguments
-                .map(|(name, entries)| Argument::new(name, entries, moves))
-                .collect(),
+            is_short: arguments.len() <= MOST_ARGUMENTS && read.max(entries) <= SHORT,
+            arguments,
             arrangement: arm.arrangement(name).map_err(error)?,
-            entries: arm.entries(name).map_err(error)?,
+            entries,
             name: name.to_owned(),
             arm,
         })
@@ -101,7 +106,20 @@ impl Function {
         {
             return Ok(value);
         }
-        call::of_many(py, ready, arguments, keywords)
+        call::of_many(py, ready, arguments, keywords, call::evaluate)
+    }
+
+    /// The proven bounds of the rounding of the values: arrays as those of a call. Arguments and fields are exactly the
+    /// doubles that they are. A bound is infinite where nothing is proven.
+    #[pyo3(signature = (*arguments, **keywords))]
+    fn bound<'py>(
+        &self,
+        py: Python<'py>,
+        arguments: &Bound<'py, PyTuple>,
+        keywords: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let ready = self.ready(py)?;
+        call::of_many(py, ready, arguments, keywords, call::bounds)
     }
 
     /// The name.

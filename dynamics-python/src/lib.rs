@@ -7,7 +7,10 @@ mod arguments;
 mod call;
 mod description;
 mod errors;
+mod force;
 mod function;
+mod motion;
+mod questions;
 mod results;
 mod robot;
 

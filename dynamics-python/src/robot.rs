@@ -3,19 +3,47 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use dynamics_evaluation::{ReadOptions, read_text};
-use pyo3::exceptions::PyValueError;
+use dynamics_evaluation::{JointFriction, ReadOptions, RuntimeRobot, read_text};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::description::Description;
+use crate::description::{Derived, Description};
 use crate::errors;
 use crate::function::Function;
 
 /// A robot that was read, with values of its fields.
 #[pyclass(frozen, module = "robot_dynamics._native")]
 pub(crate) struct Arm {
-    description: Arc<Description>,
-    fields: Arc<[f64]>,
+    pub(crate) description: Arc<Description>,
+    pub(crate) fields: Arc<[f64]>,
+}
+
+impl Arm {
+    /// A function, derived.
+    pub(crate) fn derived(&self, py: Python<'_>, function: &str) -> PyResult<&Derived> {
+        let place = self.description.place(function)?;
+        self.description.derived(py, place)
+    }
+
+    /// The robot of some functions, whose fields have the present values.
+    pub(crate) fn with_values(&self, robot: &RuntimeRobot) -> PyResult<RuntimeRobot> {
+        let mut robot = robot.clone();
+        let set = robot.set_fields(&self.fields);
+        set.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        Ok(robot)
+    }
+
+    /// The robot with all functions, derived.
+    pub(crate) fn all_functions(&self, py: Python<'_>) -> PyResult<RuntimeRobot> {
+        let mut programs = Vec::new();
+        for (place, _) in self.description.functions() {
+            let derived = self.description.derived(py, place)?;
+            programs.push((derived.request.clone(), derived.proven.clone()));
+        }
+        let robot = RuntimeRobot::of_programs(self.description.robot.clone(), &programs);
+        let robot = robot.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        self.with_values(&robot)
+    }
 }
 
 /// The text of a file.
@@ -23,6 +51,9 @@ pub(crate) struct Arm {
 pub(crate) fn text_of(py: Python<'_>, path: PathBuf) -> PyResult<String> {
     read_text(&path).map_err(|error| errors::of_file(py, &error))
 }
+
+/// The function by which torques show base parameters.
+const REGRESSOR: &str = "regressor";
 
 /// The values of fields that have none yet.
 fn without_values(description: &Description) -> Arc<[f64]> {
@@ -86,6 +117,45 @@ impl Arm {
             description: Arc::clone(&self.description),
             fields: fields.into(),
         })
+    }
+
+    /// The robot with these base parameters, and with a friction of `(viscous, Coulomb's of positive velocities, of
+    /// negative ones)` for each joint that moves.
+    #[pyo3(signature = (base_parameters, friction=None))]
+    fn identified(
+        &self,
+        py: Python<'_>,
+        base_parameters: Vec<f64>,
+        friction: Option<Vec<[f64; 3]>>,
+    ) -> PyResult<Self> {
+        let robot = self.with_values(&self.derived(py, REGRESSOR)?.arm)?;
+        let found = py.detach(|| match &friction {
+            None => robot.identified(&base_parameters),
+            Some(friction) => {
+                let friction = friction.iter();
+                let friction =
+                    friction.map(|[viscous, up, down]| JointFriction::new(*viscous, [*up, *down]));
+                let friction: Vec<_> = friction.collect();
+                robot.identified_with_friction(&base_parameters, &friction)
+            }
+        });
+        let found = found.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok(Arm {
+            description: Arc::new(self.description.of_robot(found.robot().clone())),
+            fields: Arc::clone(&self.fields),
+        })
+    }
+
+    /// The base parameters nearest to these that bodies can have, and their distance in torque, N m or N.
+    fn nearest_possible(
+        &self,
+        py: Python<'_>,
+        base_parameters: Vec<f64>,
+    ) -> PyResult<(Vec<f64>, f64)> {
+        let robot = self.with_values(&self.derived(py, REGRESSOR)?.arm)?;
+        let nearest = py.detach(|| robot.nearest_possible(&base_parameters));
+        let nearest = nearest.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok((nearest.base_parameters, nearest.torque))
     }
 
     /// The name.

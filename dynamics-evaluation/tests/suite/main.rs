@@ -6,4 +6,5 @@ mod data_files;
 mod generated;
 mod identified;
 mod languages;
+mod python_values;
 mod refusals;

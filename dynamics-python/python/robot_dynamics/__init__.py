@@ -9,7 +9,23 @@ The last axis of an array has the joints, and the axes before it are broadcast a
 """
 
 from ._errors import Mistake, SingularMassMatrix, TableError
+from ._motion import Law, SimulationError, Trajectory, Work
 from ._native import Function
+from ._questions import Compared, Formulas, Operations, Report
 from ._robot import Robot
 
-__all__ = ["Function", "Mistake", "Robot", "SingularMassMatrix", "TableError"]
+__all__ = [
+    "Compared",
+    "Formulas",
+    "Function",
+    "Law",
+    "Mistake",
+    "Operations",
+    "Report",
+    "Robot",
+    "SimulationError",
+    "SingularMassMatrix",
+    "TableError",
+    "Trajectory",
+    "Work",
+]

@@ -1,8 +1,11 @@
+from collections.abc import Callable
 from os import PathLike
 from typing import Any, final
 
-from numpy.typing import ArrayLike, NDArray
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Arm", "Function", "text_of"]
 
 def text_of(path: str | PathLike[str]) -> str: ...
 @final
@@ -10,11 +13,12 @@ class Function:
     def __call__(
         self,
         *arguments: ArrayLike,
-        out: NDArray[Any] | None = ...,
-        threads: int | None = ...,
-        on_singular: str = ...,
+        out: NDArray[Any] | None = None,
+        threads: int | None = None,
+        on_singular: str = "raise",
         **keywords: ArrayLike,
     ) -> Any: ...
+    def bound(self, *arguments: ArrayLike, **keywords: ArrayLike) -> Any: ...
     @property
     def __name__(self) -> str: ...
 
@@ -32,6 +36,22 @@ class Arm:
         fields: list[str] = ...,
     ) -> Arm: ...
     def with_fields(self, values: list[tuple[str, float]]) -> Arm: ...
+    def identified(
+        self,
+        base_parameters: list[float],
+        friction: list[list[float]] | None = None,
+    ) -> Arm: ...
+    def nearest_possible(self, base_parameters: list[float]) -> tuple[list[float], float]: ...
+    def operations(self, function: str) -> tuple[int, int, int, int, int]: ...
+    def formulas(self, function: str, format: str, terms: int) -> tuple[list[str], list[str]]: ...
+    def source(self, language: str, functions: list[str]) -> list[tuple[str, str]]: ...
+    def check(self, samples: int) -> tuple[str, bool, list[tuple[str, float, float]]]: ...
+    def simulate(
+        self,
+        plan: dict[str, Any],
+        law: Callable[..., ArrayLike] | None,
+        constant: list[float],
+    ) -> tuple[dict[str, Any], tuple[float, str, bool] | None]: ...
     @property
     def name(self) -> str: ...
     @property

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+import types
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _toml
+from ._motion import Law, Trajectory, simulate
 from ._native import Function
+from ._questions import Formulas, Operations, Report
+
+_OPTIONS = ("functions", "chain", "ignore", "round_angles", "fields")
+"""Keywords that are no entries of a table."""
 
 _TEXT = "TOML"
 """The name of a text in messages."""
@@ -44,7 +50,7 @@ class Robot:
     mass_matrix: Function
     potential_energy: Function
 
-    def __init__(self, source: _Source, fields: Mapping[str, float]) -> None:
+    def __init__(self, source: _Origin, fields: Mapping[str, float]) -> None:
         self._source = source
         arm = source.read()
         self._set(arm.with_fields(list(fields.items())) if fields else arm)
@@ -74,8 +80,9 @@ class Robot:
 
         The convention is `"standard"` or `"modified"` (Denavit and Hartenberg's, or Craig's).
         """
-        table = {"convention": convention, "joint": joint}
-        return cls._read(_TEXT, _toml.document(table), entries)
+        options = {name: entries.pop(name) for name in _OPTIONS if name in entries}
+        table = {"convention": convention, "joint": joint, **entries}
+        return cls._read(_TEXT, _toml.document(_in_files(table)), options)
 
     @classmethod
     def _read(cls, path: str, text: str, entries: dict[str, Any]) -> Robot:
@@ -114,12 +121,125 @@ class Robot:
         robot._set(self._arm.with_fields([(name, float(x)) for name, x in values.items()]))
         return robot
 
+    def operations(self, function: str) -> Operations:
+        """How many operations the program of a function takes at a state."""
+        return Operations(*self._arm.operations(function))
+
+    def formulas(self, function: str, format: str = "text", *, terms: int = 1000) -> Formulas:
+        """The formulas of a function as `"text"`, `"latex"` or `"mathml"`: a string with a line for each equation.
+
+        `ValueError` of a formula of more than so many terms, and of functions that solve equations step by step.
+        """
+        return Formulas(*self._arm.formulas(function, format, terms))
+
+    def bound(self, function: str, *arguments: ArrayLike) -> Any:
+        """Proven bounds of the rounding of a function's values, in arrays as the function returns them.
+
+        Arguments and fields are exactly the doubles that they are. A bound is infinite where nothing is proven.
+        """
+        return self._function(function).bound(*arguments)
+
+    def source(self, lang: str, functions: Iterable[str] | None = None) -> dict[str, str]:
+        """Functions as source code: the texts of files by their names.
+
+        `lang` is `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names.
+        """
+        return dict(self._arm.source(lang, list(functions or self.functions)))
+
+    def function(self, name: str) -> Callable[..., Any]:
+        """A function as straight lines of Python, compiled: its last argument `xp` is the namespace of arrays.
+
+        `xp` is numpy, or `jax.numpy`, `torch`, `casadi`, `sympy`. Where the robot has fields, the first argument `arm` has
+        them as attributes.
+        """
+        (text,) = self.source("python", [name]).values()
+        module = types.ModuleType(name)
+        exec(compile(text, f"<{name} of {self._arm.name}>", "exec"), module.__dict__)
+        function: Callable[..., Any] = getattr(module, name)
+        return function
+
+    def check(self, samples: int = 1000) -> Report:
+        """Compares the functions with Newton-Euler at random states."""
+        return Report(*self._arm.check(samples))
+
+    def simulate(
+        self,
+        q: ArrayLike,
+        qd: ArrayLike | None = None,
+        *,
+        torque: Law | ArrayLike | None = None,
+        duration: float = 1.0,
+        samples: int = 101,
+        method: str = "dormand_prince",
+        base: ArrayLike | None = None,
+        **settings: Any,
+    ) -> Trajectory:
+        """Follows the motion from positions `q` and velocities `qd` under the torques of a law.
+
+        `torque` is a vector, or a function `law(t, q, qd)`; of a robot whose base moves `law(t, base, q, v)`, and `base` is
+        its pose at first, `(4, 4)`. With `control_period` the law is called once a period, in order, and held: it may have
+        a memory then. Methods with error control, which take `tolerance`, `max_step` and `max_steps`: `dormand_prince`,
+        `dop853`, `radau5`. Methods of a fixed `step`: `explicit_euler`, `craig_euler`, `semi_implicit_euler`,
+        `runge_kutta4`, `implicit_midpoint`, `gauss_legendre4`, `gauss_legendre6`. Further settings:
+
+        `friction`: `"sign"`, `"sticking"` (joints stop and stick, as events), or `"regularised"` by a `speed`.
+        `stops`: the restitution with which joints rebound at the limits of the table, from 0 to 1.
+        `limits_are_errors`: whether the motion ends where a joint passes a limit.
+        `saturate`: whether torques are cut to the limits of the table.
+
+        `SimulationError` where the motion ends early, with all samples before.
+        """
+        given = {"torque": torque, "duration": duration, "samples": samples, "method": method}
+        return simulate(self._arm, q, qd, base, {**given, **settings})
+
+    def identified(
+        self, base_parameters: ArrayLike, friction: ArrayLike | None = None
+    ) -> Robot:
+        """The robot with identified base parameters, in the order of `base_parameters`; `regressor` must be a function.
+
+        `friction` has a row `(viscous, coulomb, coulomb of negative velocities)` for each joint that moves. `ValueError` of
+        base parameters that no bodies have: `nearest_possible` finds some that bodies have.
+        """
+        rows = None if friction is None else np.asarray(friction, dtype=np.float64).tolist()
+        source = _Identified(self, np.asarray(base_parameters, dtype=np.float64).tolist(), rows)
+        return Robot(source, {})
+
+    def nearest_possible(self, base_parameters: ArrayLike) -> tuple[NDArray[np.float64], float]:
+        """The base parameters nearest to these that bodies can have, and their distance in torque, N m or N."""
+        given = np.asarray(base_parameters, dtype=np.float64).tolist()
+        nearest, distance = self._arm.nearest_possible(given)
+        return np.array(nearest), distance
+
+    def _function(self, name: str) -> Function:
+        if name not in self._functions:
+            expected = ", ".join(self._functions)
+            raise ValueError(f"`{name}` was not asked for by `functions`: expected one of {expected}")
+        return self._functions[name]
+
     def __reduce__(self) -> tuple[Any, ...]:
         values = {name: x for name, x in self.fields.items() if x == x}
         return Robot, (self._source, values)
 
     def __repr__(self) -> str:
         return f"<Robot {self._arm.name}: {', '.join(self.joint_names)}>"
+
+
+class _Origin(Protocol):
+    """What a robot is read of, also when it is unpickled."""
+
+    def read(self) -> _native.Arm: ...
+
+
+class _Identified:
+    """A robot with identified base parameters."""
+
+    def __init__(
+        self, robot: Robot, parameters: list[float], friction: list[list[float]] | None
+    ) -> None:
+        self.robot, self.parameters, self.friction = robot, parameters, friction
+
+    def read(self) -> _native.Arm:
+        return self.robot._arm.identified(self.parameters, self.friction)
 
 
 class _Source:
@@ -142,10 +262,22 @@ class _Source:
             "round_angles": entries.pop("round_angles", None),
             "fields": list(fields),
         }
-        self.options["entries"] = _toml.document(entries)
+        self.options["entries"] = _toml.document(_in_files(entries))
 
     def read(self) -> _native.Arm:
         return _native.Arm(**self.options)
+
+
+def _in_files(entries: Mapping[str, Any]) -> dict[str, Any]:
+    """Entries by their names in files, where each frame has a table `frame` of its own, and names come first.
+
+    `None` and empty mappings, which a program may come to, say nothing.
+    """
+    says = lambda entry: entry is not None and not (isinstance(entry, Mapping) and not entry)
+    said = {name: entry for name, entry in entries.items() if says(entry)}
+    named = {"frame" if name == "frames" else name: entry for name, entry in said.items()}
+    names = {"let": named.pop("let")} if "let" in named else {}
+    return {**names, **named}
 
 
 def _words(given: str | Iterable[str] | None) -> list[str] | None:

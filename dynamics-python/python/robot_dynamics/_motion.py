@@ -1,0 +1,172 @@
+"""Simulated motions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+
+Law = Callable[..., ArrayLike]
+"""Torques as a function `law(t, q, qd)`, or `law(t, base, q, v)` where the base moves."""
+
+Floats = NDArray[np.float64]
+
+SETTINGS: dict[str, Any] = {
+    "step": None,
+    "tolerance": None,
+    "max_step": None,
+    "max_steps": None,
+    "friction": "sign",
+    "speed": 1e-3,
+    "saturate": False,
+    "stops": None,
+    "limits_are_errors": False,
+    "control_period": None,
+}
+"""Further settings of a simulation, as they are where nothing is said."""
+
+
+class Work(NamedTuple):
+    """The work of a run."""
+
+    evaluations: int
+    """How often the equations of motion were evaluated."""
+    steps: int
+    rejected: int
+    """Steps thrown away because their error was too large."""
+
+
+@dataclass
+class Trajectory:
+    """A sampled motion: one row for each of the times `t`. SI units, radians."""
+
+    t: Floats
+    """Times, `(k,)`."""
+    q: Floats
+    """Joint positions, `(k, n)`."""
+    qd: Floats
+    """Velocities, `(k, n)`; of a robot whose base moves the six of the base first, in its axes."""
+    qdd: Floats
+    """Accelerations, as the velocities; NaN where they could not be computed."""
+    tau: Floats
+    """Torques of the law, as the velocities."""
+    kinetic_energy: Floats
+    """T, `(k,)`, J."""
+    potential_energy: Floats
+    """U, `(k,)`, J."""
+    work: Work
+    base: Floats | None = None
+    """Poses of a base that moves, `(k, 4, 4)`."""
+    joint_names: list[str] = field(default_factory=list)
+
+    @property
+    def energy(self) -> Floats:
+        """T + U, `(k,)`, J."""
+        return self.kinetic_energy + self.potential_energy
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def plot(self) -> Any:
+        """Positions, velocities and torques over time, as a figure of matplotlib, which must be installed."""
+        import matplotlib.pyplot as plt
+
+        figure, axes = plt.subplots(3, 1, sharex=True, layout="constrained")
+        moving = len(self.joint_names)
+        for axis, values, label in zip(
+            axes, (self.q, self.qd, self.tau), ("q", "qd", "tau"), strict=True
+        ):
+            axis.plot(self.t, values[:, values.shape[1] - moving :], label=self.joint_names)
+            axis.set_ylabel(label)
+        axes[0].legend()
+        axes[-1].set_xlabel("t in s")
+        return figure
+
+
+class SimulationError(RuntimeError):
+    """A motion that could not be followed to its end."""
+
+    def __init__(self, time: float, reason: str, trajectory: Trajectory) -> None:
+        super().__init__(time, reason, trajectory)
+        self.time = time
+        """The time reached, s."""
+        self.reason = reason
+        self.trajectory = trajectory
+        """All samples before."""
+
+    def __str__(self) -> str:
+        return self.reason
+
+
+def simulate(
+    arm: _native.Arm,
+    q: ArrayLike,
+    qd: ArrayLike | None,
+    base: ArrayLike | None,
+    settings: dict[str, Any],
+) -> Trajectory:
+    """The motion of a robot from rest, or from velocities."""
+    torque = settings.pop("torque")
+    unknown = sorted(set(settings) - set(SETTINGS) - {"duration", "samples", "method"})
+    if unknown:
+        raise TypeError(f"unknown settings {unknown}: expected some of {', '.join(SETTINGS)}")
+    moves = arm.dof - len(arm.joint_names)
+    if base is not None and not moves:
+        raise ValueError("`base` is of a robot whose base moves: this one stands")
+    law = torque if callable(torque) else None
+    constant = None if callable(torque) else torque
+    plan = {
+        **SETTINGS,
+        **settings,
+        "base": None if base is None else _entries_of_pose(base),
+        "q": _vector("q", q, len(arm.joint_names)),
+        "v": _vector("qd", qd, arm.dof),
+    }
+    arrays, stopped = arm.simulate(plan, law, _vector("torque", constant, arm.dof))
+    motion = _trajectory(arrays, arm.joint_names)
+    if stopped is None:
+        return motion
+    time, reason, is_setting = stopped
+    if is_setting:
+        raise ValueError(reason)
+    raise SimulationError(time, reason, motion)
+
+
+def _vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
+    """A vector as numbers, zeros where it is not given."""
+    if given is None:
+        return [0.0] * entries
+    vector = np.asarray(given, dtype=np.float64)
+    if vector.shape != (entries,):
+        raise ValueError(f"`{name}` has the shape {vector.shape}: expected ({entries},)")
+    numbers: list[float] = vector.tolist()
+    return numbers
+
+
+def _entries_of_pose(given: ArrayLike) -> list[float]:
+    """The rotation by rows, then the position."""
+    pose = np.asarray(given, dtype=np.float64)
+    if pose.shape != (4, 4):
+        raise ValueError(f"`base` has the shape {pose.shape}: expected (4, 4)")
+    return [*pose[:3, :3].ravel().tolist(), *pose[:3, 3].tolist()]
+
+
+def _trajectory(arrays: dict[str, Any], joint_names: list[str]) -> Trajectory:
+    energies = arrays["energies"]
+    return Trajectory(
+        t=arrays["t"],
+        q=arrays["q"],
+        qd=arrays["v"],
+        qdd=arrays["a"],
+        tau=arrays["tau"],
+        kinetic_energy=energies[:, 0],
+        potential_energy=energies[:, 1],
+        work=Work(*arrays["work"]),
+        base=arrays.get("base"),
+        joint_names=joint_names,
+    )

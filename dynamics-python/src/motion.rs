@@ -1,0 +1,273 @@
+//! Simulations, under torques that are constant or a law of Python.
+
+use dynamics_evaluation::{EvaluationError, RuntimeRobot};
+use dynamics_runtime::nalgebra::{DVector, Dyn};
+use dynamics_runtime::simulation::{
+    Cause, Dop853, DormandPrince, Method, Radau5, SizedModel, Stand, Work,
+};
+use dynamics_runtime::{Friction, Pose, Simulation};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::force::Force;
+use crate::results::array;
+use crate::robot::Arm;
+
+/// A run that is asked for.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct Plan {
+    base: Option<[f64; 12]>,
+    q: Vec<f64>,
+    v: Vec<f64>,
+    duration: f64,
+    samples: usize,
+    method: String,
+    step: Option<f64>,
+    tolerance: Option<f64>,
+    max_step: Option<f64>,
+    max_steps: Option<usize>,
+    friction: String,
+    speed: f64,
+    saturate: bool,
+    stops: Option<f64>,
+    limits_are_errors: bool,
+    control_period: Option<f64>,
+}
+
+/// A motion: one entry a sample.
+#[derive(Default)]
+struct Motion {
+    t: Vec<f64>,
+    base: Vec<f64>,
+    q: Vec<DVector<f64>>,
+    v: Vec<DVector<f64>>,
+    a: Vec<DVector<f64>>,
+    tau: Vec<DVector<f64>>,
+    energies: Vec<[f64; 2]>,
+    work: Work,
+}
+
+/// How a run ended early: the time, the reason, and whether a setting makes no sense.
+type Stopped = (f64, String, bool);
+
+impl Plan {
+    fn method(&self) -> PyResult<Method> {
+        let step = || {
+            self.step.ok_or_else(|| {
+                let message = format!(
+                    "`method` {:?} has steps of one length: `step` is missing",
+                    self.method
+                );
+                PyValueError::new_err(message)
+            })
+        };
+        macro_rules! controlled {
+            ($settings:ident) => {{
+                let tolerance = self.tolerance.map($settings::with_tolerance);
+                let mut settings = tolerance.unwrap_or_default();
+                settings.max_step = self.max_step.or(settings.max_step);
+                settings.max_steps = self.max_steps.unwrap_or(settings.max_steps);
+                Method::from(settings)
+            }};
+        }
+        Ok(match self.method.as_str() {
+            "explicit_euler" => Method::ExplicitEuler { step: step()? },
+            "craig_euler" => Method::CraigEuler { step: step()? },
+            "semi_implicit_euler" => Method::SemiImplicitEuler { step: step()? },
+            "runge_kutta4" => Method::RungeKutta4 { step: step()? },
+            "implicit_midpoint" => Method::ImplicitMidpoint { step: step()? },
+            "gauss_legendre4" => Method::GaussLegendre4 { step: step()? },
+            "gauss_legendre6" => Method::GaussLegendre6 { step: step()? },
+            "dormand_prince" => controlled!(DormandPrince),
+            "dop853" => controlled!(Dop853),
+            "radau5" => controlled!(Radau5),
+            other => {
+                return Err(PyValueError::new_err(format!(
+                    "`method` is {other:?}: expected dormand_prince, dop853 or radau5, or explicit_euler, craig_euler, \
+                     semi_implicit_euler, runge_kutta4, implicit_midpoint, gauss_legendre4 or gauss_legendre6 with a `step`"
+                )));
+            }
+        })
+    }
+
+    fn friction(&self) -> PyResult<Friction> {
+        let speed = self.speed;
+        match self.friction.as_str() {
+            "sign" => Ok(Friction::Sign),
+            "sticking" => Ok(Friction::Sticking),
+            "regularised" => Ok(Friction::Regularised { speed }),
+            other => Err(PyValueError::new_err(format!(
+                "`friction` is {other:?}: expected \"sign\", \"sticking\" or \"regularised\""
+            ))),
+        }
+    }
+
+    /// The simulation with all settings but its start.
+    fn planned<'a, R: SizedModel<K>, L, W, S, K: Stand>(
+        &self,
+        simulation: Simulation<'a, R, L, K, W, S>,
+        (method, friction): (Method, Friction),
+    ) -> Simulation<'a, R, L, K, W, S> {
+        let mut simulation = simulation
+            .method(method)
+            .friction(friction)
+            .duration(self.duration)
+            .samples(self.samples);
+        if self.saturate {
+            simulation = simulation.saturate();
+        }
+        if let Some(restitution) = self.stops {
+            simulation = simulation.stops(restitution);
+        }
+        if self.limits_are_errors {
+            simulation = simulation.limits_are_errors();
+        }
+        simulation
+    }
+
+    fn start(&self) -> [DVector<f64>; 2] {
+        [&self.q, &self.v].map(|x| DVector::from_column_slice(x))
+    }
+}
+
+/// What came of a run: its samples, and how it stopped where that was before its end.
+type Ran = Result<(Motion, Option<Stopped>), EvaluationError>;
+
+fn is_invalid(cause: &Cause) -> bool {
+    matches!(cause, Cause::InvalidSetting(_))
+}
+
+/// The motion of a robot whose base stands.
+fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
+    let dynamics = robot.dynamics()?;
+    let [q, v] = plan.start();
+    let simulation = plan.planned(Simulation::new(&dynamics).initial(q, v), kinds);
+    let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
+    let outcome = match plan.control_period {
+        None => simulation.torque(law).run(),
+        Some(period) => simulation.control_period(period).torque(law).run(),
+    };
+    let (motion, stopped) = match outcome {
+        Ok(motion) => (motion, None),
+        Err(error) => {
+            let stopped = (error.time, error.to_string(), is_invalid(&error.cause));
+            (error.trajectory, Some(stopped))
+        }
+    };
+    let states = motion.q.iter().zip(&motion.qd);
+    let energies = states.map(|(q, v)| SizedModel::<Dyn>::sized_energies(&dynamics, q, v));
+    let motion = Motion {
+        energies: energies.flatten().collect(),
+        t: motion.t,
+        base: Vec::new(),
+        q: motion.q,
+        v: motion.qd,
+        a: motion.qdd,
+        tau: motion.tau,
+        work: motion.work,
+    };
+    Ok((motion, stopped))
+}
+
+/// The motion of a robot whose base moves.
+fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
+    let dynamics = robot.dynamics_on_base()?;
+    let [q, v] = plan.start();
+    let base = plan.base.map_or_else(Pose::identity, Pose::of_entries);
+    let simulation = plan.planned(Simulation::new(&dynamics).initial(base, q, v), kinds);
+    let law =
+        |t, base: &Pose<f64>, q: &DVector<f64>, v: &DVector<f64>| force.at(t, Some(base), q, v);
+    let outcome = match plan.control_period {
+        None => simulation.torque(law).run(),
+        Some(period) => simulation.control_period(period).torque(law).run(),
+    };
+    let (motion, stopped) = match outcome {
+        Ok(motion) => (motion, None),
+        Err(error) => {
+            let stopped = (error.time, error.to_string(), is_invalid(&error.cause));
+            (error.trajectory, Some(stopped))
+        }
+    };
+    let places = motion.base.iter().zip(&motion.q).zip(&motion.v);
+    let energies = places.map(|(place, v)| dynamics.sized_energies(place, v));
+    let motion = Motion {
+        energies: energies.flatten().collect(),
+        t: motion.t,
+        base: motion.base.iter().flat_map(by_rows).collect(),
+        q: motion.q,
+        v: motion.v,
+        a: motion.a,
+        tau: motion.tau,
+        work: motion.work,
+    };
+    Ok((motion, stopped))
+}
+
+/// The homogeneous matrix of a pose by rows.
+pub(crate) fn by_rows(pose: &Pose<f64>) -> [f64; 16] {
+    let matrix = pose.homogeneous();
+    core::array::from_fn(|k| matrix[(k / 4, k % 4)])
+}
+
+impl Motion {
+    fn arrays<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let samples = self.t.len();
+        let arrays = PyDict::new(py);
+        arrays.set_item("t", array(py, &[samples], &self.t)?)?;
+        if !self.base.is_empty() {
+            arrays.set_item("base", array(py, &[samples, 4, 4], &self.base)?)?;
+        }
+        let vectors = [
+            ("q", &self.q),
+            ("v", &self.v),
+            ("a", &self.a),
+            ("tau", &self.tau),
+        ];
+        for (name, vectors) in vectors {
+            let width = vectors.first().map_or(0, DVector::len);
+            let flat: Vec<f64> = vectors.iter().flat_map(|x| x.iter().copied()).collect();
+            arrays.set_item(name, array(py, &[vectors.len(), width], &flat)?)?;
+        }
+        let energies = self.energies.as_flattened();
+        arrays.set_item("energies", array(py, &[self.energies.len(), 2], energies)?)?;
+        let Work {
+            evaluations,
+            steps,
+            rejected,
+            ..
+        } = self.work;
+        arrays.set_item("work", (evaluations, steps, rejected))?;
+        Ok(arrays)
+    }
+}
+
+#[pymethods]
+impl Arm {
+    /// Follows a motion. Arrays of its samples, and how it stopped where that was before its end: the time, the reason, and
+    /// whether a setting makes no sense.
+    fn simulate<'py>(
+        &self,
+        py: Python<'py>,
+        plan: Plan,
+        law: Option<Py<PyAny>>,
+        constant: Vec<f64>,
+    ) -> PyResult<(Bound<'py, PyDict>, Option<Stopped>)> {
+        let kinds = (plan.method()?, plan.friction()?);
+        let robot = self.all_functions(py)?;
+        let force = Force::new(law, constant);
+        let (ran, force) = py.detach(move || {
+            let ran = match robot.robot().floating() {
+                Some(_) => on_base(&robot, &plan, kinds, &force),
+                None => standing(&robot, &plan, kinds, &force),
+            };
+            (ran, force)
+        });
+        if let Some(failure) = force.into_failure() {
+            return Err(failure);
+        }
+        let (motion, stopped) = ran.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok((motion.arrays(py)?, stopped))
+    }
+}

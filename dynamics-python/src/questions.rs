@@ -1,0 +1,128 @@
+//! What a robot says of its functions: formulas, operations, source code, and a check.
+
+use dynamics_runtime::check::Check;
+use dynamics_symbolic::emit::{
+    c_source, javascript_module, matlab_files, python_module, snake_case,
+};
+use dynamics_symbolic::formula::{Budget, Format, Formulas};
+use dynamics_symbolic::{Proven, Request};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::robot::Arm;
+
+/// How far formulas are multiplied out before they are given up, for each term that one may have.
+const PRODUCTS_FOR_EACH_TERM: usize = 30;
+
+/// A function in the report of a check: its name, the largest error relative to its scale, and the largest that passes.
+type Compared = (String, f64, f64);
+
+#[pymethods]
+impl Arm {
+    /// How many products, sums, quotients, pairs of sine and cosine, and exponentials a function takes.
+    fn operations(&self, py: Python<'_>, function: &str) -> PyResult<(u32, u32, u32, u32, u32)> {
+        let counted = self.derived(py, function)?.proven.program.operations();
+        Ok((
+            counted.multiplications,
+            counted.additions,
+            counted.divisions,
+            counted.sin_cos,
+            counted.exponentials,
+        ))
+    }
+
+    /// The formulas of a function, one a line, and the lines that say what their letters mean.
+    fn formulas(
+        &self,
+        py: Python<'_>,
+        function: &str,
+        format: &str,
+        terms: usize,
+    ) -> PyResult<(Vec<String>, Vec<String>)> {
+        let format = match format {
+            "text" => Format::Text,
+            "latex" => Format::Latex,
+            "mathml" => Format::MathMl,
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "`format` is {format:?}: expected \"text\", \"latex\" or \"mathml\""
+                )));
+            }
+        };
+        let derived = self.derived(py, function)?;
+        let budget = Budget {
+            terms,
+            products: PRODUCTS_FOR_EACH_TERM.saturating_mul(terms),
+        };
+        let (parts, program) = (derived.request.parts(), &derived.proven.program);
+        let formulas = Formulas::new(&self.description.robot, parts, program, budget);
+        let shown = formulas.shown(format, terms);
+        if shown.is_empty() {
+            return Err(PyValueError::new_err(format!(
+                "`{function}` has no formulas: it solves equations step by step, or its values have no letters"
+            )));
+        }
+        let too_long = shown.iter().filter_map(|one| one.formula.as_ref().err());
+        if let Some(most) = too_long.map(|too_long| too_long.terms).max() {
+            return Err(PyValueError::new_err(format!(
+                "formulas of `{function}` have more than {terms} terms: `terms={most}` allows as many as are known of"
+            )));
+        }
+        let equations = formulas.equations(terms).into_iter();
+        let equations = equations.map(|equation| match format {
+            Format::Text => equation.text,
+            Format::Latex => equation.latex,
+            Format::MathMl => equation.mathml,
+        });
+        Ok((equations.collect(), formulas.legend(terms)))
+    }
+
+    /// The files of functions in another language: their names and texts.
+    fn source(
+        &self,
+        py: Python<'_>,
+        language: &str,
+        functions: Vec<String>,
+    ) -> PyResult<Vec<(String, String)>> {
+        let programs = |names: &[String]| -> PyResult<Vec<(Request, Proven)>> {
+            let derived = names.iter().map(|name| self.derived(py, name));
+            derived
+                .map(|derived| derived.map(|of| (of.request.clone(), of.proven.clone())))
+                .collect()
+        };
+        let robot = &self.description.robot;
+        let name = snake_case(&robot.name);
+        let file = |ending: &str, text: String| (format!("{name}.{ending}"), text);
+        Ok(match language {
+            "c" => {
+                let source = c_source(robot, &programs(&functions)?);
+                vec![file("h", source.header), file("c", source.source)]
+            }
+            "js" => vec![file(
+                "mjs",
+                javascript_module(robot, &programs(&functions)?),
+            )],
+            "matlab" => matlab_files(robot, &programs(&functions)?),
+            "python" => vec![file("py", python_module(robot, &programs(&functions)?))],
+            _ => {
+                return Err(PyValueError::new_err(format!(
+                    "`lang` is {language:?}: expected \"c\", \"js\", \"matlab\" or \"python\""
+                )));
+            }
+        })
+    }
+
+    /// Compares the functions with Newton-Euler at so many random states. The text of the report, whether all passed, and
+    /// each function.
+    fn check(&self, py: Python<'_>, samples: usize) -> PyResult<(String, bool, Vec<Compared>)> {
+        let robot = self.all_functions(py)?;
+        let report = py.detach(|| Check::new().samples(samples).run_any(&robot));
+        let functions = report.functions.iter().map(|of| {
+            let frame = of.frame.as_ref().map(|frame| format!("_{frame}"));
+            let name = of.function.to_owned() + &frame.unwrap_or_default();
+            (name, of.error, of.tolerance)
+        });
+        let functions = functions.collect();
+        Ok((report.to_string(), report.is_ok(), functions))
+    }
+}

@@ -1,0 +1,168 @@
+"""Simulations under constant torques and under laws of Python."""
+
+import numpy as np
+import pytest
+
+import robot_dynamics as rd
+
+CART = """
+convention = "modified"
+gravity = [0, -9.7, -1.5]
+[[joint]]
+name = "rail"
+type = "prismatic"
+mass = 2
+limits = [-1, 1]
+torque_limit = 4
+"""
+"""A cart of 2 kg on a rail that slopes."""
+
+PENDULUM = """
+convention = "modified"
+gravity = [9.81, 0, 0]
+[[joint]]
+name = "pivot"
+type = "revolute"
+mass = 1
+com = [0.5, 0, 0]
+"""
+
+METHODS = [
+    ("explicit_euler", 1e-4, 2e-3),
+    ("craig_euler", 1e-4, 2e-3),
+    ("semi_implicit_euler", 1e-4, 2e-3),
+    ("runge_kutta4", 1e-2, 1e-6),
+    ("implicit_midpoint", 1e-3, 1e-5),
+    ("gauss_legendre4", 1e-2, 1e-7),
+    ("gauss_legendre6", 1e-2, 1e-9),
+    ("dormand_prince", None, 1e-7),
+    ("dop853", None, 1e-7),
+    ("radau5", None, 1e-6),
+]
+
+
+@pytest.fixture(scope="module")
+def cart() -> rd.Robot:
+    return rd.Robot.from_toml(CART)
+
+
+@pytest.fixture(scope="module")
+def pendulum() -> rd.Robot:
+    return rd.Robot.from_toml(PENDULUM)
+
+
+@pytest.mark.parametrize(("method", "step", "tolerance"), METHODS)
+def test_all_methods_follow_a_pendulum(
+    pendulum: rd.Robot, method: str, step: float | None, tolerance: float
+) -> None:
+    exact = pendulum.simulate([1.0], duration=2, method="dop853", tolerance=1e-13)
+    motion = pendulum.simulate([1.0], duration=2, method=method, step=step)
+    np.testing.assert_allclose(motion.q, exact.q, atol=tolerance)
+    assert motion.q.shape == motion.qd.shape == motion.qdd.shape == motion.tau.shape == (101, 1)
+    assert motion.work.steps > 0 and len(motion) == 101
+    np.testing.assert_allclose(exact.energy, exact.energy[0], atol=1e-11)
+
+
+def test_a_constant_torque(cart: rd.Robot) -> None:
+    """Gravity pulls with 3 N: 5 N accelerate by 1 m/s^2."""
+    motion = cart.simulate([0.0], [0.5], torque=[5], duration=1.0, samples=11)
+    np.testing.assert_allclose(motion.q[:, 0], 0.5 * motion.t + 0.5 * motion.t**2, atol=1e-12)
+    np.testing.assert_allclose(motion.qdd, 1, atol=1e-12)
+    held = cart.simulate([0.0], torque=[5], saturate=True)
+    np.testing.assert_array_equal(held.tau, 4)
+
+
+def test_a_law_of_python(cart: rd.Robot) -> None:
+    def law(t: float, q: np.ndarray, qd: np.ndarray) -> np.ndarray:
+        return 3 - 50 * q - 20 * qd
+
+    motion = cart.simulate([0.4], torque=law, duration=3.0)
+    np.testing.assert_allclose(motion.q[:, 0], 0.4 * (1 + 5 * motion.t) * np.exp(-5 * motion.t), atol=1e-7)
+    np.testing.assert_allclose(motion.tau, 3 - 50 * motion.q - 20 * motion.qd, atol=1e-12)
+
+
+def test_a_sampled_law_has_a_memory(cart: rd.Robot) -> None:
+    calls = []
+
+    def law(t: float, q: np.ndarray, qd: np.ndarray) -> list[float]:
+        calls.append(t)
+        integral = sum(0.1 - p for p in positions) * 1e-2
+        positions.append(q[0])
+        return [(0.1 - q[0]) * 200 + integral * 400 - qd[0] * 40]
+
+    positions: list[float] = []
+    motion = cart.simulate([0.0], torque=law, duration=1.0, control_period=1e-2)
+    assert calls == sorted(calls) and 100 <= len(calls) <= 101
+    assert motion.q[-1, 0] == pytest.approx(0.1, abs=0.02)
+
+
+def test_an_exception_of_the_law_is_raised(cart: rd.Robot) -> None:
+    def law(t: float, q: np.ndarray, qd: np.ndarray) -> list[float]:
+        if t > 0.5:
+            raise KeyError("broken")
+        return [0.0]
+
+    with pytest.raises(KeyError, match="broken"):
+        cart.simulate([0.0], torque=law)
+    with pytest.raises(ValueError, match="`torque` returned 2 numbers: expected 1"):
+        cart.simulate([0.0], torque=lambda t, q, qd: [0, 0])
+
+
+def test_stops_and_limits(cart: rd.Robot) -> None:
+    with pytest.raises(rd.SimulationError, match="rail|joint 1") as raised:
+        cart.simulate([0.0], limits_are_errors=True, duration=4)
+    error = raised.value
+    # It slides down by 1.5 m/s^2 / 2 t^2.
+    assert error.time == pytest.approx(np.sqrt(2 / 1.5)) and error.trajectory.t[-1] <= error.time
+    motion = cart.simulate([0.0], stops=0.5, duration=4)
+    assert motion.q.min() >= -1 and motion.qd.max() > 0.5
+
+
+def test_sticking(cart: rd.Robot) -> None:
+    text = CART + "friction = { coulomb = 5 }\n"
+    arm = rd.Robot.from_toml(text)
+    motion = arm.simulate([0.0], [1.0], friction="sticking")
+    assert motion.qd[-1, 0] == 0 and motion.q[-1, 0] > 0
+    with pytest.raises(ValueError, match="`friction` is \"glue\""):
+        arm.simulate([0.0], friction="glue")
+
+
+def test_settings_that_make_no_sense(cart: rd.Robot) -> None:
+    for settings, message in [
+        ({"method": "verlet"}, "`method` is \"verlet\""),
+        ({"method": "runge_kutta4"}, "`step` is missing"),
+        ({"duration": -1.0}, "duration"),
+        ({"torque": [1, 2]}, r"`torque` has the shape \(2,\): expected \(1,\)"),
+        ({"base": np.eye(4)}, "stands"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            cart.simulate([0.0], **settings)
+    with pytest.raises(TypeError, match="unknown settings"):
+        cart.simulate([0.0], steps=3)
+
+
+def test_a_base_that_moves() -> None:
+    body = rd.Robot.from_table(
+        convention="modified",
+        gravity=[0, 0, -10],
+        base={"floating": True, "mass": 2, "inertia": {"xx": 0.1, "yy": 0.2, "zz": 0.25}},
+        joint=[{"name": "wheel", "type": "revolute", "mass": 1, "inertia": {"zz": 0.1}}],
+    )
+
+    def law(t: float, base: np.ndarray, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        assert base.shape == (4, 4) and q.shape == (1,) and v.shape == (7,)
+        return np.zeros(7)
+
+    velocity = [0, 0, 0, 0, 0, 0, 3.0]
+    motion = body.simulate([0.0], velocity, torque=law, duration=1, samples=11)
+    assert motion.base is not None and motion.base.shape == (11, 4, 4)
+    np.testing.assert_allclose(motion.base[:, 2, 3], -5 * motion.t**2, atol=1e-9)
+    np.testing.assert_allclose(motion.q[:, 0], 3 * motion.t, atol=1e-9)
+
+
+def test_a_motion_is_plotted(pendulum: rd.Robot) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    figure = pendulum.simulate([1.0]).plot()
+    assert [axis.get_ylabel() for axis in figure.axes] == ["q", "qd", "tau"]
+    np.testing.assert_allclose(figure.axes[0].lines[0].get_xdata(), np.linspace(0, 1, 101))

@@ -1,0 +1,86 @@
+"""Formulas, operations, source code and checks."""
+
+import numpy as np
+import pytest
+
+import robot_dynamics as rd
+from conftest import DATA, panda
+
+FIELDS = {"m1": 1.0, "m2": 2.0, "l1": 0.5, "l2": 0.4, "g": 9.81}
+
+
+@pytest.fixture(scope="module")
+def two_link() -> rd.Robot:
+    return rd.Robot.from_file(DATA / "files" / "two_link.toml", fields=FIELDS)
+
+
+def test_operations_are_counted(arm: rd.Robot) -> None:
+    operations = arm.operations("inverse_dynamics")
+    assert operations.total == operations.multiplications + operations.additions
+    assert 400 < operations.total < 700 and operations.sin_cos == 6
+    assert arm.operations("forward_dynamics").divisions > 0
+
+
+def test_formulas(two_link: rd.Robot) -> None:
+    formulas = two_link.formulas("gravity_vector")
+    assert len(formulas.equations) == 2 and "m2" in formulas and "cos" in formulas
+    assert "\\tfrac{1}{2} \\, m_{1}" in two_link.formulas("gravity_vector", format="latex")
+    assert "<math" in two_link.formulas("gravity_vector", format="mathml")
+    with pytest.raises(ValueError, match="expected \"text\", \"latex\" or \"mathml\""):
+        two_link.formulas("gravity_vector", format="html")
+    with pytest.raises(ValueError, match="more than 1 terms"):
+        two_link.formulas("mass_matrix", terms=1)
+    with pytest.raises(ValueError, match="has no formulas"):
+        two_link.formulas("forward_dynamics")
+
+
+def test_source_in_other_languages(two_link: rd.Robot) -> None:
+    header, source = two_link.source("c", functions=["mass_matrix"]).items()
+    assert header[0].endswith(".h") and source[0].endswith(".c") and "mass_matrix" in source[1]
+    (module,) = two_link.source("js").values()
+    assert "export function inverse_dynamics" in module
+    assert "mass_matrix.m" in two_link.source("matlab", functions=["mass_matrix"])
+    with pytest.raises(ValueError, match="`lang` is \"fortran\""):
+        two_link.source("fortran")
+
+
+def test_a_function_for_other_namespaces(arm: rd.Robot, two_link: rd.Robot) -> None:
+    function = arm.function("inverse_dynamics")
+    q, qd, qdd = np.random.default_rng(0).uniform(-1, 1, (3, 5, 7))
+    np.testing.assert_allclose(function(q, qd, qdd, xp=np), arm.inverse_dynamics(q, qd, qdd), atol=1e-12)
+
+    class Fields:
+        m1, m2, l1, l2, g = FIELDS.values()
+
+    M = two_link.function("mass_matrix")(Fields, np.zeros(2))
+    np.testing.assert_allclose(M, two_link.mass_matrix(np.zeros(2)), atol=1e-14)
+
+
+def test_functions_are_checked(arm: rd.Robot) -> None:
+    report = arm.check(samples=50)
+    assert report and report.ok
+    names = [function.function for function in report.functions]
+    assert {"mass_matrix", "inverse_dynamics", "forward_dynamics"} <= set(names)
+    assert all(function.error <= function.tolerance for function in report.functions)
+    assert "inverse_dynamics" in str(report)
+
+
+def test_identified_robots() -> None:
+    arm = panda(functions=["default", "regressor", "base_parameters"])
+    q, qd, qdd = np.random.default_rng(0).uniform(-1, 1, (3, 40, 7))
+    b = arm.base_parameters()
+    changed = b * 1.01
+    nearest, distance = arm.nearest_possible(changed)
+    identified = arm.identified(nearest)
+    np.testing.assert_allclose(identified.base_parameters(), nearest, atol=1e-9)
+    expected = arm.regressor(q, qd, qdd) @ nearest + arm.friction_vector(qd)
+    np.testing.assert_allclose(identified.inverse_dynamics(q, qd, qdd), expected, atol=1e-8)
+    assert distance >= 0
+    import pickle
+
+    same = pickle.loads(pickle.dumps(identified))
+    np.testing.assert_array_equal(same.mass_matrix(q), identified.mass_matrix(q))
+    free = arm.identified(nearest, friction=np.zeros((7, 3)))
+    assert not free.friction_vector(qd).any() if "friction_vector" in free.functions else True
+    with pytest.raises(ValueError, match="base_parameters"):
+        arm.identified(b[:-1])
