@@ -75,8 +75,32 @@ fn times(first: f64, last: f64, samples: usize) -> impl Iterator<Item = f64> {
     (0..samples).map(move |k| first + (last - first) * (k as f64 / steps))
 }
 
+/// Refuses as many numbers as the position or the pose of a tip has, where the joints are not as many.
+fn refuse_pose_of_tip(given: &ArgMatches, robot: &Robot) -> Result<(), Failure> {
+    let joints = robot.freedoms().joints;
+    let found = given.get_many::<f64>("to").map_or(joints, Iterator::count);
+    if found == joints || ![3, 6].contains(&found) {
+        return Ok(());
+    }
+    let plural = if joints == 1 { "" } else { "s" };
+    Err(Failure::of_the_command_line(format!(
+        "`--to` has {found} numbers: expected {joints}, the position{plural} of the joint{plural} that move{}. \
+         `inverse-dynamics` finds torques, not the joint positions of a pose of the tip",
+        if joints == 1 { "s" } else { "" }
+    )))
+}
+
+/// The failure of a call for inverse kinematics, which the command does not have.
+pub(crate) fn no_kinematics() -> Failure {
+    Failure::of_the_command_line(
+        "there is no inverse kinematics here: `inverse-dynamics` finds the torques of given joint positions, and \
+         `evaluate` the pose of the tip at joint positions",
+    )
+}
+
 /// Each joint by itself from one position to another, in the same time.
 fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
+    refuse_pose_of_tip(given, robot)?;
     let from = positions(given, "from", robot)?;
     let to = positions(given, "to", robot)?;
     let duration = given.get_one::<f64>("duration").copied().unwrap_or(1.0);

@@ -1,6 +1,6 @@
 //! The subcommands, with an example of each.
 
-use clap::{ArgAction, ArgGroup, Command};
+use clap::{Arg, ArgAction, ArgGroup, Command};
 
 use super::options::{
     choice, count, functions, number, number_between, of_a_file, out, path, pose, torque, vector,
@@ -17,6 +17,7 @@ pub(super) fn all() -> Vec<Command> {
         evaluate(),
         simulate(),
         inverse(),
+        inverse_kinematics(),
         measure(),
         convert(),
         page(),
@@ -144,16 +145,19 @@ fn simulate() -> Command {
 }
 
 fn inverse() -> Command {
-    of_a_file("inverse", "Find the torques of a motion, and write them as CSV")
+    of_a_file("inverse-dynamics", "Find the torques of a motion, and write them as CSV")
+        .visible_alias("inverse")
         .long_about(
             "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. The \
              motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
              joined by cubic splines at rest at both ends. A file that `simulate` wrote also has the \
-             velocities and accelerations to pass.",
+             velocities and accelerations to pass.\n\n\
+             --from and --to are positions of the joints. This is no inverse kinematics: the joint positions of a pose of \
+             the tip are not found here.",
         )
         .arg(functions().help(BESIDES))
-        .arg(vector("from", "Positions at the start of a cycloidal motion, rad or m; zeros where this is left out"))
-        .arg(vector("to", "Positions at its end, rad or m"))
+        .arg(vector("from", "Positions of the joints at the start of a cycloidal motion, rad or m; zeros where this is left out"))
+        .arg(vector("to", "Positions of the joints at its end, rad or m: no pose of the tip"))
         .arg(
             path("waypoints", "A CSV file of times, s, and positions, rad or m")
                 .long("waypoints")
@@ -165,8 +169,21 @@ fn inverse() -> Command {
         .arg(out())
         .after_help(
             "Examples:\n  \
-             robot-dynamics inverse two_link.toml --to 1,-0.5 --duration 2\n  \
-             robot-dynamics inverse two_link.toml --waypoints path.csv --samples 1001 --out torques.csv",
+             robot-dynamics inverse-dynamics two_link.toml --to 1,-0.5 --duration 2\n  \
+             robot-dynamics inverse-dynamics two_link.toml --waypoints path.csv --samples 1001 --out torques.csv",
+        )
+}
+
+/// A word that is not offered: without it `inverse-dynamics` would be proposed in its place.
+fn inverse_kinematics() -> Command {
+    Command::new("inverse-kinematics")
+        .hide(true)
+        .disable_help_flag(true)
+        .arg(
+            Arg::new("anything")
+                .num_args(0..)
+                .trailing_var_arg(true)
+                .allow_hyphen_values(true),
         )
 }
 

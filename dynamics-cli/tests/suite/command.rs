@@ -367,6 +367,33 @@ fn torques_of_motions() {
     );
 }
 
+/// The subcommand is named after what it finds; the shorter word of before does the same, and what it is not is told.
+#[test]
+fn inverse_dynamics_is_no_inverse_kinematics() {
+    let pendulum = file("named_inverse.toml", PENDULUM);
+    let [long, short] = ["inverse-dynamics", "inverse"].map(|word| {
+        let path = output(&[word, &pendulum, "--to", "1,0.5", "--samples", "3"]);
+        assert_eq!(rows(&path, 9).len(), 3);
+        path
+    });
+    assert_eq!(long, short);
+    let help = output(&["inverse-dynamics", "--help"]);
+    assert!(help.contains("This is no inverse kinematics"), "{help}");
+    for pose in ["0.5,0,0.2", "0.5,0,0.2,0,0,0"] {
+        let message = errors(&["inverse", &pendulum, "--to", pose], 2);
+        assert!(
+            message.contains("expected 2, the positions of the joints that move")
+                && message.contains("not the joint positions of a pose of the tip"),
+            "{message}"
+        );
+    }
+    let message = errors(&["inverse-kinematics", &pendulum, "--pose", "1,0,0"], 2);
+    assert!(
+        message.contains("there is no inverse kinematics here"),
+        "{message}"
+    );
+}
+
 #[test]
 fn measure_prints_times_and_errors() {
     let pendulum = file("measure.toml", PENDULUM);

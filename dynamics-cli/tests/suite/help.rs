@@ -8,7 +8,7 @@ const SUBCOMMANDS: [&str; 10] = [
     "generate",
     "evaluate",
     "simulate",
-    "inverse",
+    "inverse-dynamics",
     "measure",
     "convert",
     "page",
