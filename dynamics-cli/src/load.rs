@@ -95,7 +95,7 @@ fn read_with(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model
     let model = read_any(path, beside, needed)?;
     if model.robot.freedoms().has_base() {
         let message = format!(
-            "{}: the base moves, which this command does not know: `show`, `check`, `measure`, `evaluate`, `simulate` and `generate` do",
+            "{}: the base moves, which this command does not know: all do but `page` and `inverse-dynamics`",
             path.display()
         );
         return Err(Failure::after(String::new(), message));

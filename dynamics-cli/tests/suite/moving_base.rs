@@ -1,6 +1,6 @@
 //! Robots on a base that moves: checks, motions, and what is refused.
 
-use super::calls::{data, errors, file, output};
+use super::calls::{data, errors, file, folder, output};
 
 /// A brick with a wheel.
 pub(super) const BRICK: &str = r#"
@@ -107,6 +107,59 @@ fn files_of_moving_bases_are_compared() {
     assert!(told.contains("the base stands, and moves in"), "{told}");
 }
 
+/// A file of a robot on a moving base stays the same robot as a table of either convention and as a URDF file. A link
+/// that is locked to the base is a part of it.
+#[test]
+fn moving_bases_are_converted() {
+    let beside = [
+        "--base",
+        "floating",
+        "--gravity",
+        "0,0,-9.81",
+        "--allow",
+        "unphysical_inertia",
+    ];
+    let lock = ["--lock", "lf_haa_joint=0.4"];
+    let hyq = data(HYQ);
+    let written = |name: &str| {
+        folder("converted")
+            .join(name)
+            .to_string_lossy()
+            .into_owned()
+    };
+    let names = ["hyq_modified.toml", "hyq_standard.json", "hyq_again.urdf"].map(written);
+    let [modified, standard, urdf] = names.each_ref().map(String::as_str);
+    output(&[&["convert", &*hyq, "--out", modified][..], &beside, &lock].concat());
+    output(&[
+        "convert",
+        modified,
+        "--convention",
+        "standard",
+        "--out",
+        standard,
+    ]);
+    output(&["convert", standard, "--out", urdf]);
+    for other in names.iter().map(String::as_str) {
+        let call = [
+            "check",
+            &hyq,
+            "--against",
+            other,
+            "--samples",
+            "8",
+            "--tolerance",
+            "1e-12",
+        ];
+        let text = output(&[&call[..], &beside, &lock].concat());
+        assert!(text.contains("against the other file"), "{text}");
+    }
+    let table = std::fs::read_to_string(modified).expect("a table");
+    assert!(
+        table.contains("[base]\nfloating = true\nmass = "),
+        "{table}"
+    );
+}
+
 /// A throw with a spin: the base falls by g t^2 / 2, and a torque at the wheel turns it against the body.
 #[test]
 fn a_throw_is_simulated() {
@@ -206,7 +259,7 @@ fn what_makes_no_sense_is_told() {
         let told = errors(call, 2);
         assert!(told.contains(message), "{told}");
     }
-    let told = errors(&["convert", &brick], 1);
+    let told = errors(&["page", &brick], 1);
     assert!(
         told.contains("the base moves, which this command does not know"),
         "{told}"
