@@ -210,6 +210,14 @@ class Robot:
         nearest, distance = self._arm.nearest_possible(given)
         return np.array(nearest), distance
 
+    def __getattr__(self, name: str) -> Function:
+        """Functions of frames and of several have names of their own. The others were not asked for."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        raise AttributeError(
+            f"no function `{name}`: `functions` asks for it, for example functions=[\"default\", \"{name}\"]"
+        )
+
     def _function(self, name: str) -> Function:
         if name not in self._functions:
             expected = ", ".join(self._functions)
@@ -273,7 +281,10 @@ def _in_files(entries: Mapping[str, Any]) -> dict[str, Any]:
 
     `None` and empty mappings, which a program may come to, say nothing.
     """
-    says = lambda entry: entry is not None and not (isinstance(entry, Mapping) and not entry)
+
+    def says(entry: Any) -> bool:
+        return entry is not None and not (isinstance(entry, Mapping) and not entry)
+
     said = {name: entry for name, entry in entries.items() if says(entry)}
     named = {"frame" if name == "frames" else name: entry for name, entry in said.items()}
     names = {"let": named.pop("let")} if "let" in named else {}
