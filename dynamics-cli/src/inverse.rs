@@ -16,6 +16,7 @@ use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
+use crate::plot;
 use crate::spline::Spline;
 use crate::state::positions;
 
@@ -29,7 +30,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         Some(path) => through_waypoints(path, arm.robot(), samples)?,
         None => cycloidal(given, arm.robot(), samples)?,
     };
-    torques(&arm, motion)
+    let motion = with_torques(&arm, motion)?;
+    let text = written(&motion, &Columns(&arm))?;
+    plot::put(given, || plot::of_motion(arm.robot(), &motion, None))?;
+    Ok(text)
 }
 
 /// The columns of an arm of which there are no energies.
@@ -49,7 +53,8 @@ impl SizedModel<Dyn> for Columns<'_> {
     }
 }
 
-fn torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<String, Failure> {
+/// The motion with the torques that it takes.
+fn with_torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<Motion, Failure> {
     let flat = |list: &Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
     let [q, qd, qdd] = [&motion.q, &motion.qd, &motion.qdd].map(flat);
     let mut tau = vec![0.0; q.len()];
@@ -57,7 +62,7 @@ fn torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<String, Failure> {
     let dof = arm.dof();
     let sample = |k: usize| DVector::from_column_slice(&tau[k * dof..(k + 1) * dof]);
     motion.tau = (0..motion.len()).map(sample).collect();
-    written(&motion, &Columns(arm))
+    Ok(motion)
 }
 
 /// Adds a sample: position, velocity and acceleration of each joint.

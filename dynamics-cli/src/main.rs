@@ -16,6 +16,7 @@ mod joints;
 mod load;
 mod measure;
 mod page;
+mod plot;
 mod poses;
 mod progress;
 mod rust;

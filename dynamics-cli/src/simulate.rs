@@ -5,7 +5,7 @@ use std::fmt::Display;
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::DVector;
-use dynamics_runtime::simulation::{Cause, DormandPrince};
+use dynamics_runtime::simulation::{Cause, DormandPrince, SizedModel as _};
 use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
@@ -13,6 +13,7 @@ use dynamics_symbolic::robot::Robot;
 use crate::csv::{shortest, too_large, written};
 use crate::failure::Failure;
 use crate::load::{count, robot_with};
+use crate::plot;
 use crate::progress::Progress;
 use crate::state::{pose, positions, refuse_pose, vector};
 
@@ -74,7 +75,13 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Strin
             let end = (error.time, reached.unwrap_or(0.0));
             failed(explanation(&error, error.cause, end, duration))
         })?;
-    written(&motion, &arm_in_motion)
+    let text = written(&motion, &arm_in_motion)?;
+    plot::put(given, || {
+        let states = motion.q.iter().zip(&motion.qd);
+        let energies = states.map(|(q, qd)| arm_in_motion.sized_energies(q, qd));
+        plot::of_motion(arm.robot(), &motion, energies.collect())
+    })?;
+    Ok(text)
 }
 
 /// The motion on a base that moves.
@@ -108,6 +115,7 @@ fn motion_on_base(
     }
     let mut text = Vec::new();
     motion.write_csv(&in_motion, &mut text)?;
+    plot::put(given, || plot::on_base(robot.robot(), &motion, energies))?;
     Ok(String::from_utf8(text)?)
 }
 

@@ -115,6 +115,15 @@ pub(super) fn out() -> Arg {
     .long("out")
 }
 
+/// The figure that a subcommand draws besides.
+pub(super) fn plot() -> Arg {
+    path(
+        "plot",
+        "Draw the motion as curves over time into this file too, as SVG",
+    )
+    .long("plot")
+}
+
 /// A number as it is, or a value in the macro's words.
 fn finite(text: &str) -> Result<f64, String> {
     number_of(text).map_err(|mistake| {

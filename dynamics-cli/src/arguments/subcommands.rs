@@ -3,8 +3,8 @@
 use clap::{Arg, ArgAction, ArgGroup, Command};
 
 use super::options::{
-    choice, count, functions, number, number_between, of_a_file, out, path, pose, torque, vector,
-    words,
+    choice, count, functions, number, number_between, of_a_file, out, path, plot, pose, torque,
+    vector, words,
 };
 use crate::convert::WITHOUT;
 
@@ -140,8 +140,9 @@ fn simulate() -> Command {
         .arg(number("duration", "Time simulated, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
         .arg(number_between("tolerance", 1e-15, 1.0, "Relative and absolute tolerance of a step").default_value("1e-9"))
+        .arg(plot())
         .arg(out())
-        .after_help("Example:\n  robot-dynamics simulate two_link.toml --from 0.5,-1 --duration 10 --out fall.csv")
+        .after_help("Example:\n  robot-dynamics simulate two_link.toml --from 0.5,-1 --duration 10 --out fall.csv --plot fall.svg")
 }
 
 fn inverse() -> Command {
@@ -166,6 +167,7 @@ fn inverse() -> Command {
         .group(ArgGroup::new("motion").args(["to", "waypoints"]).required(true))
         .arg(number("duration", "Time of a cycloidal motion, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
+        .arg(plot())
         .arg(out())
         .after_help(
             "Examples:\n  \

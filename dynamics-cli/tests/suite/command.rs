@@ -394,6 +394,43 @@ fn inverse_dynamics_is_no_inverse_kinematics() {
     );
 }
 
+/// A motion is drawn besides, with a panel for each quantity and a curve for each joint.
+#[test]
+fn motions_are_drawn() {
+    let pendulum = file("drawn.toml", PENDULUM);
+    let brick = file("drawn_brick.toml", super::moving_base::BRICK);
+    let path = folder("files").join("drawn.svg");
+    let svg = path.to_string_lossy();
+    for (call, labels) in [
+        (
+            vec!["simulate", &pendulum, "--from", "1,0"],
+            vec!["position, rad", "torque, N m", "pivot", "knee", "energy, J"],
+        ),
+        (
+            vec!["inverse-dynamics", &pendulum, "--to", "1,0"],
+            vec!["velocity, rad/s", "torque, N m", "pivot", "knee"],
+        ),
+        (
+            vec!["simulate", &brick, "--velocity", "1,0,0,0,0,0,1"],
+            vec!["base, m", "yaw", "wheel", "energy, J"],
+        ),
+    ] {
+        let _ = std::fs::remove_file(&path);
+        let call = [&call[..], &["--samples", "5"]].concat();
+        let drawn = output(&[&call[..], &["--plot", &svg]].concat());
+        assert_eq!(drawn, output(&call));
+        let figure = std::fs::read_to_string(&path).expect("a figure");
+        assert!(figure.starts_with("<svg"), "{figure}");
+        for label in labels {
+            assert!(figure.contains(label), "{label}: {figure}");
+        }
+    }
+    let lost = ["simulate", &pendulum, "--plot", &pendulum];
+    assert!(errors(&lost, 2).contains("`--plot"));
+    let one = ["simulate", &pendulum, "--plot", &svg, "--out", &svg];
+    assert!(errors(&one, 2).contains("are one file"));
+}
+
 #[test]
 fn measure_prints_times_and_errors() {
     let pendulum = file("measure.toml", PENDULUM);
