@@ -12,6 +12,8 @@ use crate::failure::Failure;
 pub(crate) struct Beside {
     pub(crate) options: ReadOptions,
     pub(crate) lines: Lines,
+    /// The name of the robot, if it is not that of the file.
+    pub(crate) name: Option<String>,
 }
 
 /// The options for which the lines of entries stand, in their order.
@@ -148,6 +150,7 @@ fn beside(
     Ok(Beside {
         options: options.ignore(ignore),
         lines: entries.lines,
+        name: given.get_one("name").cloned(),
     })
 }
 

@@ -18,7 +18,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let model = read_on_any_base(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
-        Some("rust") => vec![rust::source(path, model)?],
+        Some("rust") => {
+            let name = given.get_one::<String>("name");
+            vec![rust::source(path, model, name.map(String::as_str))?]
+        }
         language => other(language, path, &model)?,
     };
     let out = given.get_one::<PathBuf>("out");

@@ -105,11 +105,20 @@ fn read_with(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model
 
 /// The same on any base.
 fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
-    let Beside { options, lines } = beside;
-    read_file(path, &options.for_command(needed)).map_err(|error| match error {
+    let Beside {
+        options,
+        lines,
+        name,
+    } = beside;
+    let model = read_file(path, &options.for_command(needed));
+    let mut model = model.map_err(|error| match error {
         FileError::Mistakes(mistakes) => mistaken(mistakes, &lines),
         _ => Failure::from(error),
-    })
+    })?;
+    if let Some(name) = name {
+        model.robot.name = name;
+    }
+    Ok(model)
 }
 
 /// The failure of mistakes in a file and in options. A mistake without a file is one of the command line.

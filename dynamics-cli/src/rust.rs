@@ -14,10 +14,14 @@ use crate::progress::Progress;
 /// The crate that the file's own crate depends on.
 const FACADE: &str = "::robot_dynamics";
 
-/// The name of the file, and its text.
-pub(crate) fn source(path: &Path, model: Model) -> Result<(String, String), Failure> {
+/// The name of the file, and its text. A name that was given for the struct is taken as it is, if it can be.
+pub(crate) fn source(
+    path: &Path,
+    model: Model,
+    given: Option<&str>,
+) -> Result<(String, String), Failure> {
     let module = snake_case(&model.robot.name);
-    let name = struct_name(&module);
+    let name = given.and_then(as_struct).unwrap_or(struct_name(&module));
     let of_file = path.file_name().unwrap_or_default().to_string_lossy();
     let documentation = [
         format!(" The arm of `{of_file}`, with its equations of motion."),
@@ -46,6 +50,12 @@ pub(crate) fn source(path: &Path, model: Model) -> Result<(String, String), Fail
     );
     let text = head + &formatted(syn::parse2(items)?);
     Ok((format!("{module}.rs"), text))
+}
+
+/// The name of a struct, if the word is one.
+fn as_struct(word: &str) -> Option<Ident> {
+    let is_one = word.starts_with(|letter: char| letter.is_uppercase()) && !word.contains('_');
+    syn::parse_str(word).ok().filter(|_| is_one)
 }
 
 /// `two_link` as `TwoLink`.
@@ -123,6 +133,15 @@ fn spaced(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_structs_are_kept() {
+        let kept = ["UR5e", "Arm"].map(|word| as_struct(word).map(|name| name.to_string()));
+        assert_eq!(kept, [Some("UR5e".to_owned()), Some("Arm".to_owned())]);
+        for word in ["ur5e", "Two_Link", "My arm", "Self"] {
+            assert!(as_struct(word).is_none(), "{word}");
+        }
+    }
 
     #[test]
     fn structs_have_the_names_of_files() {

@@ -18,6 +18,13 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .value_name("FILE"),
         )
         .next_help_heading(OF_THE_FILE)
+        .arg(
+            Arg::new("name")
+                .long("name")
+                .value_name("NAME")
+                .value_parser(robot_name)
+                .help("The name of the robot, of its struct, of the files and functions that are written; that of the file where this is left out"),
+        )
         .arg(words("chain", "BASE,TIP").help("The link of a URDF file at which the robot begins, and its tips; without tips all that the link carries. The whole tree of the file where this is left out"))
         .arg(
             words("gravity", "X,Y,Z")
@@ -78,6 +85,20 @@ pub(super) fn several(name: &'static str, shown: &'static str) -> Arg {
         .long(name)
         .value_name(shown)
         .action(ArgAction::Append)
+}
+
+/// A name in letters of which names in generated text can be made.
+fn robot_name(text: &str) -> Result<String, String> {
+    const MOST_LETTERS: usize = 100;
+    let is_letter = |letter: char| letter.is_ascii_alphanumeric() || "_-. ".contains(letter);
+    let starts_well = text.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    if starts_well && text.chars().all(is_letter) && text.len() <= MOST_LETTERS {
+        Ok(text.to_owned())
+    } else {
+        Err(format!(
+            "expected at most {MOST_LETTERS} letters a-z, digits, `_`, `-`, `.` or spaces, a letter first"
+        ))
+    }
 }
 
 fn small_angle(text: &str) -> Result<f64, String> {

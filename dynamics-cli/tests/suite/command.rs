@@ -192,6 +192,40 @@ fn generate_writes_files() {
     assert!(module.contains("export function jacobian(q)"), "{module}");
 }
 
+/// A robot has the name that is given in place of its file's: in titles, files, functions and the struct.
+#[test]
+fn robots_have_names() {
+    let pendulum = file("arm-42.toml", PENDULUM);
+    let out = folder("named");
+    let to = out.to_string_lossy();
+    let functions = ["--functions", "gravity_vector"];
+    let called =
+        |words: &[&str], name: &str| output(&[words, &functions, &["--name", name]].concat());
+    let shown = called(&["show", &pendulum], "UR5e");
+    assert!(shown.starts_with("UR5e: 2 joints"), "{shown}");
+    for (language, file, text) in [
+        ("rust", "ur5e.rs", "pub struct UR5e;"),
+        ("c", "ur5e.h", "void ur5e_gravity_vector("),
+        ("js", "ur5e.mjs", "Equations of motion of `UR5e`"),
+        ("python", "ur5e.py", "Equations of motion of `UR5e`"),
+        ("matlab", "gravity_vector.m", "Of `UR5e`"),
+    ] {
+        called(
+            &["generate", &pendulum, "--lang", language, "--out", &to],
+            "UR5e",
+        );
+        let written = std::fs::read_to_string(out.join(file)).expect(file);
+        assert!(written.contains(text), "{written}");
+    }
+    for name in ["", "7bot", "a/b", "x\ny", "r\"s"] {
+        let message = errors(&["show", &pendulum, "--name", name], 2);
+        assert!(
+            message.contains("a letter first") || message.contains("a value is required"),
+            "{message}"
+        );
+    }
+}
+
 /// The rows of a CSV of so many columns.
 #[track_caller]
 fn rows(text: &str, columns: usize) -> Vec<Vec<f64>> {
