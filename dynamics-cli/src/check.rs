@@ -1,9 +1,11 @@
 //! A robot against Newton-Euler, and against another file.
 
+use std::fmt::Display;
 use std::path::PathBuf;
 
 use clap::ArgMatches;
 use dynamics_runtime::check::Check;
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::compare::compare;
@@ -54,10 +56,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         let compared: Vec<_> = compared.into_iter().map(Request::from).collect();
         [compared.clone(), compared]
     };
-    let (dof, dof_of_other) = (model.robot.dof(), other.robot.dof());
-    if dof != dof_of_other {
-        let path = path.display();
-        let differs = format!("{dof_of_other} joints move, and {dof} in {path}");
+    if let Some(differs) = freedoms_differ(&model.robot, &other.robot, &path.display()) {
         let message = Failure::of_file(path_of_other, differs).message;
         return Err(Failure::after(text, message));
     }
@@ -69,6 +68,20 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         return Err(Failure::after(text, message));
     }
     Ok(text)
+}
+
+/// Why two robots have no states in common: the base of one of them moves, or another number of joints.
+fn freedoms_differ(robot: &Robot, other: &Robot, path: &impl Display) -> Option<String> {
+    let [of_robot, of_other] = [robot, other].map(Robot::freedoms);
+    if of_robot.base != of_other.base {
+        let [here, there] = match of_other.has_base() {
+            true => ["moves", "stands"],
+            false => ["stands", "moves"],
+        };
+        return Some(format!("the base {here}, and {there} in {path}"));
+    }
+    let [here, there] = [of_other.joints, of_robot.joints];
+    (here != there).then(|| format!("{here} joints move, and {there} in {path}"))
 }
 
 /// The functions compared with another file: all that a motion depends on, and the pose of the tip, if both have one.

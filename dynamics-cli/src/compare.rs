@@ -6,6 +6,7 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::exact::SplitMix64;
 
 use crate::failure::Failure;
+use crate::measure::poses_of;
 
 /// Compares the functions of two arms of as many joints at random states; whether no difference is too large.
 pub(crate) fn compare(
@@ -53,9 +54,15 @@ impl Difference {
         let mut random = SplitMix64::new(1);
         let mut drawn: Vec<Vec<f64>> = Vec::new();
         for (argument, width) in one.arguments(name)? {
-            let range = range(argument);
-            let entries = (0..samples * width).map(|_| range * (2.0 * random.unit() - 1.0));
-            drawn.push(entries.collect());
+            let mut draw = |count: usize, range: f64| -> Vec<f64> {
+                (0..count)
+                    .map(|_| range * (2.0 * random.unit() - 1.0))
+                    .collect()
+            };
+            drawn.push(match argument {
+                "base" => poses_of(&draw(3 * samples, 3.0)),
+                _ => draw(samples * width, range(argument)),
+            });
         }
         let arguments: Vec<&[f64]> = drawn.iter().map(Vec::as_slice).collect();
         let entries = one.entries(name)?;
@@ -84,10 +91,15 @@ impl Difference {
     fn place(&self, arm: &RuntimeRobot) -> String {
         let dof = arm.dof();
         let is_of_joints = self.entries == dof || self.entries == dof * dof;
-        let joint = arm.joint_names().nth(self.entry % dof);
-        match joint.filter(|_| is_of_joints) {
-            Some(joint) => format!("joint `{joint}`"),
-            None => format!("entry {}", self.entry + 1),
+        // The numbers of a base that moves come first.
+        let of_base = dof - arm.joint_names().count();
+        match (self.entry % dof.max(1)).checked_sub(of_base) {
+            _ if !is_of_joints => format!("entry {}", self.entry + 1),
+            None => format!("number {} of the base", self.entry % dof + 1),
+            Some(joint) => format!(
+                "joint `{}`",
+                arm.joint_names().nth(joint).unwrap_or_default()
+            ),
         }
     }
 }

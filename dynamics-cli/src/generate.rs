@@ -18,7 +18,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let model = read_on_any_base(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
-        Some("rust") => vec![rust(path, model)?],
+        Some("rust") => {
+            let name = given.get_one::<String>("name");
+            vec![rust(path, model, name.map(String::as_str))?]
+        }
         language => other(language, path, &model)?,
     };
     let out = given.get_one::<PathBuf>("out");
@@ -36,11 +39,11 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 }
 
 /// The expansion of the macro.
-fn rust(path: &Path, model: Model) -> Result<(String, String), Failure> {
+fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String), Failure> {
     let progress = Progress::new(1);
     progress.doing("deriving and proving the functions");
     let of_file = path.file_name().unwrap_or_default().to_string_lossy();
-    let source = dynamics_cli::rust::source(&of_file, model);
+    let source = dynamics_cli::rust::source(&of_file, model, name);
     drop(progress);
     source.map_err(|messages| Failure::of_file(path, messages))
 }

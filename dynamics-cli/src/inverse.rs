@@ -16,8 +16,9 @@ use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
 use crate::load::{arm_with, count};
-use crate::simulate::positions;
+use crate::plot;
 use crate::spline::Spline;
+use crate::state::positions;
 
 type Motion = SizedTrajectory<Dyn>;
 
@@ -29,7 +30,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         Some(path) => through_waypoints(path, arm.robot(), samples)?,
         None => cycloidal(given, arm.robot(), samples)?,
     };
-    torques(&arm, motion)
+    let motion = with_torques(&arm, motion)?;
+    let text = written(&motion, &Columns(&arm))?;
+    plot::put(given, || plot::of_motion(arm.robot(), &motion, None))?;
+    Ok(text)
 }
 
 /// The columns of an arm of which there are no energies.
@@ -49,7 +53,8 @@ impl SizedModel<Dyn> for Columns<'_> {
     }
 }
 
-fn torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<String, Failure> {
+/// The motion with the torques that it takes.
+fn with_torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<Motion, Failure> {
     let flat = |list: &Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
     let [q, qd, qdd] = [&motion.q, &motion.qd, &motion.qdd].map(flat);
     let mut tau = vec![0.0; q.len()];
@@ -57,7 +62,7 @@ fn torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<String, Failure> {
     let dof = arm.dof();
     let sample = |k: usize| DVector::from_column_slice(&tau[k * dof..(k + 1) * dof]);
     motion.tau = (0..motion.len()).map(sample).collect();
-    written(&motion, &Columns(arm))
+    Ok(motion)
 }
 
 /// Adds a sample: position, velocity and acceleration of each joint.
@@ -75,8 +80,32 @@ fn times(first: f64, last: f64, samples: usize) -> impl Iterator<Item = f64> {
     (0..samples).map(move |k| first + (last - first) * (k as f64 / steps))
 }
 
+/// Refuses as many numbers as the position or the pose of a tip has, where the joints are not as many.
+fn refuse_pose_of_tip(given: &ArgMatches, robot: &Robot) -> Result<(), Failure> {
+    let joints = robot.freedoms().joints;
+    let found = given.get_many::<f64>("to").map_or(joints, Iterator::count);
+    if found == joints || ![3, 6].contains(&found) {
+        return Ok(());
+    }
+    let plural = if joints == 1 { "" } else { "s" };
+    Err(Failure::of_the_command_line(format!(
+        "`--to` has {found} numbers: expected {joints}, the position{plural} of the joint{plural} that move{}. \
+         `inverse-dynamics` finds torques, not the joint positions of a pose of the tip",
+        if joints == 1 { "s" } else { "" }
+    )))
+}
+
+/// The failure of a call for inverse kinematics, which the command does not have.
+pub(crate) fn no_kinematics() -> Failure {
+    Failure::of_the_command_line(
+        "there is no inverse kinematics here: `inverse-dynamics` finds the torques of given joint positions, and \
+         `evaluate` the pose of the tip at joint positions",
+    )
+}
+
 /// Each joint by itself from one position to another, in the same time.
 fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
+    refuse_pose_of_tip(given, robot)?;
     let from = positions(given, "from", robot)?;
     let to = positions(given, "to", robot)?;
     let duration = given.get_one::<f64>("duration").copied().unwrap_or(1.0);

@@ -2,10 +2,12 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod beside;
 mod check;
 mod compare;
 mod convert;
 mod csv;
+mod evaluate;
 mod excerpt;
 mod failure;
 mod generate;
@@ -14,10 +16,12 @@ mod joints;
 mod load;
 mod measure;
 mod page_file;
+mod plot;
 mod progress;
 mod show;
 mod simulate;
 mod spline;
+mod state;
 mod write;
 
 use std::io::Write as _;
@@ -53,8 +57,10 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "show" => show::run(given),
         "check" => check::run(given),
         "generate" => return generate::run(given),
+        "evaluate" => evaluate::run(given),
         "simulate" => simulate::run(given),
-        "inverse" => inverse::run(given),
+        "inverse-dynamics" => inverse::run(given),
+        "inverse-kinematics" => return Err(inverse::no_kinematics()),
         "measure" => measure::run(given),
         "page" => page_file::run(given),
         "convert" => convert::run(given),

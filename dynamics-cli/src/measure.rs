@@ -121,14 +121,7 @@ fn seconds<E>(mut call: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
 /// Entries of an argument: within pi of positions, some per second of rates; twelve for each pose of a base.
 fn entries(argument: &str, count: usize, seed: usize) -> Vec<f64> {
     if argument == "base" {
-        let turns = entries("turn", count / 4, seed);
-        let pose = |turn: &[f64]| {
-            let (x, y, z) = (turn[0], turn[1], turn[2]);
-            let position = Vector3::new(z, x, y);
-            let rotation = Rotation3::new(Vector3::new(x, y, z)).into_inner();
-            <[f64; 12]>::from(Pose { rotation, position }.entries())
-        };
-        return turns.chunks_exact(3).flat_map(pose).collect();
+        return poses_of(&entries("turn", count / 4, seed));
     }
     let range = if argument == "q" {
         core::f64::consts::PI
@@ -138,4 +131,15 @@ fn entries(argument: &str, count: usize, seed: usize) -> Vec<f64> {
     (0..count)
         .map(|i| range * ((17 * seed + 5 * i) as f64 * 0.37).sin())
         .collect()
+}
+
+/// Poses of a base, twelve numbers each, for as many rotation vectors: the position has the same numbers in another order.
+pub(crate) fn poses_of(turns: &[f64]) -> Vec<f64> {
+    let pose = |turn: &[f64]| {
+        let (x, y, z) = (turn[0], turn[1], turn[2]);
+        let position = Vector3::new(z, x, y);
+        let rotation = Rotation3::new(Vector3::new(x, y, z)).into_inner();
+        <[f64; 12]>::from(Pose { rotation, position }.entries())
+    };
+    turns.chunks_exact(3).flat_map(pose).collect()
 }

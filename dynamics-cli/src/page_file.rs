@@ -3,13 +3,15 @@
 use std::io::Write as _;
 
 use clap::ArgMatches;
-use dynamics_cli::page::{FUNCTIONS, Page, Start, poses};
+use dynamics_cli::page::{FUNCTIONS, Page, Start};
+use dynamics_cli::poses::poses;
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::Robot;
 
+use crate::beside::fields;
 use crate::failure::Failure;
-use crate::load::{fields, file_of, programs, read, read_with_fields};
-use crate::simulate::positions;
+use crate::load::{file_of, programs, read, read_with_fields};
+use crate::state::positions;
 
 /// The page.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {

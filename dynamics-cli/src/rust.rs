@@ -9,14 +9,19 @@ use syn::{Item, ItemMacro};
 /// The crate that the file's own crate depends on.
 const FACADE: &str = "::robot_dynamics";
 
-/// The name of the file, and its text, for the robot of a file of that name.
+/// The name of the file, and its text, for the robot of a file of that name. A name that was given for the struct is taken
+/// as it is, if it can be.
 ///
 /// # Errors
 ///
 /// The messages about functions that could not be derived, one a line.
-pub fn source(of_file: &str, model: Model) -> Result<(String, String), String> {
+pub fn source(
+    of_file: &str,
+    model: Model,
+    given: Option<&str>,
+) -> Result<(String, String), String> {
     let module = snake_case(&model.robot.name);
-    let name = struct_name(&module);
+    let name = given.and_then(as_struct).unwrap_or(struct_name(&module));
     let documentation = [
         format!(" The arm of `{of_file}`, with its equations of motion."),
         String::new(),
@@ -42,6 +47,12 @@ pub fn source(of_file: &str, model: Model) -> Result<(String, String), String> {
     let items = syn::parse2(items).map_err(|error| error.to_string())?;
     let text = head + &formatted(items);
     Ok((format!("{module}.rs"), text))
+}
+
+/// The name of a struct, if the word is one.
+fn as_struct(word: &str) -> Option<Ident> {
+    let is_one = word.starts_with(|letter: char| letter.is_uppercase()) && !word.contains('_');
+    syn::parse_str(word).ok().filter(|_| is_one)
 }
 
 /// `two_link` as `TwoLink`.
@@ -119,6 +130,15 @@ fn spaced(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_of_structs_are_kept() {
+        let kept = ["UR5e", "Arm"].map(|word| as_struct(word).map(|name| name.to_string()));
+        assert_eq!(kept, [Some("UR5e".to_owned()), Some("Arm".to_owned())]);
+        for word in ["ur5e", "Two_Link", "My arm", "Self"] {
+            assert!(as_struct(word).is_none(), "{word}");
+        }
+    }
 
     #[test]
     fn structs_have_the_names_of_files() {

@@ -4,17 +4,18 @@ use std::fmt::Display;
 
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::nalgebra::{DVector, Rotation3, Vector3};
-use dynamics_runtime::simulation::{Cause, DormandPrince};
-use dynamics_runtime::{Friction, Pose, Simulation};
+use dynamics_runtime::nalgebra::DVector;
+use dynamics_runtime::simulation::{Cause, DormandPrince, SizedModel as _};
+use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
 use crate::csv::{shortest, too_large, written};
 use crate::failure::Failure;
-use crate::joints::note_degrees;
 use crate::load::{count, robot_with};
+use crate::plot;
 use crate::progress::Progress;
+use crate::state::{pose, positions, refuse_pose, vector};
 
 /// The motion as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
@@ -23,10 +24,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     if robot.robot().floating().is_some() {
         return motion_on_base(&robot, &start, given);
     }
-    if given.contains_id("pose") {
-        let message = "`--pose` is of a robot whose base moves: this one stands";
-        return Err(Failure::of_the_command_line(message));
-    }
+    refuse_pose(given)?;
     motion(&robot, &start, given)
 }
 
@@ -77,7 +75,13 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Strin
             let end = (error.time, reached.unwrap_or(0.0));
             failed(explanation(&error, error.cause, end, duration))
         })?;
-    written(&motion, &arm_in_motion)
+    let text = written(&motion, &arm_in_motion)?;
+    plot::put(given, || {
+        let states = motion.q.iter().zip(&motion.qd);
+        let energies = states.map(|(q, qd)| arm_in_motion.sized_energies(q, qd));
+        plot::of_motion(arm.robot(), &motion, energies.collect())
+    })?;
+    Ok(text)
 }
 
 /// The motion on a base that moves.
@@ -111,26 +115,8 @@ fn motion_on_base(
     }
     let mut text = Vec::new();
     motion.write_csv(&in_motion, &mut text)?;
+    plot::put(given, || plot::on_base(robot.robot(), &motion, energies))?;
     Ok(String::from_utf8(text)?)
-}
-
-/// The pose of `--pose`: roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other.
-fn pose(given: &ArgMatches) -> Result<Pose<f64>, Failure> {
-    let Some(entries) = given.get_many::<f64>("pose") else {
-        return Ok(Pose::identity());
-    };
-    let entries: Vec<f64> = entries.copied().collect();
-    let [x, y, z, roll, pitch, yaw] = entries[..] else {
-        let message = format!(
-            "`--pose` has {} numbers: expected six, X,Y,Z,ROLL,PITCH,YAW",
-            entries.len()
-        );
-        return Err(Failure::of_the_command_line(message));
-    };
-    Ok(Pose {
-        rotation: Rotation3::from_euler_angles(roll, pitch, yaw).into_inner(),
-        position: Vector3::new(x, y, z),
-    })
 }
 
 fn failed(reason: String) -> Failure {
@@ -170,37 +156,3 @@ fn explanation(
 
 /// Steps of arms are longer, s, unless something is wrong with the motion.
 const SHORT: f64 = 1e-9;
-
-/// Positions of the command line, zeros where it has none.
-pub(crate) fn positions(
-    given: &ArgMatches,
-    name: &str,
-    robot: &Robot,
-) -> Result<Vec<f64>, Failure> {
-    let positions = vector(given, name, [0, robot.freedoms().joints])?;
-    note_degrees(&format!("--{name}"), robot, &positions);
-    Ok(positions)
-}
-
-/// A vector of the command line, with so many numbers of the base and of the joints; zeros where it has none.
-fn vector(given: &ArgMatches, name: &str, [base, joints]: [usize; 2]) -> Result<Vec<f64>, Failure> {
-    let expected = base + joints;
-    let Some(entries) = given.get_many::<f64>(name) else {
-        return Ok(vec![0.0; expected]);
-    };
-    let entries: Vec<f64> = entries.copied().collect();
-    if entries.len() != expected {
-        let found = entries.len();
-        let plural = if found == 1 { "" } else { "s" };
-        let of_base = if base > 0 {
-            "six of the base, then "
-        } else {
-            ""
-        };
-        let message = format!(
-            "`--{name}` has {found} number{plural}: expected {expected}, {of_base}one for each joint that moves"
-        );
-        return Err(Failure::of_the_command_line(message));
-    }
-    Ok(entries)
-}

@@ -12,18 +12,25 @@ use crate::failure::Failure;
 pub(crate) fn not_over_what_is_read(given: &ArgMatches) -> Result<(), Failure> {
     const READ: [&str; 3] = ["file", "against", "waypoints"];
     let named = |option: &str| given.try_get_one::<PathBuf>(option).ok().flatten();
-    let Some(out) = named("out") else {
-        return Ok(());
-    };
-    let written = identity(out);
-    let mut read = READ.into_iter().filter_map(named);
-    if written.is_some() && read.any(|path| identity(path) == written) {
-        return Err(Failure::of_the_command_line(format!(
-            "`--out {}` is a file that is read, and would be lost: write to another one",
-            out.display()
-        )));
+    for option in ["out", "plot"] {
+        let Some(out) = named(option) else {
+            continue;
+        };
+        let written = identity(out);
+        let mut read = READ.into_iter().filter_map(named);
+        if written.is_some() && read.any(|path| identity(path) == written) {
+            return Err(Failure::of_the_command_line(format!(
+                "`--{option} {}` is a file that is read, and would be lost: write to another one",
+                out.display()
+            )));
+        }
     }
-    Ok(())
+    match (named("out"), named("plot")) {
+        (Some(out), Some(plot)) if out == plot => Err(Failure::of_the_command_line(
+            "`--out` and `--plot` are one file: give the figure another one",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// The device and the number of a file, which all of its names share.

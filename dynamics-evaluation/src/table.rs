@@ -126,7 +126,8 @@ impl Cells<'_> {
     /// The row of the runtime; how its joint moves is said apart from it.
     fn row(&self, robot: &Robot, i: usize) -> Row {
         let row = robot.rows[i].map(&mut self.cell());
-        let [mount, link_frame, tip] = robot.mounted(i).map(|placements| self.place(&placements));
+        let [mount, link_frame] = robot.mounted(i).map(|placements| self.place(&placements));
+        let tip = robot.rows[i].tip().map(|placements| self.place(placements));
         // All fields are written out, so that the compiler names a new one here.
         Row {
             joint_type: match row.joint_type {

@@ -86,4 +86,22 @@ impl Argument {
             Argument::Order => return None,
         })
     }
+
+    /// As [`Argument::meaning`], of a robot whose base moves: what has an entry for each degree of freedom begins with six
+    /// of the base.
+    pub fn meaning_on_moving_base(self, position: &str, force: &str) -> Option<String> {
+        let (name, units) = match self {
+            Argument::Velocity => ("velocities", ["m/s", "rad/s"]),
+            Argument::Acceleration => ("accelerations", ["m/s^2", "rad/s^2"]),
+            Argument::Force => ("forces and moments", ["N", "N m"]),
+            Argument::ReferenceVelocity => ("reference velocities", ["m/s", "rad/s"]),
+            Argument::ReferenceAcceleration => ("reference accelerations", ["m/s^2", "rad/s^2"]),
+            _ => return self.meaning(position, force),
+        };
+        let [linear, angular] = units;
+        let of_joints = self.meaning(position, force)?;
+        Some(format!(
+            "{name}: of the base in its own axes, three linear ({linear}) and three angular ({angular}), then {of_joints}"
+        ))
+    }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use dynamics_cli::page;
+use dynamics_cli::poses::poses;
 use dynamics_cli::rust::source;
 use dynamics_codegen::Model;
 use dynamics_runtime::check::Check;
@@ -41,7 +42,7 @@ impl Arm {
                 neglect: None,
                 notes: Vec::new(),
             };
-            source(&name, model)
+            source(&name, model, None)
         });
         source.map_err(PyRuntimeError::new_err)
     }
@@ -56,7 +57,7 @@ impl Arm {
             let message = "the base moves, which a page does not show";
             return Err(PyValueError::new_err(message));
         }
-        let poses = page::poses(&mut robot);
+        let poses = poses(&mut robot);
         let requests = page::FUNCTIONS.map(Request::from).into_iter();
         let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
         let shown = Arc::new(Description::new(robot, requests));

@@ -137,6 +137,28 @@ fn no_error_within_the_limits_exceeds_its_bound() {
     }
 }
 
+/// Robots with branches, read whole.
+#[test]
+fn no_error_within_the_limits_of_a_tree_exceeds_its_bound() {
+    let robots: Vec<_> = ["hyq_no_sensors", "anymal_erd", "panda_erd", "panda_free"]
+        .map(|name| (name, super::trees::robot(super::trees::file(name), &[])))
+        .map(|(name, robot)| (name, robot.robot().clone()))
+        .into();
+    let functions = FUNCTIONS
+        .into_iter()
+        .filter(|function| !function.row().of_tip);
+    for function in functions {
+        let measured = robots.iter().filter_map(|(name, robot)| {
+            let program = derive_plain(robot, function);
+            let label = format!("{} of {name}", function.name());
+            measured(robot, function, &program, &label)
+        });
+        let measured: Vec<_> = measured.collect();
+        assert_eq!(measured.len(), robots.len(), "{function:?}");
+        print_ratios(function, &measured);
+    }
+}
+
 /// Every function as it is generated.
 #[test]
 fn bounds_of_generated_programs_hold_for_every_function() {

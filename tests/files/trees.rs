@@ -59,7 +59,7 @@ pub(crate) fn reference(name: &str) -> Reference {
     serde_json::from_str(&text).expect("a reference")
 }
 
-fn file(name: &str) -> String {
+pub(crate) fn file(name: &str) -> String {
     format!(
         "{}/../data/urdf/trees/{name}.urdf",
         env!("CARGO_MANIFEST_DIR")
@@ -67,7 +67,7 @@ fn file(name: &str) -> String {
 }
 
 /// The robot of a whole file, with its functions and the poses of some links.
-fn robot(path: impl AsRef<Path>, links: &[&str]) -> RuntimeRobot {
+pub(crate) fn robot(path: impl AsRef<Path>, links: &[&str]) -> RuntimeRobot {
     let poses = links
         .iter()
         .map(|link| format!("forward_kinematics(\"{link}\")"));
@@ -181,6 +181,45 @@ fn compare(path: impl AsRef<Path>, reference: &Reference) {
 fn legs_on_a_fixed_trunk_move_as_pinocchio_says() {
     for name in ["hyq_no_sensors", "anymal_erd"] {
         compare(file(name), &reference(name));
+    }
+}
+
+/// `chain` with two tips is the part of the tree that leads to these: on a trunk that stands, the legs move as before.
+#[test]
+fn a_chain_of_two_tips_is_a_part_of_the_tree() {
+    let whole = robot(file("hyq_no_sensors"), &[]);
+    let options = ReadOptions::new()
+        .chain(["trunk", "lf_foot", "rh_foot"])
+        .ignore(["rest"])
+        .functions([
+            "mass_matrix",
+            "inverse_dynamics",
+            "forward_kinematics(rh_foot)",
+        ])
+        .entries("gravity = [0, 0, -9.81]\nallow = [\"unphysical_inertia\"]\n");
+    let part = RuntimeRobot::from_file(file("hyq_no_sensors"), &options);
+    let part = part.unwrap_or_else(|error| panic!("{error}"));
+    let place = |name: &str| whole.joint_names().position(|joint| joint == name);
+    let places: Option<Vec<usize>> = part.joint_names().map(place).collect();
+    let places = places.expect("joints of the whole tree");
+    assert_eq!(part.dof(), 6);
+    for state in reference("hyq_no_sensors").states {
+        let [q, v, a] = [&state.q, &state.v, &state.a];
+        let of_part = |x: &[f64]| -> Vec<f64> { places.iter().map(|i| x[*i]).collect() };
+        let tau = value(&whole, "inverse_dynamics", &[q, v, a]);
+        let found = value(
+            &part,
+            "inverse_dynamics",
+            &[&of_part(q), &of_part(v), &of_part(a)],
+        );
+        assert_near("tau", &found, &of_part(&tau), largest(&tau));
+        let matrix = value(&whole, "mass_matrix", &[q]);
+        let entries = places
+            .iter()
+            .flat_map(|i| of_part(&matrix[12 * i..12 * i + 12]));
+        let entries: Vec<f64> = entries.collect();
+        let found = value(&part, "mass_matrix", &[&of_part(q)]);
+        assert_near("M", &found, &entries, largest(&matrix));
     }
 }
 

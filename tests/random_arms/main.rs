@@ -33,8 +33,16 @@ fn compare(seed: u64, count: usize) -> Tally {
 /// A tree in which no slide follows a joint that turns. At a thousand radians the slide is a thousand metres long, and
 /// where the turns of two such joints cancel, Newton-Euler's M is a small difference of large numbers.
 fn tree_of_usual_length(tables: &mut Tables) -> Robot {
+    of_usual_length(tables, Tables::tree)
+}
+
+fn tree_with_all_cells_of_usual_length(tables: &mut Tables) -> Robot {
+    of_usual_length(tables, Tables::tree_with_all_cells)
+}
+
+fn of_usual_length(tables: &mut Tables, draw: fn(&mut Tables) -> Robot) -> Robot {
     loop {
-        let robot = tables.tree();
+        let robot = draw(tables);
         let follows_a_turn = |row: &Row| {
             let leader = row.follows.as_ref().map(|of| &robot.rows[of.leader]);
             let turns = leader.is_some_and(|leader| leader.joint_type == JointType::Revolute);
@@ -192,6 +200,14 @@ fn programs_of_many_random_arms_agree_with_newton_euler() {
     for seed in seeds.map(std::thread::spawn) {
         assert_varied(&seed.join().expect("all arms agree"));
     }
+}
+
+/// Rows on any link with all cells that a table may have at once.
+#[test]
+fn programs_of_random_trees_with_all_cells_agree_with_newton_euler() {
+    let tally = compare_by_turns(17, 40, 17, tree_with_all_cells_of_usual_length);
+    assert_varied(&tally);
+    assert!(tally.at_frames > 15, "{}", tally.at_frames);
 }
 
 /// M, and one function of each robot by turns.

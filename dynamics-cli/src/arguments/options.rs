@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, ArgAction, Command, value_parser};
 use dynamics_codegen::description::Allow;
+use dynamics_codegen::files::number as number_of;
 
 /// A subcommand about a robot file, with the options that say what the file does not.
 pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
@@ -17,6 +18,13 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .value_name("FILE"),
         )
         .next_help_heading(OF_THE_FILE)
+        .arg(
+            Arg::new("name")
+                .long("name")
+                .value_name("NAME")
+                .value_parser(robot_name)
+                .help("The name of the robot, of its struct, of the files and functions that are written; that of the file where this is left out"),
+        )
         .arg(words("chain", "BASE,TIP").help("The link of a URDF file at which the robot begins, and its tips; without tips all that the link carries. The whole tree of the file where this is left out"))
         .arg(
             words("gravity", "X,Y,Z")
@@ -25,7 +33,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             choice("base", "BASE", ["floating"])
-                .help("The base moves: the root link of a URDF file is its body. `check`, `measure`, `generate` and `simulate` know such robots"),
+                .help("The base moves: the root link of a URDF file is its body. `show`, `check`, `measure`, `generate`, `evaluate` and `simulate` know such robots"),
         )
         .arg(
             several("field", "NAME=VALUE")
@@ -79,11 +87,24 @@ pub(super) fn several(name: &'static str, shown: &'static str) -> Arg {
         .action(ArgAction::Append)
 }
 
-fn small_angle(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(angle) if (0.0..=0.1).contains(&angle) => Ok(angle),
-        _ => Err("expected an angle from 0 to 0.1 rad, such as 1e-4".to_owned()),
+/// A name in letters of which names in generated text can be made.
+fn robot_name(text: &str) -> Result<String, String> {
+    const MOST_LETTERS: usize = 100;
+    let is_letter = |letter: char| letter.is_ascii_alphanumeric() || "_-. ".contains(letter);
+    let starts_well = text.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    if starts_well && text.chars().all(is_letter) && text.len() <= MOST_LETTERS {
+        Ok(text.to_owned())
+    } else {
+        Err(format!(
+            "expected at most {MOST_LETTERS} letters a-z, digits, `_`, `-`, `.` or spaces, a letter first"
+        ))
     }
+}
+
+fn small_angle(text: &str) -> Result<f64, String> {
+    within(text, "an angle from 0 to 0.1 rad, such as 1e-4", |angle| {
+        (0.0..=0.1).contains(&angle)
+    })
 }
 
 /// A word of several.
@@ -115,20 +136,34 @@ pub(super) fn out() -> Arg {
     .long("out")
 }
 
-/// A finite number.
+/// The figure that a subcommand draws besides.
+pub(super) fn plot() -> Arg {
+    path(
+        "plot",
+        "Draw the motion as curves over time into this file too, as SVG",
+    )
+    .long("plot")
+}
+
+/// A number as it is, or a value in the macro's words.
 fn finite(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        _ => Err("expected a number".to_owned()),
+    number_of(text).map_err(|mistake| {
+        format!("expected a number, or a value such as PI/2 or deg(90): {mistake}")
+    })
+}
+
+/// A number among those that are good, which are what is expected.
+fn within(text: &str, expected: &str, is_good: impl Fn(f64) -> bool) -> Result<f64, String> {
+    match number_of(text) {
+        Ok(x) if is_good(x) => Ok(x),
+        Ok(_) => Err(format!("expected {expected}")),
+        Err(mistake) => Err(format!("expected {expected}: {mistake}")),
     }
 }
 
 /// A number above zero.
 fn positive(text: &str) -> Result<f64, String> {
-    match finite(text) {
-        Ok(x) if x > 0.0 => Ok(x),
-        _ => Err("expected a number above zero".to_owned()),
-    }
+    within(text, "a number above zero", |x| x > 0.0)
 }
 
 /// A number above zero.
@@ -143,9 +178,9 @@ pub(super) fn number(name: &'static str, help: &'static str) -> Arg {
 
 /// A number from `least` to `most`.
 pub(super) fn number_between(name: &'static str, least: f64, most: f64, help: &'static str) -> Arg {
-    number(name, help).value_parser(move |text: &str| match finite(text) {
-        Ok(x) if (least..=most).contains(&x) => Ok(x),
-        _ => Err(format!("expected a number from {least:e} to {most}")),
+    number(name, help).value_parser(move |text: &str| {
+        let expected = format!("a number from {least:e} to {most}");
+        within(text, &expected, |x| (least..=most).contains(&x))
     })
 }
 
@@ -175,4 +210,15 @@ pub(super) fn vector(name: &'static str, help: &'static str) -> Arg {
         .allow_hyphen_values(true)
         .value_parser(finite)
         .help(help)
+}
+
+/// Where a base that moves is.
+pub(super) fn pose(help: &'static str) -> Arg {
+    vector("pose", help)
+}
+
+/// Torques and forces at the joints.
+pub(super) fn torque() -> Arg {
+    let help = "Torques and forces at the joints, N m or N; zeros where this is left out";
+    vector("torque", help)
 }

@@ -1,9 +1,10 @@
 //! The subcommands, with an example of each.
 
-use clap::{ArgAction, ArgGroup, Command};
+use clap::{Arg, ArgAction, ArgGroup, Command};
 
 use super::options::{
-    choice, count, functions, number, number_between, of_a_file, out, path, vector, words,
+    choice, count, functions, number, number_between, of_a_file, out, path, plot, pose, torque,
+    vector, words,
 };
 use crate::convert::WITHOUT;
 
@@ -13,8 +14,10 @@ pub(super) fn all() -> Vec<Command> {
         show(),
         check(),
         generate(),
+        evaluate(),
         simulate(),
         inverse(),
+        inverse_kinematics(),
         measure(),
         convert(),
         page(),
@@ -95,6 +98,32 @@ fn generate() -> Command {
         )
 }
 
+fn evaluate() -> Command {
+    of_a_file("evaluate", "Print the values of all functions at one state")
+        .long_about(
+            "Print the values of all functions at one state, in tables with the names of the joints: the poses of the tip \
+             and of frames first, then what the file or --functions asks for. --at lists the positions of the joints that \
+             move, then their velocities, then their accelerations: with N joints N, 2 N or 3 N numbers, zeros where the \
+             list ends. It may be given once for each of the three. On a base that moves, velocities, accelerations and \
+             torques begin with six numbers of the base in its own axes, linear before angular.",
+        )
+        .arg(functions())
+        .arg(
+            vector("at", "Positions, rad or m, then velocities, then accelerations; zeros where they are left out")
+                .value_name("Q,...[,QD,...[,QDD,...]]")
+                .action(ArgAction::Append),
+        )
+        .arg(pose("Where a base that moves is: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
+        .arg(torque())
+        .arg(count("digits", "6", 1, 17, "Significant digits that are printed; 17 tell doubles apart"))
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics evaluate two_link.toml --at PI/2,-0.5\n  \
+             robot-dynamics evaluate two_link.toml --at 0.3,1 --at 0,2 --at 0,0 --functions inverse_dynamics --digits 17",
+        )
+}
+
 fn simulate() -> Command {
     of_a_file("simulate", "Move the arm, and write its motion as CSV")
         .long_about(
@@ -104,28 +133,32 @@ fn simulate() -> Command {
              angular, and the CSV has the rotation of the base by rows and its position.",
         )
         .arg(functions().help(BESIDES))
-        .arg(vector("pose", "Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
+        .arg(pose("Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
         .arg(vector("from", "Positions at the start, rad or m; zeros where this is left out"))
         .arg(vector("velocity", "Velocities at the start, rad/s or m/s; zeros where this is left out"))
-        .arg(vector("torque", "Torques and forces at the joints, N m or N; zeros where this is left out"))
+        .arg(torque())
         .arg(number("duration", "Time simulated, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
         .arg(number_between("tolerance", 1e-15, 1.0, "Relative and absolute tolerance of a step").default_value("1e-9"))
+        .arg(plot())
         .arg(out())
-        .after_help("Example:\n  robot-dynamics simulate two_link.toml --from 0.5,-1 --duration 10 --out fall.csv")
+        .after_help("Example:\n  robot-dynamics simulate two_link.toml --from 0.5,-1 --duration 10 --out fall.csv --plot fall.svg")
 }
 
 fn inverse() -> Command {
-    of_a_file("inverse", "Find the torques of a motion, and write them as CSV")
+    of_a_file("inverse-dynamics", "Find the torques of a motion, and write them as CSV")
+        .visible_alias("inverse")
         .long_about(
             "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. The \
              motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
              joined by cubic splines at rest at both ends. A file that `simulate` wrote also has the \
-             velocities and accelerations to pass.",
+             velocities and accelerations to pass.\n\n\
+             --from and --to are positions of the joints. This is no inverse kinematics: the joint positions of a pose of \
+             the tip are not found here.",
         )
         .arg(functions().help(BESIDES))
-        .arg(vector("from", "Positions at the start of a cycloidal motion, rad or m; zeros where this is left out"))
-        .arg(vector("to", "Positions at its end, rad or m"))
+        .arg(vector("from", "Positions of the joints at the start of a cycloidal motion, rad or m; zeros where this is left out"))
+        .arg(vector("to", "Positions of the joints at its end, rad or m: no pose of the tip"))
         .arg(
             path("waypoints", "A CSV file of times, s, and positions, rad or m")
                 .long("waypoints")
@@ -134,11 +167,25 @@ fn inverse() -> Command {
         .group(ArgGroup::new("motion").args(["to", "waypoints"]).required(true))
         .arg(number("duration", "Time of a cycloidal motion, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
+        .arg(plot())
         .arg(out())
         .after_help(
             "Examples:\n  \
-             robot-dynamics inverse two_link.toml --to 1,-0.5 --duration 2\n  \
-             robot-dynamics inverse two_link.toml --waypoints path.csv --samples 1001 --out torques.csv",
+             robot-dynamics inverse-dynamics two_link.toml --to 1,-0.5 --duration 2\n  \
+             robot-dynamics inverse-dynamics two_link.toml --waypoints path.csv --samples 1001 --out torques.csv",
+        )
+}
+
+/// A word that is not offered: without it `inverse-dynamics` would be proposed in its place.
+fn inverse_kinematics() -> Command {
+    Command::new("inverse-kinematics")
+        .hide(true)
+        .disable_help_flag(true)
+        .arg(
+            Arg::new("anything")
+                .num_args(0..)
+                .trailing_var_arg(true)
+                .allow_hyphen_values(true),
         )
 }
 

@@ -11,6 +11,8 @@ pub(super) struct Arm<'r> {
     pub(super) robot: &'r Robot,
     /// Acceleration of gravity in the axes of the world.
     pub(super) gravity: Vector,
+    /// The body of a base that moves, in the axes of the world, which are its own: with the links that are locked to it.
+    pub(super) base: Option<Mass>,
     /// In the order of their rows; joints that are locked are parts of the links before them.
     pub(super) joints: Vec<Joint<'r>>,
     /// The tip, if there is one.
@@ -52,11 +54,15 @@ impl Arm<'_> {
             Some(base) => placed(base)?,
             None => Transform::identity(),
         };
+        let mut floating = match robot.floating() {
+            Some(of) => Some(body(&of.mass, &of.com, &of.inertia, &base)?),
+            None => None,
+        };
         let mut joints: Vec<Joint> = Vec::new();
         // The frames behind all rows, and those of their links.
         let (mut frames, mut links): (Vec<Transform>, Vec<Place>) = Default::default();
         for (i, row) in robot.rows.iter().enumerate() {
-            let [mount, link_frame, _] = robot.mounted(i);
+            let [mount, link_frame] = robot.mounted(i);
             let parent = robot.parent(i);
             let before = behind(parent.map_or(&base, |parent| &frames[parent]), &mount)?;
             let frame = before.then(&step(robot.convention, row)?).tidy();
@@ -75,12 +81,19 @@ impl Arm<'_> {
                 });
                 on = Some(joints.len() - 1);
             }
-            // Links before the first joint stand still.
-            if let Some(joint) = on.map(|on| &mut joints[on]) {
-                let link = joint.frame.inverse().then(&link);
-                joint
-                    .body
-                    .add(&body(&row.mass, &row.com, &row.inertia, &link)?);
+            let carrier = on.map(|on| &mut joints[on]);
+            let place = carrier
+                .as_ref()
+                .map(|joint| joint.frame.inverse().then(&link));
+            let of_link = body(
+                &row.mass,
+                &row.com,
+                &row.inertia,
+                place.as_ref().unwrap_or(&link),
+            )?;
+            // Links before the first joint are parts of a base that moves.
+            if let Some(carrier) = carrier.map(|joint| &mut joint.body).or(floating.as_mut()) {
+                carrier.add(&of_link);
             }
             frames.push(frame);
             links.push(Place { on, frame: link });
@@ -92,7 +105,7 @@ impl Arm<'_> {
             Some(Place { on, frame })
         };
         let tip = robot.tip_row().map(|row| {
-            let [_, _, mut tip] = robot.mounted(row);
+            let mut tip = robot.rows[row].tip().unwrap_or_default().to_vec();
             tip.extend(robot.tool.as_ref().map(|tool| tool.placement.clone()));
             place(Some(row), &tip)
         });
@@ -102,6 +115,7 @@ impl Arm<'_> {
             robot,
             gravity: numbers(&robot.gravity)?,
             tip: tip.map_or(Some(None), |tip| tip.map(Some))?,
+            base: floating,
             frames: named.collect::<Option<_>>()?,
             joints,
         })

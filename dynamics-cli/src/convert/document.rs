@@ -28,6 +28,8 @@ pub(super) enum Node {
     Written(Value),
     Angle(Angle),
     Text(String),
+    /// `true`
+    Yes,
     List(Vec<Node>),
     Table(Entries),
 }
@@ -52,7 +54,7 @@ impl Node {
             Node::Written(value) => value.is_zero(),
             Node::Angle(angle) => angle.is_zero(),
             Node::List(nodes) => nodes.iter().all(Node::is_zero),
-            Node::Text(_) | Node::Table(_) => false,
+            Node::Text(_) | Node::Yes | Node::Table(_) => false,
         }
     }
 }
@@ -73,6 +75,7 @@ impl Language {
             Node::Written(value) => written(value),
             Node::Angle(angle) => (self.angle)(angle),
             Node::Text(text) => quoted(text),
+            Node::Yes => "true".to_owned(),
             Node::List(nodes) => {
                 let values: Vec<_> = nodes.iter().map(|node| self.value(node)).collect();
                 format!("[{}]", values.join(", "))
@@ -130,7 +133,11 @@ impl Document {
         let named = table.rows.iter().zip(names(table, robot));
         let rows = named.map(|(row, name)| found(table.convention, row, name));
         let place = |frame: &Option<Transform>| frame.as_ref().map(placement).unwrap_or_default();
-        let ends = [&table.base, &table.tool].map(place);
+        let base = match &table.floating {
+            Some(Body { mass, com, inertia }) => floating(mass.into(), list(com), inertia),
+            None => place(&table.base),
+        };
+        let ends = [base, place(&table.tool)];
         let frames = table.frames.iter();
         let frames = frames.map(|(row, frame)| (*row, placement(frame)));
         let head = (table.convention, list(gravity));
@@ -143,7 +150,11 @@ impl Document {
         let robot = &model.robot;
         let tool = robot.tool.as_ref().map(|tool| &tool.placement);
         let place = |frame: Option<_>| frame.map(placement_as_written).unwrap_or_default();
-        let ends = [robot.placement(), tool].map(place);
+        let base = match robot.floating() {
+            Some(Fixed { mass, com, inertia }) => floating(mass.into(), list(com), inertia),
+            None => place(robot.placement()),
+        };
+        let ends = [base, place(tool)];
         let line = |row| line_as_written(robot.convention, row);
         let frames = robot.frames.iter();
         // The frame of a table is at one place.
@@ -268,6 +279,17 @@ fn beginning(convention: Convention, xyz: [Node; 3], rpy: [Node; 3]) -> Entries 
         [xyz, rpy].map(|list| Node::List(list.into())),
     );
     unless_empty("at", place).into_iter().collect()
+}
+
+/// A base that moves, and its body.
+fn floating<'n, X>(mass: Node, com: Node, inertia: &'n [X; 6]) -> Entries
+where
+    Node: From<&'n X>,
+{
+    let mut entries = vec![entry("floating", Node::Yes), entry("mass", mass)];
+    entries.extend(unless_zero("com", com));
+    entries.extend(tensor(inertia));
+    entries
 }
 
 /// The body of a frame.

@@ -28,7 +28,7 @@ use dynamics_codegen::files::Format;
 use dynamics_symbolic::robot::Convention;
 
 use crate::failure::Failure;
-use crate::load::{file_of, read};
+use crate::load::{file_of, read_on_any_base};
 use arm::Arm;
 use document::{Allowed, Document};
 use number::DIGITS;
@@ -41,7 +41,7 @@ pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
 /// The text of the other file.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read(path, given)?;
+    let model = read_on_any_base(path, given)?;
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };

@@ -26,6 +26,8 @@ pub(super) struct Table<'a> {
     pub(super) convention: Convention,
     /// Frame 0 in the world, where they are not the same.
     pub(super) base: Option<Transform>,
+    /// The body of a base that moves.
+    pub(super) floating: Option<Body>,
     pub(super) rows: Vec<Row<'a>>,
     /// The tip in the last frame, where they are not the same.
     pub(super) tool: Option<Transform>,
@@ -68,7 +70,7 @@ fn is_sayable(frame: Option<&Transform>) -> bool {
 }
 
 impl<'a> Table<'a> {
-    /// The table of an arm that has a joint; none where the numbers found are not those of the arm.
+    /// The table of an arm that has a joint, or a base that moves; none where the numbers found are not those of the arm.
     pub(super) fn of(arm: &'a Arm<'a>, convention: Convention) -> Option<Table<'a>> {
         let table = Table::with(arm, convention, Ends::default())?;
         let ends = Ends {
@@ -83,6 +85,43 @@ impl<'a> Table<'a> {
     }
 
     fn with(arm: &'a Arm<'a>, convention: Convention, ends: Ends) -> Option<Table<'a>> {
+        let branches = Branches {
+            arm,
+            convention,
+            rows: arm.joints.iter().map(|_| Vec::new()).collect(),
+            links: vec![Transform::identity(); arm.joints.len()],
+        };
+        if arm.base.is_some() {
+            branches.on_moving_base(ends)
+        } else {
+            branches.on_standing_base(ends)
+        }
+    }
+}
+
+/// The rows of each joint, with those that stand still before it.
+struct Branches<'a> {
+    arm: &'a Arm<'a>,
+    convention: Convention,
+    rows: Vec<Vec<Row<'a>>>,
+    /// The frames behind them in the world.
+    links: Vec<Transform>,
+}
+
+impl<'a> Branches<'a> {
+    /// The table on a base that moves: frame 0 is the base's own, from which the first joint branches off as all others do.
+    fn on_moving_base(mut self, ends: Ends) -> Option<Table<'a>> {
+        let base = Transform::identity();
+        if !self.arm.joints.is_empty() {
+            self.branch_off(&base, 0, ends.tool)?;
+        }
+        self.others(&base)?;
+        Some(self.table(base))
+    }
+
+    /// The table on a base that stands where the first joint asks for it.
+    fn on_standing_base(mut self, ends: Ends) -> Option<Table<'a>> {
+        let (arm, convention) = (self.arm, self.convention);
         let mut axis = Axis::of(&arm.joints.first()?.frame);
         if arm.joints[0].slides() {
             // A joint that slides may have its axis anywhere.
@@ -98,12 +137,6 @@ impl<'a> Table<'a> {
         } else {
             world
         };
-        let mut branches = Branches {
-            arm,
-            convention,
-            rows: arm.joints.iter().map(|_| Vec::new()).collect(),
-            links: vec![Transform::identity(); arm.joints.len()],
-        };
         let mut lines = Lines::new(arm);
         if ends.base {
             lines.start(&base, Axis::of(&base), None);
@@ -111,29 +144,24 @@ impl<'a> Table<'a> {
         } else {
             lines.start(&base, axis, Some(&arm.joints[0]));
         }
-        branches.follow(lines, &base, 0, ends.tool)?;
-        for first in 1..arm.joints.len() {
-            let parent = arm.joints[first].parent;
-            if arm.children(parent).next() != Some(first) {
-                branches.branch_off(&base, first)?;
+        self.follow(lines, &base, 0, ends.tool)?;
+        self.others(&base)?;
+        Some(self.table(base))
+    }
+
+    /// The rows of all joints but the first one that are not the first on their links, and of the joints behind them.
+    fn others(&mut self, base: &Transform) -> Option<()> {
+        for first in 1..self.arm.joints.len() {
+            let parent = self.arm.joints[first].parent;
+            if self.arm.children(parent).next() != Some(first) {
+                self.branch_off(base, first, false)?;
             }
         }
-        Some(branches.table(base))
+        Some(())
     }
-}
 
-/// The rows of each joint, with those that stand still before it.
-struct Branches<'a> {
-    arm: &'a Arm<'a>,
-    convention: Convention,
-    rows: Vec<Vec<Row<'a>>>,
-    /// The frames behind them in the world.
-    links: Vec<Transform>,
-}
-
-impl<'a> Branches<'a> {
-    /// The rows of a joint that is not the first one on its link, and of the joints behind it.
-    fn branch_off(&mut self, base: &Transform, first: usize) -> Option<()> {
+    /// The rows of a joint that begins on the frame of its link, and of the joints behind it.
+    fn branch_off(&mut self, base: &Transform, first: usize, has_end: bool) -> Option<()> {
         let joint = &self.arm.joints[first];
         let carrier = joint.parent.map_or(base, |parent| &self.links[parent]);
         let mut axis = Axis::of(&joint.frame);
@@ -154,7 +182,7 @@ impl<'a> Branches<'a> {
             }
         };
         let at = carrier.inverse().then(&beginning).tidy();
-        self.follow(lines, &beginning, first, false)?;
+        self.follow(lines, &beginning, first, has_end)?;
         if !is_same(&at, &Transform::identity()) {
             self.begin(first, &at);
         }
@@ -246,6 +274,7 @@ impl<'a> Branches<'a> {
             frames: frames.collect(),
             tool: tip.and_then(|tip| unless_same(behind(tip.on, &tip.frame))),
             base: unless_same(base.clone()),
+            floating: arm.base.as_ref().map(Mass::body),
             rows,
         }
     }

@@ -46,9 +46,13 @@ pub(super) fn without_words(arm: &Arm) -> Vec<(&'static str, String)> {
 pub(super) fn extent(arm: &Arm) -> String {
     let mut names = Names::new(arm);
     let [base, tip] = CHAIN.map(|link| names.link(link));
-    match arm.tip {
+    let extent = match arm.tip {
         Some(_) => format!("The arm is the chain from {base} to {tip}"),
         None => format!("The robot is all that {base} carries"),
+    };
+    match arm.base {
+        Some(_) => format!("{extent}, and {base} moves (`base: floating`)"),
+        None => extent,
     }
 }
 
@@ -86,7 +90,8 @@ pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
         writer.line(0, &format!("<!-- {} -->", remark.replace("--", "- -")));
     }
     writer.line(0, &format!("<robot name={}>", quoted(name)));
-    writer.link(&base, None);
+    let body = arm.base.as_ref().map(|base| base.body());
+    writer.link(&base, body.as_ref());
     let mut links: Vec<String> = Vec::new();
     let on = |place: Option<usize>, frame: &Transform, links: &[String]| match place {
         None => (base.clone(), frame.clone()),

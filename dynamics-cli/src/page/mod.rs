@@ -7,7 +7,7 @@ mod literal;
 mod table;
 
 use dynamics_symbolic::emit::javascript_module;
-use dynamics_symbolic::robot::{Frame, Robot};
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request};
 
 use html::html;
@@ -46,8 +46,8 @@ pub struct Start {
 }
 
 impl Page {
-    /// The page of the programs of all [`FUNCTIONS`] and of the [`poses`] of the robot. `fields` are the robot's, each with
-    /// the value that it has at first.
+    /// The page of the programs of all [`FUNCTIONS`] and of the [`poses`](crate::poses::poses) of the robot. `fields` are
+    /// the robot's, each with the value that it has at first.
     pub fn new(
         robot: &Robot,
         programs: &[(Request, Proven)],
@@ -64,35 +64,4 @@ impl Page {
             equations: equations.len(),
         }
     }
-}
-
-/// The poses that the page shows: of the tip, if there is one, and of all frames. Where there is no tip, each link that
-/// carries no other becomes a frame of the robot, unless one stands on it.
-pub fn poses(robot: &mut Robot) -> Vec<Request> {
-    let of_tip = robot.tip_row().map(|_| Function::ForwardKinematics.into());
-    if of_tip.is_none() {
-        let is_end = |row: &usize| {
-            let carries = (0..robot.rows.len()).any(|other| robot.parent(other) == Some(*row));
-            !carries && robot.frames.iter().all(|frame| frame.on != Some(*row))
-        };
-        let ends = (0..robot.rows.len()).filter(is_end);
-        let ends = ends.map(|row| Frame {
-            name: robot.rows[row].name.clone(),
-            on: Some(row),
-            places: Vec::new(),
-            body: None,
-        });
-        let ends: Vec<_> = ends.collect();
-        robot.frames.extend(ends);
-    }
-    let frames = robot.frames.iter().enumerate();
-    let mut poses: Vec<Request> = of_tip.into_iter().collect();
-    for (index, frame) in frames {
-        let pose = Request::of_frame(Function::ForwardKinematics, index, &frame.name);
-        // Frames whose names differ in signs alone would be one method.
-        if poses.iter().all(|other| other.name() != pose.name()) {
-            poses.push(pose);
-        }
-    }
-    poses
 }

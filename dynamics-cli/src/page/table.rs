@@ -114,11 +114,11 @@ impl Writer<'_> {
             None => {
                 let tool = robot.tool.as_ref();
                 let places: Vec<_> = tool.iter().map(|t| self.placement(&t.placement)).collect();
-                let last = robot.rows.len() + usize::from(self.place_of_tip().is_some());
+                let apart = self.place_of_tip().map(|_| robot.rows.len());
                 let body = tool
                     .filter(|tool| tool.has_body())
                     .map(|tool| self.tool(tool));
-                ("tip", last.checked_sub(1), places, body)
+                ("tip", apart.or(robot.tip_row()), places, body)
             }
         };
         object([
@@ -139,27 +139,27 @@ impl Writer<'_> {
         ])
     }
 
-    /// What is behind the last link frame of a file with a tip, as a place in the list of joints.
+    /// The tip of a file, where it is not a link frame, as a place in the list of joints.
     fn place_of_tip(&self) -> Option<String> {
         let last = self.0.tip_row()?;
-        let mount = self.0.rows[last].mount.as_ref()?;
-        let [_, link_frame, tip] = self.0.mounted(last);
+        let tip = self.0.rows[last].tip()?.to_vec();
+        let [_, link_frame] = self.0.mounted(last);
         let row = Row {
             locked: Some(Value::zero()),
             at: tip.clone(),
             mount: Some(Mount {
                 axis: [Value::zero(), Value::zero()],
-                tip: Vec::new(),
+                tip: None,
             }),
             ..Row::new("", JointType::Revolute)
         };
         let step = [link_frame, tip].concat();
-        let is_apart = !mount.tip.is_empty();
-        is_apart.then(|| self.row(None, &row, &[step, Vec::new(), Vec::new()]))
+        let is_apart = !row.at.is_empty();
+        is_apart.then(|| self.row(None, &row, &[step, Vec::new()]))
     }
 
     /// A row of that index, none of the tip. `mounted` are the placements that its cells do not say.
-    fn row(&self, index: Option<usize>, row: &Row, mounted: &[Vec<Placement>; 3]) -> String {
+    fn row(&self, index: Option<usize>, row: &Row, mounted: &[Vec<Placement>; 2]) -> String {
         let cells = row.cells().map(|(name, values)| {
             let value = match values {
                 [value] => self.cell(value),
@@ -181,7 +181,7 @@ impl Writer<'_> {
         &self,
         index: Option<usize>,
         row: &Row,
-        [step, link_frame, _]: &[Vec<Placement>; 3],
+        [step, link_frame]: &[Vec<Placement>; 2],
     ) -> [(&'static str, String); 10] {
         let joint_type = match row.joint_type {
             JointType::Revolute => "revolute",

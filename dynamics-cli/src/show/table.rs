@@ -16,9 +16,9 @@ pub(super) fn table(robot: &Robot) -> String {
         (false, Convention::Standard) => "standard convention",
         (false, Convention::Modified) => "modified convention",
     };
-    let joints = match robot.dof() {
+    let joints = match robot.freedoms().joints {
         1 => "1 joint that moves".to_owned(),
-        dof => format!("{dof} joints that move"),
+        count => format!("{count} joints that move"),
     };
     let (name, gravity) = (&robot.name, numbers(&robot.gravity));
     let mut text = format!("{name}: {joints}, {how}, gravity {gravity} m/s^2\n\n");
@@ -43,6 +43,10 @@ pub(super) fn table(robot: &Robot) -> String {
     if let Some(base) = robot.placement() {
         let _ = writeln!(text, "{:<width$}{}", "base", place(base));
     }
+    if let Some(Body { mass, com, inertia }) = robot.floating() {
+        let body = body(mass, com, inertia);
+        let _ = writeln!(text, "{:<width$}{:<11}{body}", "base", "moves");
+    }
     for (i, row) in robot.rows.iter().enumerate() {
         let on = carrier(robot, link(robot, robot.parent(i)), width);
         let (name, kind) = (&row.name, joint_type(row));
@@ -52,13 +56,7 @@ pub(super) fn table(robot: &Robot) -> String {
             None => cells(robot, row),
         });
     }
-    let tip = robot
-        .tip_row()
-        .and_then(|row| robot.rows[row].mount.as_ref());
-    if let Some(mount) = tip.filter(|mount| !mount.tip.is_empty()) {
-        let tip = places(&mount.tip);
-        let _ = writeln!(text, "{:<width$}{:<11}{tip}", "tip", "fixed");
-    }
+    text.push_str(&tip(robot, width).unwrap_or_default());
     if let Some(tool) = &robot.tool {
         let body = body(&tool.mass, &tool.com, &tool.inertia);
         let _ = writeln!(text, "{:<width$}{}{body}", "tool", place(&tool.placement));
@@ -70,6 +68,15 @@ pub(super) fn table(robot: &Robot) -> String {
         text.push_str(&of_frame(robot, frame, width));
     }
     text
+}
+
+/// The tip that a file has, unless it is the last link frame of an arm without branches.
+fn tip(robot: &Robot, width: usize) -> Option<String> {
+    let row = robot.tip_row()?;
+    let tip = robot.rows[row].tip()?;
+    let is_known = robot.is_serial() && tip.is_empty();
+    let (on, tip) = (carrier(robot, link(robot, Some(row)), width), places(tip));
+    (!is_known).then(|| format!("{:<width$}{:<11}{on}{tip}\n", "tip", "fixed"))
 }
 
 /// The link behind a row, by the name of its joint.

@@ -192,6 +192,40 @@ fn generate_writes_files() {
     assert!(module.contains("export function jacobian(q)"), "{module}");
 }
 
+/// A robot has the name that is given in place of its file's: in titles, files, functions and the struct.
+#[test]
+fn robots_have_names() {
+    let pendulum = file("arm-42.toml", PENDULUM);
+    let out = folder("named");
+    let to = out.to_string_lossy();
+    let functions = ["--functions", "gravity_vector"];
+    let called =
+        |words: &[&str], name: &str| output(&[words, &functions, &["--name", name]].concat());
+    let shown = called(&["show", &pendulum], "UR5e");
+    assert!(shown.starts_with("UR5e: 2 joints"), "{shown}");
+    for (language, file, text) in [
+        ("rust", "ur5e.rs", "pub struct UR5e;"),
+        ("c", "ur5e.h", "void ur5e_gravity_vector("),
+        ("js", "ur5e.mjs", "Equations of motion of `UR5e`"),
+        ("python", "ur5e.py", "Equations of motion of `UR5e`"),
+        ("matlab", "gravity_vector.m", "Of `UR5e`"),
+    ] {
+        called(
+            &["generate", &pendulum, "--lang", language, "--out", &to],
+            "UR5e",
+        );
+        let written = std::fs::read_to_string(out.join(file)).expect(file);
+        assert!(written.contains(text), "{written}");
+    }
+    for name in ["", "7bot", "a/b", "x\ny", "r\"s"] {
+        let message = errors(&["show", &pendulum, "--name", name], 2);
+        assert!(
+            message.contains("a letter first") || message.contains("a value is required"),
+            "{message}"
+        );
+    }
+}
+
 /// The rows of a CSV of so many columns.
 #[track_caller]
 fn rows(text: &str, columns: usize) -> Vec<Vec<f64>> {
@@ -367,6 +401,70 @@ fn torques_of_motions() {
     );
 }
 
+/// The subcommand is named after what it finds; the shorter word of before does the same, and what it is not is told.
+#[test]
+fn inverse_dynamics_is_no_inverse_kinematics() {
+    let pendulum = file("named_inverse.toml", PENDULUM);
+    let [long, short] = ["inverse-dynamics", "inverse"].map(|word| {
+        let path = output(&[word, &pendulum, "--to", "1,0.5", "--samples", "3"]);
+        assert_eq!(rows(&path, 9).len(), 3);
+        path
+    });
+    assert_eq!(long, short);
+    let help = output(&["inverse-dynamics", "--help"]);
+    assert!(help.contains("This is no inverse kinematics"), "{help}");
+    for pose in ["0.5,0,0.2", "0.5,0,0.2,0,0,0"] {
+        let message = errors(&["inverse", &pendulum, "--to", pose], 2);
+        assert!(
+            message.contains("expected 2, the positions of the joints that move")
+                && message.contains("not the joint positions of a pose of the tip"),
+            "{message}"
+        );
+    }
+    let message = errors(&["inverse-kinematics", &pendulum, "--pose", "1,0,0"], 2);
+    assert!(
+        message.contains("there is no inverse kinematics here"),
+        "{message}"
+    );
+}
+
+/// A motion is drawn besides, with a panel for each quantity and a curve for each joint.
+#[test]
+fn motions_are_drawn() {
+    let pendulum = file("drawn.toml", PENDULUM);
+    let brick = file("drawn_brick.toml", super::moving_base::BRICK);
+    let path = folder("files").join("drawn.svg");
+    let svg = path.to_string_lossy();
+    for (call, labels) in [
+        (
+            vec!["simulate", &pendulum, "--from", "1,0"],
+            vec!["position, rad", "torque, N m", "pivot", "knee", "energy, J"],
+        ),
+        (
+            vec!["inverse-dynamics", &pendulum, "--to", "1,0"],
+            vec!["velocity, rad/s", "torque, N m", "pivot", "knee"],
+        ),
+        (
+            vec!["simulate", &brick, "--velocity", "1,0,0,0,0,0,1"],
+            vec!["base, m", "yaw", "wheel", "energy, J"],
+        ),
+    ] {
+        let _ = std::fs::remove_file(&path);
+        let call = [&call[..], &["--samples", "5"]].concat();
+        let drawn = output(&[&call[..], &["--plot", &svg]].concat());
+        assert_eq!(drawn, output(&call));
+        let figure = std::fs::read_to_string(&path).expect("a figure");
+        assert!(figure.starts_with("<svg"), "{figure}");
+        for label in labels {
+            assert!(figure.contains(label), "{label}: {figure}");
+        }
+    }
+    let lost = ["simulate", &pendulum, "--plot", &pendulum];
+    assert!(errors(&lost, 2).contains("`--plot"));
+    let one = ["simulate", &pendulum, "--plot", &svg, "--out", &svg];
+    assert!(errors(&one, 2).contains("are one file"));
+}
+
 #[test]
 fn measure_prints_times_and_errors() {
     let pendulum = file("measure.toml", PENDULUM);
@@ -391,4 +489,32 @@ fn measure_prints_times_and_errors() {
         errors.iter().all(|error| (0.0..1e-12).contains(error)),
         "{text}"
     );
+}
+
+/// Wherever an option takes a number it takes a value of the macro's words.
+#[test]
+fn options_take_values() {
+    let pendulum = file("option_values.toml", PENDULUM);
+    for [value, number] in [
+        [
+            "simulate --samples 3 --from PI/2,-deg(90) --velocity sqrt(4),1/4 --duration 1/2",
+            "simulate --samples 3 --from 1.5707963267948966,-1.5707963267948966 --velocity 2,0.25 --duration 0.5",
+        ],
+        [
+            "inverse --samples 3 --to deg(180),PI",
+            "inverse --samples 3 --to 3.141592653589793,3.141592653589793",
+        ],
+        [
+            "check --samples 3 --tolerance 1/1000 --gravity 0,-2*5,0",
+            "check --samples 3 --tolerance 0.001 --gravity 0,-10,0",
+        ],
+        ["show --lock knee=PI/6", "show --lock knee=deg(30)"],
+    ] {
+        let [of_value, of_number] = [value, number].map(|line| {
+            let mut words: Vec<&str> = line.split(' ').collect();
+            words.insert(1, &pendulum);
+            output(&words)
+        });
+        assert_eq!(of_value, of_number, "{value}");
+    }
 }

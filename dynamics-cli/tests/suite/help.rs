@@ -2,12 +2,13 @@
 
 use super::calls::{errors, output};
 
-const SUBCOMMANDS: [&str; 9] = [
+const SUBCOMMANDS: [&str; 10] = [
     "show",
     "check",
     "generate",
+    "evaluate",
     "simulate",
-    "inverse",
+    "inverse-dynamics",
     "measure",
     "convert",
     "page",

@@ -3,6 +3,7 @@
 mod calls;
 mod command;
 mod convert;
+mod evaluate;
 mod formulas;
 mod help;
 mod long_arms;

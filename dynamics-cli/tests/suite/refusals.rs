@@ -484,3 +484,41 @@ fn messages_hold_no_control_characters() {
         );
     }
 }
+
+/// Options that take a number say which word of which option is none, and what was expected.
+#[test]
+fn options_say_which_number_is_wrong() {
+    let pendulum = file("numbers.toml", PENDULUM);
+    for (call, expected) in [
+        (
+            ["simulate", "--from", "0,PI/"],
+            "invalid value 'PI/' for '--from <X,Y,...>': expected a number, or a value such as PI/2 or deg(90)",
+        ),
+        (["simulate", "--from", "0,90°"], "write `deg(90)`"),
+        (
+            ["simulate", "--velocity", "0,fast"],
+            "`PI` is the only name",
+        ),
+        (["simulate", "--duration", "1/0"], "division by zero"),
+        (
+            ["simulate", "--duration", "1 - 2"],
+            "invalid value '1 - 2' for '--duration <NUMBER>': expected a number above zero",
+        ),
+        (
+            ["page", "--field", "load=quick"],
+            "`--field load=quick`: expected NAME=NUMBER, for example load=2.5: `PI` is the only name",
+        ),
+        (
+            ["show", "--lock", "knee=deg()"],
+            "`--lock knee=deg()`: expected a value between the parentheses",
+        ),
+        (
+            ["show", "--gravity", "0,down,0"],
+            "`--gravity 0,down,0`: unknown name `down`",
+        ),
+    ] {
+        let [subcommand, option, value] = call;
+        let message = errors(&[subcommand, &pendulum, option, value], 2);
+        assert!(message.contains(expected), "{call:?}: {message}");
+    }
+}

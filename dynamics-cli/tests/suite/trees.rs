@@ -118,9 +118,8 @@ fn show_places_links_of_files() {
     );
 }
 
-/// A branch that stands still is one: no tip is shown, because no function could be asked for it.
-#[test]
-fn show_names_no_tip_beside_a_branch_that_stands_still() {
+/// A column with a hand, and a mast beside it whose joint can be locked. The link `tool` is where its joint says.
+fn fork(tool: &str) -> String {
     let body = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
     let joint = |name: &str, kind: &str, parent: &str, child: &str| {
         format!(
@@ -128,20 +127,59 @@ fn show_names_no_tip_beside_a_branch_that_stands_still() {
              <origin xyz='0.2 0 0.1'/></joint>"
         )
     };
-    let urdf = format!(
+    format!(
         "<robot name='fork'><link name='root'/><link name='left'>{body}</link><link name='right'>{body}</link>\
-         <link name='point'/>{}{}{}</robot>",
+         <link name='hand'/><link name='tool'/>{}{}{}{}</robot>",
         joint("one", "continuous", "root", "left"),
         joint("two", "continuous", "root", "right"),
-        joint("three", "fixed", "left", "point"),
-    );
-    let urdf = file("fork.urdf", urdf);
-    let options = ["--gravity", "0,0,-9.81", "--lock", "two=0.2", "--functions"];
-    let call = |function: &'static str| [&["show", &*urdf][..], &options, &[function]].concat();
+        joint("three", "fixed", "left", "hand"),
+        joint("four", "fixed", tool, "tool"),
+    )
+}
+
+/// The tip is the only link that ends on the last one that moves, whatever stands still beside it: it is shown, compared
+/// with Newton-Euler, and where the chain to it ends.
+#[test]
+fn a_branch_that_stands_still_leaves_the_tip_where_it_is() {
+    let urdf = file("fork_with_tip.urdf", fork("hand"));
+    let common = ["--gravity", "0,0,-9.81", "--lock", "two=0.2"];
+    let text = output(&[&["show", &*urdf], &common[..]].concat());
+    let tip = text.lines().find(|line| line.starts_with("tip "));
+    let words: Vec<_> = tip.expect("a tip").split_whitespace().collect();
+    assert_eq!(words[1..3], ["fixed", "one"], "{text}");
+    let functions = ["--functions", "forward_kinematics,jacobian,tool_velocity"];
+    let text = output(&[&["check", &*urdf], &common[..], &functions].concat());
+    assert_eq!(text.matches("jacobian").count(), 1, "{text}");
+    let pose = |options: ReadOptions| {
+        let options = options.functions(["forward_kinematics"]);
+        let options = options.entries("gravity = [0, 0, -9.81]\nlock = { two = 0.2 }");
+        let arm = RuntimeRobot::from_file(&urdf, &options).expect("an arm with a tip");
+        let pose = arm.forward_kinematics(&[0.7]);
+        pose.expect("a pose").as_slice().to_vec()
+    };
+    let of_tree = pose(ReadOptions::new());
+    assert_eq!(of_tree, pose(ReadOptions::new().chain(["root", "tool"])));
+    // Three places of 0.2 along x, about which the joint turns.
+    assert!((of_tree[12] - 0.6).abs() < 1e-15, "{of_tree:?}");
+}
+
+/// Two links that end on the last one that moves are no tip: functions are asked for at frames, or the tip is named.
+#[test]
+fn two_ends_on_the_last_link_are_no_tip() {
+    let urdf = file("fork_with_two_ends.urdf", fork("left"));
+    let common = ["--gravity", "0,0,-9.81", "--ignore", "two"];
+    let call = |function: &'static str| {
+        [&["show", &*urdf][..], &common, &["--functions", function]].concat()
+    };
     let text = output(&call("mass_matrix"));
     assert!(!text.contains("\ntip "), "{text}");
     let refused = errors(&call("jacobian"), 2);
-    assert!(refused.contains("ask for it at a frame"), "{refused}");
+    assert!(
+        refused.contains("several links end on that of `one`: ask for it at a frame"),
+        "{refused}"
+    );
+    let named = [&call("jacobian")[..], &["--chain", "root,tool"]].concat();
+    assert!(output(&named).contains("\ntip "), "the tip is named");
 }
 
 /// A finger that follows another one on the link of an arm, a locked joint that carries a branch, and axes that are
@@ -380,6 +418,57 @@ fn trees_are_the_same_in_both_conventions() {
 #[ignore = "a minute: many trees"]
 fn many_trees_are_the_same_in_both_conventions() {
     convert_trees(100);
+}
+
+/// A tree written as a URDF file is the same robot, frames as links. URDF has no words for motors.
+#[test]
+fn trees_are_written_as_urdf() {
+    for (name, text) in trees(2) {
+        let without_motors = text.lines().filter(|line| !line.starts_with("motor"));
+        let text = without_motors.collect::<Vec<_>>().join("\n");
+        let path = file(&format!("{name}_to_urdf.toml"), text);
+        let source = read(&path, &ReadOptions::new());
+        let gravity = source.gravity.each_ref().map(|g| g.to_f64(&[]));
+        let allow = "allow = [\"no_inertia\", \"odd_com\", \"unphysical_inertia\"]";
+        let poses = source.frames.iter();
+        let poses = poses.map(|frame| format!("forward_kinematics({:?})", frame.name));
+        let functions = poses.chain(["inverse_dynamics".to_owned()]);
+        let entries = format!("gravity = {gravity:?}\n{allow}");
+        let besides = ReadOptions::new().entries(&entries).functions(functions);
+        let to = format!("{name}.urdf");
+        let (_, urdf) = converted(&path, &["--to", "urdf"], &to, &besides);
+        let difference = difference(&source, &urdf);
+        println!("{name:<20} {difference:.1e}");
+        assert!(difference < 1e-12, "{name}: {difference:e}");
+    }
+}
+
+/// A tree falls: its lift by g t^2 / 2, and all of it without a change of energy.
+#[test]
+fn a_tree_is_simulated() {
+    let torso = file("simulated_torso.toml", TORSO);
+    let from = ["--from", "0.1,0.2,0.3,-0.4,0.5,0"];
+    let text = output(
+        &[
+            &["simulate", &torso, "--duration", "0.4", "--samples", "3"][..],
+            &from,
+        ]
+        .concat(),
+    );
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().expect("a head").split(',').collect();
+    let column = |name: &str| names.iter().position(|known| *known == name).expect(name);
+    let rows = lines.map(|line| line.split(',').map(|cell| cell.parse().expect("a number")));
+    let rows: Vec<Vec<f64>> = rows.map(Iterator::collect).collect();
+    let energy =
+        |row: &[f64]| row[column("kinetic energy [J]")] + row[column("potential energy [J]")];
+    let fall = rows[2][column("q.lift [m]")] + 0.5 * 9.81 * 0.16;
+    assert!(fall.abs() < 1e-9, "{text}");
+    for row in &rows {
+        let drift = energy(row) - energy(&rows[0]);
+        assert!(drift.abs() < 1e-6, "{drift:e}");
+    }
+    assert!(rows[2][column("q.right_elbow [rad]")] != 0.5, "{text}");
 }
 
 /// Files of trees are compared without a tip, and by their frames if these are asked for.

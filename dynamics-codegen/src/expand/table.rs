@@ -26,13 +26,18 @@ pub(super) fn table(structure: &Structure, robot: &Robot, path: &TokenStream) ->
         Quantity::Number => number(value, &fields),
     };
     let cells: Vec<_> = robot.rows.iter().map(|row| row.map(&mut cell)).collect();
-    let mut mounted = |i| {
-        robot.mounted(i).map(|places| {
-            let places = places.iter().map(|place| place.map(&mut cell));
-            placement(&places.collect::<Vec<_>>(), path)
-        })
+    let mut place = |places: &[Placement]| {
+        let places = places.iter().map(|place| place.map(&mut cell));
+        placement(&places.collect::<Vec<_>>(), path)
     };
-    let placements: Vec<_> = (0..cells.len()).map(&mut mounted).collect();
+    let mut placements = Vec::with_capacity(cells.len());
+    for (i, row) in robot.rows.iter().enumerate() {
+        let [mount, link_frame] = robot.mounted(i);
+        let tip = row
+            .tip()
+            .map(|tip| place(tip).unwrap_or_else(|| quote!(#path::Placement::IDENTITY)));
+        placements.push([place(&mount), place(&link_frame), tip]);
+    }
     let rows = cells.iter().zip(placements);
     let rows = rows.map(|(cells, placements)| row(cells, placements, path));
     let frames = robot.frames.iter();
@@ -218,7 +223,7 @@ fn row(
     let [mount, link_frame, tip] = placements;
     let mount = mount.map(|placement| quote!(mount: #placement,));
     let link_frame = link_frame.map(|placement| quote!(link_frame: #placement,));
-    let tip = tip.map(|placement| quote!(tip: #placement,));
+    let tip = tip.map(|placement| quote!(tip: ::core::option::Option::Some(#placement),));
     quote! {
         #path::Row {
             #on

@@ -11,6 +11,8 @@ pub(crate) mod json;
 #[cfg(feature = "files")]
 mod load;
 #[cfg(feature = "files")]
+mod number;
+#[cfg(feature = "files")]
 mod reading;
 mod request;
 #[cfg(feature = "files")]
@@ -26,6 +28,8 @@ pub use crate::limits::MOST_BYTES;
 use crate::mistake::file as mistake;
 #[cfg(feature = "files")]
 use load::insert;
+#[cfg(feature = "files")]
+pub use number::number;
 #[cfg(feature = "files")]
 pub use reading::*;
 pub use request::{Format, MovingBase, Request};

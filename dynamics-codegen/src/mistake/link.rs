@@ -44,8 +44,17 @@ mistakes! {
         "`{function}` is about the tip, and {count} joints carry no other, {tips_shown}: ask for it at a frame, {asked}; there \
          are {frames_shown}";
     /// A tool where there is no tip.
-    tool_without_tip(tips: &[&str]) {count: tips.len(), tips_shown: some(tips), tip: tips[0]} [frames: frame("tool", tip)]
+    tool_without_tip(tips: &[&str], link: &str) {count: tips.len(), tips_shown: some(tips)} [frames: frame("tool", link)]
         "a `tool` is at the tip, and {count} joints carry no other, {tips_shown}: write a frame in its place, {frames}";
+    /// A function of the tip in a file in which several links end on that of the last joint, or none of them is the tip.
+    no_end(function: &str, joint: &str, frames: &[&str]) {frames_shown: some(frames), first: frames[0]}
+        [asked: function_of(function, first)]
+        "`{function}` is about the tip, and several links end on that of `{joint}`: ask for it at a frame, {asked}, or name the \
+         tip in `chain`; there are {frames_shown}";
+    /// A tool in such a file.
+    tool_without_end(joint: &str, link: &str) [frames: frame("tool", link)]
+        "a `tool` is at the tip, and several links end on that of `{joint}`: name the tip in `chain`, or write a frame in place \
+         of the tool, {frames}";
     /// A method's name that something else has.
     method_taken(asked: &Wanted, method: &str, other: &str)
         "`{asked}` is the method `{method}`, which is {other}: give the frame another name";

@@ -12,12 +12,13 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Convention;
 
 use crate::description::{
-    Allow, Asked, Entry, FileName, Frame, Link, Name, Placement, Positioned, Share, Table, Tool,
-    Vector, Wanted,
+    Allow, Asked, Entry, Expr, FileName, Frame, Link, Name, Placement, Positioned, Share, Table,
+    Tool, Vector, Wanted,
 };
 use crate::diagnose::Diagnostics;
 use crate::keys::{CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
 use crate::mistake::{self, expected};
+use crate::place::Place;
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
 use reader::{Item, Read, Reader, put};
@@ -46,6 +47,18 @@ pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) 
     });
     table.mentions = reader.mentions;
     table
+}
+
+/// A value that is written as a text in a file.
+#[cfg(feature = "files")]
+pub(crate) fn written_value(text: &str, place: Place, diagnostics: &Diagnostics) -> Option<Expr> {
+    let mut reader = Reader {
+        language: Language::Toml,
+        diagnostics,
+        mentions: BTreeSet::new(),
+    };
+    let node = Node::new(place, Kind::Text(text.to_owned()));
+    reader.value(&node).ok()
 }
 
 /// Whether the tree has a table `joints`, with cells for the joints of another file.

@@ -210,6 +210,19 @@ fn no_robot_of_the_data_is_refused() {
         }
     }
     assert!(count > 50, "{count}");
+    let folder = format!("{}/../tests/data/urdf/trees", env!("CARGO_MANIFEST_DIR"));
+    let entries = std::fs::read_dir(folder).expect("the folder");
+    let names = entries.map(|entry| entry.expect("an entry").file_name());
+    let names = names.filter_map(|name| {
+        name.to_str()
+            .filter(|name| name.ends_with(".urdf"))
+            .map(str::to_owned)
+    });
+    let trees = names.map(|name| {
+        let file = format!("file: \"../tests/data/urdf/trees/{name}\", gravity: [0, 0, -9.81]");
+        model(&format!("struct Tree; {file}, allow: [unphysical_inertia]"));
+    });
+    assert!(trees.count() >= 5);
 }
 
 /// The entries that choose a published arm in its file.

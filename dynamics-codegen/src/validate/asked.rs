@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::Frame;
+use dynamics_symbolic::robot::{Frame, Row};
 
 use super::Parts;
 use super::functions::named;
@@ -59,19 +59,26 @@ fn report_frames(asked: &[Asked], is_unknown: bool, table: &Table, scope: &Scope
     are_known
 }
 
-/// Reports functions of the tip, and a tool, on a tree in which several rows carry no other.
+/// Reports functions of the tip, and a tool, on a robot that has no tip.
 fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scope) {
-    let Some(ends) = tips(parts).filter(|tips| tips.len() > 1) else {
+    let Some(ends) = ends_without_tip(parts) else {
         return;
     };
     let rows = table.rows();
     let tips: Vec<&str> = ends.iter().map(|&row| rows[row].word()).collect();
+    let frames = from_the_ends(&ends, parts, table);
+    // In a file, frames stand on links.
+    let is_of_file = table.frames().any(|frame| frame.is_link);
+    let link = if is_of_file { frames[0] } else { tips[0] };
     for entry in &table.entries {
         if let Entry::Tool(place, _) = entry {
-            scope.error(*place, mistake::tool_without_tip(&tips));
+            let mistake = match &tips[..] {
+                [joint] => mistake::tool_without_end(joint, link),
+                tips => mistake::tool_without_tip(tips, link),
+            };
+            scope.error(*place, mistake);
         }
     }
-    let frames = from_the_ends(&ends, parts, table);
     let asked = named(asked).filter(|wanted| wanted.frame.is_none());
     let asked = asked.map(|wanted| (wanted.function, wanted.place));
     let needed = table.name.iter().zip(&table.needed);
@@ -79,25 +86,32 @@ fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Sco
     for (function, place) in asked.chain(needed) {
         if function.row().of_tip {
             let name = function.name();
-            scope.error(
-                place,
-                if frames.is_empty() {
-                    mistake::no_tip(name, &tips)
-                } else {
-                    mistake::no_tip_but_frames(name, &tips, &frames)
-                },
-            );
+            let mistake = match (&tips[..], &frames[..]) {
+                (tips, []) => mistake::no_tip(name, tips),
+                ([joint], frames) => mistake::no_end(name, joint, frames),
+                (tips, frames) => mistake::no_tip_but_frames(name, tips, frames),
+            };
+            scope.error(place, mistake);
         }
     }
 }
 
-/// The rows that carry no other; `None` if a row is in error.
-fn tips(parts: &Parts) -> Option<Vec<usize>> {
-    let rows = parts.rows.as_ref()?.iter().enumerate();
-    let carriers = rows.map(|(i, row)| Some(row.as_ref()?.on.parent(i)));
-    let carriers: Vec<Option<usize>> = carriers.collect::<Option<_>>()?;
-    let rows = 0..carriers.len();
-    Some(rows.filter(|row| !carriers.contains(&Some(*row))).collect())
+/// The rows that carry no other, if there is no tip. `None` if there is one, for no rows, and if a row is in error.
+fn ends_without_tip(parts: &Parts) -> Option<Vec<usize>> {
+    let rows: Vec<&Row> = parts
+        .rows
+        .as_ref()?
+        .iter()
+        .map(Option::as_ref)
+        .collect::<Option<_>>()?;
+    let is_end = |row: &usize| !(0..rows.len()).any(|i| rows[i].on.parent(i) == Some(*row));
+    let ends: Vec<usize> = (0..rows.len()).filter(is_end).collect();
+    let has_tip = if rows.iter().any(|row| row.mount.is_some()) {
+        rows.iter().any(|row| row.tip().is_some())
+    } else {
+        ends.len() == 1
+    };
+    (!has_tip && !ends.is_empty()).then_some(ends)
 }
 
 /// The names of all frames: first the outermost link on each row that carries no other, where a file has links.

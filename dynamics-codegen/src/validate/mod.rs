@@ -95,11 +95,17 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
 /// The value of an expression without fields and `let`.
 #[cfg(feature = "files")]
 pub(crate) fn constant(expr: &Expr) -> Option<Value> {
+    Diagnostics::without(|diagnostics| value(expr, diagnostics))
+}
+
+/// The same, reporting why there is none.
+#[cfg(feature = "files")]
+pub(crate) fn value(expr: &Expr, diagnostics: &Diagnostics) -> Option<Value> {
     let table = Table {
         entries: vec![Entry::Allow(Some(Allow::EVERYTHING))],
         ..Table::default()
     };
-    Diagnostics::without(|diagnostics| Scope::new(&table, diagnostics).value(expr))
+    Scope::new(&table, diagnostics).value(expr)
 }
 
 /// Reports the fields that no value uses. Where there are errors, the value that uses

@@ -72,7 +72,7 @@ fn length(row: &Row) -> Option<f64> {
         (JointType::Prismatic, Some(limits)) => limits,
         (JointType::Revolute, _) => &[],
     };
-    let tip = row.mount.iter().flat_map(|mount| &mount.tip);
+    let tip = row.tip().into_iter().flatten();
     let steps = row.at.iter().chain(tip);
     [&row.a, &row.d]
         .into_iter()

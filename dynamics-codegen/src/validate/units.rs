@@ -174,7 +174,7 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
         }
         // Steps of a URDF file have no places of their own.
         let joint = written.name.as_ref().map(Place::from);
-        let tip = row.mount.iter().flat_map(|mount| &mount.tip);
+        let tip = row.tip().into_iter().flatten();
         let is_on_base = row.on.parent(index).is_none() && stands;
         let (of_file, at) = row.at.split_at(written.places.len());
         let steps = of_file.iter().filter(|_| !is_on_base).chain(tip);

@@ -81,3 +81,9 @@ robot_dynamics! {
     file: "tests/mistakes/files/planar.urdf", chain: ["trunk"], gravity: [0, 0, -9.81], ignore: [float],
     functions: [mass_matrix, jacobian],
 }
+// Two links end on the last one that moves, so that neither is the tip.
+robot_dynamics! {
+    struct TwoEnds;
+    file: "tests/mistakes/files/ends.urdf", gravity: [0, 0, -9.81],
+    functions: [jacobian], tool: { xyz: [0, 0, 0.1] },
+}

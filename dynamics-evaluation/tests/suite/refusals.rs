@@ -113,7 +113,7 @@ fn mounts_with_field(index: usize) -> [(Vec<Placement>, Mount); 3] {
     let zeros = || [0; 3].map(|_| Value::zero());
     let still = || Mount {
         axis: [Value::zero(), Value::zero()],
-        tip: Vec::new(),
+        tip: None,
     };
     let turned = || Placement {
         xyz: zeros(),
@@ -124,7 +124,7 @@ fn mounts_with_field(index: usize) -> [(Vec<Placement>, Mount); 3] {
         ..still()
     };
     let tip = Mount {
-        tip: vec![turned()],
+        tip: Some(vec![turned()]),
         ..still()
     };
     [

@@ -196,7 +196,8 @@ fn reach(table: Arm<'_>, q: &DVector<f64>) -> f64 {
             JointType::Prismatic => row.d + moving.factor * q[moving.joint] + moving.offset,
         };
         let carrier = row.on.of(k).map_or(0.0, |carrier| origins[carrier]);
-        let places = norm(&row.mount.position) + norm(&row.tip.position);
+        let tip = row.tip.map_or(0.0, |tip| norm(&tip.position));
+        let places = norm(&row.mount.position) + tip;
         origins.push(carrier + row.a.abs() + d.abs() + places);
         centre = centre.max(norm(&row.com));
     }

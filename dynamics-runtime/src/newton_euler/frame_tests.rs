@@ -144,7 +144,7 @@ fn rows_that_begin_elsewhere_can_be_locked() {
             row.mount = Placement::of_frames(&[other.base]);
             row.link_frame = Placement::of_frames(&[other.tool.frame]);
         }
-        whole.rows[4].tip = Placement::of_frames(&[whole.base]);
+        whole.rows[4].tip = Some(Placement::of_frames(&[whole.base]));
         let mut positions = [None; 5];
         positions[row] = Some(0.7);
         let locked = Table::<4> {

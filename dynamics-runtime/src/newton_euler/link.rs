@@ -177,7 +177,7 @@ impl Link {
             dry: DryFriction::of(row),
             spring: row.spring,
             table_frame,
-            tip: table_frame.then(&(&row.tip).into()),
+            tip: table_frame.then(&row.tip_in_link()),
             carrier: None,
             joint: 0,
             factor: 1.0,

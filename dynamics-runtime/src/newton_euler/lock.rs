@@ -8,7 +8,7 @@ use super::joint::Joint;
 use super::pose::Pose;
 #[cfg(feature = "std")]
 use crate::RuntimeTable;
-use crate::table::{Arm, Carrier, FixedFrame, MOST_FOLLOWERS, MOST_FRAMES};
+use crate::table::{Arm, Carrier, FixedFrame, MOST_FOLLOWERS, MOST_FRAMES, tip_row};
 use crate::{
     Convention, FloatingBase, Follower, Followers, Frame, JointMotion, JointType, Placement, Row,
     Table, Tool,
@@ -309,12 +309,10 @@ impl Rows<'_> {
                 join(&mut joined, &frame.body(), &(&frame.place).into());
             }
         }
-        // The tip is on the last row of an arm without branches.
-        let last = self.rows.len() - 1;
-        let is_serial = (0..=last).all(|i| self.rows[i].on.of(i) == i.checked_sub(1));
-        if is_serial && moves_with(&last) {
-            let tip = Pose::from(&self.rows[last].tip);
-            joined.tip = self.in_mover(last).then(&tip).placement();
+        let is_behind = |at: &usize| *at != row && moves_with(at);
+        if let Some(at) = tip_row(self.rows.iter()).filter(is_behind) {
+            let tip = self.in_mover(at).then(&self.rows[at].tip_in_link());
+            joined.tip = Some(tip.placement());
         }
         joined
     }
@@ -417,7 +415,7 @@ impl FloatingBase {
 impl Tool {
     /// The tool as a part of the last link: its body, and the tip.
     fn joined(&self, last: &Row) -> Row {
-        let tip = Pose::from(&last.tip).then(&(&self.frame).into());
+        let tip = last.tip_in_link().then(&(&self.frame).into());
         let body = Row {
             mass: self.mass,
             com: self.com,
@@ -425,11 +423,18 @@ impl Tool {
             ..Row::new(JointType::Revolute)
         };
         let mut joined = Row {
-            tip: tip.placement(),
+            tip: Some(tip.placement()),
             ..*last
         };
         join(&mut joined, &body, &tip);
         joined
+    }
+}
+
+impl Row {
+    /// The tip in the link frame: where the row says, or else the link frame.
+    pub(super) fn tip_in_link(&self) -> Pose {
+        self.tip.as_ref().map_or(Pose::IDENTITY, Pose::from)
     }
 }
 

@@ -75,12 +75,9 @@ impl<'t> Arm<'t> {
         freedom.checked_sub(self.freedoms_of_base())
     }
 
-    /// The row of the tip, the only one that carries no other: the last one where there are no branches. `None` where
-    /// several carry no other, and for no rows.
+    /// The row of the tip. `None` where several rows carry no other and none of them has it, and for no rows.
     pub(crate) fn tip_row(self) -> Option<usize> {
-        let mut rows = self.chain().enumerate();
-        let is_serial = rows.all(|(k, moving)| moving.row.on.of(k) == k.checked_sub(1));
-        self.chain().count().checked_sub(1).filter(|_| is_serial)
+        tip_row(self.chain().map(|moving| moving.row))
     }
 
     /// Mass of all links, of the tool, of the bodies of frames on links and of a base that moves, with what is fixed to it, kg.
@@ -93,6 +90,18 @@ impl<'t> Arm<'t> {
         let of_links = self.chain().map(|moving| moving.row.mass).sum::<f64>();
         of_links + self.tool.mass + of_frames + of_base
     }
+}
+
+/// The row that has the tip, or else the only one that carries no other: the last one where there are no branches.
+pub(crate) fn tip_row<'r>(rows: impl Iterator<Item = &'r Row> + Clone) -> Option<usize> {
+    let is_serial = |(k, row): (usize, &Row)| row.on.of(k) == k.checked_sub(1);
+    let mut numbered = rows.clone().enumerate();
+    let has_tip = rows.clone().position(|row| row.tip.is_some());
+    has_tip.or_else(|| {
+        rows.count()
+            .checked_sub(1)
+            .filter(|_| numbered.all(is_serial))
+    })
 }
 
 /// A table that the numeric algorithms read.

@@ -7,8 +7,8 @@ mod frames;
 #[cfg(feature = "std")]
 mod runtime;
 
-pub(crate) use arm::Moving;
 pub use arm::{Arm, AsArm};
+pub(crate) use arm::{Moving, tip_row};
 pub use carrier::Carrier;
 pub(crate) use followers::MOST_FOLLOWERS;
 pub use followers::{Follower, Followers, JointMotion};
@@ -154,9 +154,11 @@ pub struct Row {
     /// The link frame, in the frame after `Rz(theta) Tz(d)` of a modified row. It is [`Placement::IDENTITY`], unless the
     /// axis of a joint in a URDF file is not the z axis of its link. `com` and `inertia` refer to the link frame.
     pub link_frame: Placement,
-    /// The tip, in the link frame of this row; it is read in the last row of an arm without branches alone. It is
-    /// [`Placement::IDENTITY`], unless joints behind that row are locked or a URDF file has a tip behind it.
-    pub tip: Placement,
+    /// The tip, in the link frame of this row, if it is on this link. In a table without branches in which no row has it,
+    /// it is the link frame of the last row; with branches there is none then. A row has it where joints behind its own are
+    /// locked, or where a URDF file says where the tip is.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub tip: Option<Placement>,
     /// New cells break no literal that ends with `..Row::new(joint_type)`.
     #[doc(hidden)]
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -187,7 +189,7 @@ impl Row {
             velocity_limit: None,
             mount: Placement::IDENTITY,
             link_frame: Placement::IDENTITY,
-            tip: Placement::IDENTITY,
+            tip: None,
             non_exhaustive: (),
         }
     }

@@ -78,8 +78,8 @@ fn at_frame(robot: &Robot, frame: Option<usize>, text: &str) -> String {
     text.replace("the tip", &format!("the {named}"))
 }
 
-/// The quantity that is returned, or each quantity of a tuple, in order.
-fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
+/// The quantity that is returned with its unit, or each quantity of a tuple, in order: lines behind a space each.
+pub fn quantities(robot: &Robot, request: &Request) -> Vec<String> {
     let parts = request.parts().iter();
     let descriptions = parts.map(|part| description(robot, *part));
     if !request.is_tuple() {
@@ -143,7 +143,11 @@ fn units(robot: &Robot, request: &Request) -> String {
         _ => ("rad or m", "N m or N"),
     };
     let unit = |argument: &Argument| {
-        let meaning = argument.meaning(position, force)?;
+        let meaning = if robot.freedoms().has_base() {
+            argument.meaning_on_moving_base(position, force)?
+        } else {
+            argument.meaning(position, force)?
+        };
         // A tuple may be about one wrench on several frames.
         let is_pushed = |part: &&Part| part.function.arguments().contains(&Argument::Wrench);
         let mut pushed = request.parts().iter().filter(is_pushed);
@@ -184,7 +188,11 @@ fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
         return Vec::new();
     }
     let elsewhere = "`robot-dynamics show`, with `--format text`";
-    let line = format!(" Formulas of arms of more than {MOST_JOINTS} joints: {elsewhere}.");
+    let line = if robot.freedoms().has_base() {
+        format!(" Formulas: {elsewhere}.")
+    } else {
+        format!(" Formulas of arms of more than {MOST_JOINTS} joints: {elsewhere}.")
+    };
     vec![String::new(), line]
 }
 

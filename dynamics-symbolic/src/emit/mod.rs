@@ -15,6 +15,7 @@ mod polynomial;
 mod series;
 mod signature;
 
+pub use documentation::quantities;
 pub use languages::{
     CSource, c_source, description, javascript_module, matlab_files, python_module, snake_case,
 };

@@ -8,6 +8,7 @@
 mod angles;
 mod atom;
 mod collect;
+mod entries;
 mod expression;
 mod groups;
 mod multiply_out;

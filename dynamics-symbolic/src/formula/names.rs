@@ -3,6 +3,7 @@
 use super::atom::{Atom, Run};
 use super::expression::{Base, Expression, Factor};
 use super::groups::{Groups, Member};
+use crate::function::Freedoms;
 use crate::robot::{Robot, Value};
 use std::collections::BTreeSet;
 
@@ -15,6 +16,8 @@ pub(super) struct Names {
     pub(super) divisors: Vec<Expression>,
     /// The Stribeck velocities of the joints.
     pub(super) stribeck: Vec<Option<Value>>,
+    /// Those of the base, and the joints.
+    pub(super) freedoms: Freedoms,
     /// Whether c12 stands for cos(q1 + q2).
     pub(super) is_short: bool,
 }
@@ -31,7 +34,9 @@ impl Names {
         let stribeck = |row: &crate::robot::Row| Some(row.stribeck.as_ref()?.velocity.clone());
         Names {
             // Indices of two digits would run into each other.
-            is_short: robot.dof() < 10 && !fields.iter().any(|field| is_like_a_sine(field)),
+            is_short: robot.freedoms().joints < 10
+                && !fields.iter().any(|field| is_like_a_sine(field)),
+            freedoms: robot.freedoms(),
             fields,
             groups,
             angles,
@@ -44,7 +49,8 @@ impl Names {
     pub(super) fn digits(&self, run: Run) -> Option<String> {
         let members: Vec<Member> = self.groups.members(run).collect();
         let is_sum = members.iter().all(|member| !member.is_reversed);
-        let digits = members.iter().map(|member| (member.joint + 1).to_string());
+        let number = |member: &Member| member.joint - self.freedoms.base + 1;
+        let digits = members.iter().map(|member| number(member).to_string());
         (self.is_short && is_sum).then(|| digits.collect())
     }
 

@@ -1,5 +1,6 @@
 //! The structure of a function's values, which is known however long their formulas are.
 
+use super::entries::{Letter, digits};
 use crate::function::{Argument, Freedoms, Function, Shape, Size};
 use crate::program::{Constant, Operand, Output, Program};
 use crate::robot::{Robot, Symbol};
@@ -11,6 +12,7 @@ const MOST_LISTED: usize = 49;
 
 /// The values of a function that are zero or constant, and the variables that the others depend on.
 pub struct Structure {
+    freedoms: Freedoms,
     values: usize,
     zero: Vec<String>,
     constant: Vec<String>,
@@ -39,6 +41,7 @@ impl Structure {
         let results = variables(robot, program);
         let is_symmetric = is_symmetric(outputs, &indices);
         let mut structure = Structure {
+            freedoms: robot.freedoms(),
             values: outputs.len(),
             zero: Vec::new(),
             constant: Vec::new(),
@@ -48,8 +51,7 @@ impl Structure {
             if is_symmetric && matches!(index.as_slice(), [i, j] if i > j) {
                 continue;
             }
-            let digits: String = index.iter().map(usize::to_string).collect();
-            let name = format!("{symbol}{digits}");
+            let name = format!("{symbol}{}", digits(index));
             let is_zero =
                 |id| matches!(program.constants.get(id), Constant::Rational(x) if x.is_zero());
             let depends_on = read(robot, program, &results, output.operand);
@@ -77,12 +79,15 @@ impl Structure {
             }
         }
         if is_counted {
-            let all = list(&self.variable.keys().flatten().copied().collect());
+            let all = list(
+                self.freedoms,
+                &self.variable.keys().flatten().copied().collect(),
+            );
             let count = self.values;
             clauses.push(format!("of {count} values all depend on {all} at most"));
         } else {
             for (variables, names) in &self.variable {
-                let (subject, variables) = (names.join(", "), list(variables));
+                let (subject, variables) = (names.join(", "), list(self.freedoms, variables));
                 let ending = if names.len() == 1 { "s" } else { "" };
                 clauses.push(format!("{subject} depend{ending} on {variables}"));
             }
@@ -91,21 +96,30 @@ impl Structure {
     }
 }
 
-/// `q2 to q5, qd1`.
-fn list(variables: &BTreeSet<Variable>) -> String {
+/// `q2 to q5, qd1`. The numbers of a base are one run, and those of the joints another.
+fn list(freedoms: Freedoms, variables: &BTreeSet<Variable>) -> String {
+    let begins = |argument: &Argument, index| match argument {
+        Argument::Base => true,
+        Argument::Position => false,
+        _ => freedoms.has_base() && index == freedoms.base,
+    };
     let mut runs: Vec<(Variable, usize)> = Vec::new();
     for &(argument, index) in variables {
         match runs.last_mut() {
-            Some(((last, _), end)) if *last == argument && *end + 1 == index => *end = index,
+            Some(((last, _), end))
+                if *last == argument && *end + 1 == index && !begins(&argument, index) =>
+            {
+                *end = index;
+            }
             _ => runs.push(((argument, index), index)),
         }
     }
     let name = |((argument, start), end): &(Variable, usize)| {
-        let letter = argument.name();
+        let [first, last] = [start, end].map(|&index| Letter::new(freedoms, *argument, index).text);
         match end - start {
-            0 => format!("{letter}{}", start + 1),
-            1 => format!("{letter}{}, {letter}{}", start + 1, end + 1),
-            _ => format!("{letter}{} to {letter}{}", start + 1, end + 1),
+            0 => first,
+            1 => format!("{first}, {last}"),
+            _ => format!("{first} to {last}"),
         }
     };
     let names: Vec<String> = runs.iter().map(name).collect();

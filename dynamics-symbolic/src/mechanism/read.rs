@@ -46,8 +46,8 @@ fn link(robot: &Robot, row: Option<usize>) -> Option<usize> {
 /// The tool, or else the tip that a file says or the link frame.
 fn tip(robot: &Robot) -> Frame {
     let link = robot.tip_row();
-    let mount = link.and_then(|link| robot.rows[link].mount.as_ref());
-    let places = mount.iter().flat_map(|mount| &mount.tip);
+    let of_file = link.and_then(|link| robot.rows[link].tip());
+    let places = of_file.into_iter().flatten();
     let tool = robot.tool.iter().filter(|_| link.is_some());
     let places = places.chain(tool.map(|tool| &tool.placement));
     Frame {
@@ -90,7 +90,7 @@ fn fixed_bodies(robot: &Robot) -> Vec<FixedBody> {
 /// The joint of row i, with the next of the numbers if it moves.
 fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> Joint {
     let row = &robot.rows[i];
-    let [start, link_frame, _] = robot.mounted(i);
+    let [start, link_frame] = robot.mounted(i);
     let (before, link_frame, origin) = match (robot.convention, &row.mount) {
         // The a and the alpha of a row are behind its joint.
         (Convention::Standard, _) => {

@@ -36,25 +36,35 @@ impl Robot {
         (0..self.rows.len()).all(|i| self.parent(i) == i.checked_sub(1))
     }
 
-    /// The row whose link carries the tip: the only one that carries no other, which is the last one of a serial arm.
-    /// `None` where several carry no other.
+    /// The row whose link carries the tip. A file says which; in a table it is the only row that carries no other, the
+    /// last one of a serial arm. `None` where there is no tip.
     pub fn tip_row(&self) -> Option<usize> {
+        if self.rows.iter().any(|row| row.mount.is_some()) {
+            return self.rows.iter().position(|row| row.tip().is_some());
+        }
         self.rows.len().checked_sub(1).filter(|_| self.is_serial())
     }
 
     /// The placements of row i that its cells do not say, each placement in the one before it: of the joint's own frame
-    /// in that of the joint that carries it, of the link frame in the joint's own, and of the tip in the link frame.
-    pub fn mounted(&self, i: usize) -> [Vec<Placement>; 3] {
+    /// in that of the joint that carries it, and of the link frame in the joint's own.
+    pub fn mounted(&self, i: usize) -> [Vec<Placement>; 2] {
         let Row { at, mount, .. } = &self.rows[i];
         let mount_of = |row: usize| self.rows[row].mount.as_ref();
         let back = self.parent(i).and_then(mount_of);
         let back = back.map_or(Vec::new(), |mount| mount.link_frame());
         match mount {
-            None => [[back, at.clone()].concat(), Vec::new(), Vec::new()],
+            None => [[back, at.clone()].concat(), Vec::new()],
             Some(mount) => {
                 let before = [back, at.clone(), mount.turned()];
-                [before.concat(), mount.link_frame(), mount.tip.clone()]
+                [before.concat(), mount.link_frame()]
             }
         }
+    }
+}
+
+impl Row {
+    /// The tip that a file places on this link: in the link frame, each place in the one before it.
+    pub fn tip(&self) -> Option<&[Placement]> {
+        self.mount.as_ref()?.tip.as_deref()
     }
 }

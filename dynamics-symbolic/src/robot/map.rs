@@ -104,7 +104,10 @@ impl<C> Mount<C> {
     fn map<D>(&self, cell: &mut impl FnMut(&C, Quantity) -> D) -> Mount<D> {
         Mount {
             axis: self.axis.each_ref().map(|angle| cell(angle, Angle)),
-            tip: self.tip.iter().map(|place| place.map(cell)).collect(),
+            tip: self
+                .tip
+                .as_ref()
+                .map(|tip| tip.iter().map(|place| place.map(cell)).collect()),
         }
     }
 }

@@ -11,8 +11,8 @@ use super::{Placement, Value};
 pub struct Mount<C = Value> {
     /// Azimuth and polar angle of the joint's axis in the frame in which the row begins, rad.
     pub axis: [C; 2],
-    /// In the last row, the tip in the link frame, each place in the one before it.
-    pub tip: Vec<Placement<C>>,
+    /// The tip, if it is on this link: in the link frame, each place in the one before it. At most one row has it.
+    pub tip: Option<Vec<Placement<C>>>,
 }
 
 impl Mount {

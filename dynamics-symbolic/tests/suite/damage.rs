@@ -137,6 +137,23 @@ fn every_damage_to_every_operation_of_longer_arms_is_found() {
     assert!(count > 5_000, "only {count} damages were made");
 }
 
+/// A branch knows of the others by what they have in common alone.
+#[test]
+fn every_damage_to_a_tree_is_found() {
+    let robot = crate::trees::tree_of_five();
+    let functions = [
+        Function::MassMatrix,
+        Function::CoriolisVector,
+        Function::InverseDynamics,
+        Function::ForwardDynamics,
+    ];
+    for function in functions {
+        let program = derive(&robot, function);
+        let count = refused(&robot, function, &program);
+        assert!(count >= program.instructions.len(), "{function:?}: {count}");
+    }
+}
+
 #[test]
 fn every_damage_to_articulated_bodies_is_found() {
     let function = Function::ForwardDynamics;

@@ -74,7 +74,7 @@ impl Random {
             at: (0..places).map(|_| self.place()).collect(),
             mount: Some(Mount {
                 axis: [self.angle(), self.angle()],
-                tip: Vec::new(),
+                tip: None,
             }),
             ..Row::new(format!("joint{index}"), joint_type)
         }
@@ -118,10 +118,12 @@ impl Random {
         if self.below(2) == 0 {
             self.couple(&mut rows);
         }
-        if let Some(mount) = &mut rows[JOINTS - 1].mount
+        // The tip may be on any link, whatever else that carries.
+        let last = self.below(JOINTS as u64) as usize;
+        if let Some(mount) = &mut rows[last].mount
             && self.below(2) == 1
         {
-            mount.tip = vec![self.place(), self.place()];
+            mount.tip = Some(vec![self.place(), self.place()]);
         }
         Robot {
             name: "Mounted".to_owned(),

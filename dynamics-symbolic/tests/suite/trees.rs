@@ -128,10 +128,7 @@ pub(crate) fn tree_of_five() -> Robot {
         mass: Value::integer(1),
         com: vector(com),
         inertia: [1, 1, 1, 0, 0, 0].map(Value::integer),
-        mount: Some(Mount {
-            axis,
-            tip: Vec::new(),
-        }),
+        mount: Some(Mount { axis, tip: None }),
         ..Row::new("joint", JointType::Revolute)
     };
     Robot {

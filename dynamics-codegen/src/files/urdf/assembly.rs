@@ -469,7 +469,7 @@ impl<'a> Assembly<'a> {
         };
         let mount = row.and_then(|row| self.moved[row].row.mount.as_mut());
         if let Some(mount) = mount {
-            mount.tip.clone_from(places);
+            mount.tip = Some(places.clone());
         }
     }
 
@@ -596,7 +596,7 @@ fn row(joint: &Joint) -> Row {
         velocity_limit: given(&joint.velocity),
         mount: Some(Mount {
             axis: joint.axis.clone(),
-            tip: Vec::new(),
+            tip: None,
         }),
         ..Row::default()
     }

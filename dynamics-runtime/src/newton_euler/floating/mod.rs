@@ -94,7 +94,7 @@ impl<D: Size, V: Size> NumericFloating<D, V> {
             .expect("a table with `floating`: its base moves");
         NumericFloating {
             arm: NumericArm::read(table, V::from_usize(freedoms)),
-            tip: (&body.tip).into(),
+            tip: body.tip_in_link(),
             body: Body::from(&body),
         }
     }

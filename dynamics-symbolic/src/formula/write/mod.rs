@@ -6,6 +6,7 @@ mod notation;
 mod number;
 
 use super::atom::{Atom, Run};
+use super::entries::{Letter, digits};
 use super::expression::{Base, Expression, Factor, Number, Term};
 use super::names::Names;
 use crate::function::Argument;
@@ -72,14 +73,14 @@ pub(super) fn legend<'e>(
             _ => ("c", "cos"),
         };
         let digits = names.digits(run)?;
-        let sum = Text.sum(&names.terms(run, |joint| format!("q{}", joint + 1)));
+        let sum = Text.sum(&names.terms(run, |joint| position(&Text, names, joint)));
         Some(format!("{letter}{digits} = {function}({sum})"))
     };
     names.runs(formulas).into_iter().filter_map(line).collect()
 }
 
 fn entry(to: &dyn Notation, (symbol, indices): (&str, &[usize])) -> String {
-    let digits: String = indices.iter().map(usize::to_string).collect();
+    let digits = digits(indices);
     to.letter(&format!("{symbol}{digits}"), symbol, 0, &digits)
 }
 
@@ -128,14 +129,14 @@ fn atom(to: &dyn Notation, names: &Names, atom: Atom) -> String {
         Atom::AngleCosine(i) => to.call("cos", &value(to, names, &names.angles[i])),
         Atom::AngleSine(i) => to.call("sin", &value(to, names, &names.angles[i])),
         Atom::Divisor(i) => expression(to, names, &names.divisors[i]),
-        Atom::Position(i) => joint(to, Argument::Position, i),
-        Atom::Velocity(i) => joint(to, Argument::Velocity, i),
-        Atom::Acceleration(i) => joint(to, Argument::Acceleration, i),
-        Atom::Force(i) => joint(to, Argument::Force, i),
-        Atom::Entry(argument, i) => joint(to, argument, i),
+        Atom::Position(i) => position(to, names, i),
+        Atom::Velocity(i) => joint(to, names, Argument::Velocity, i),
+        Atom::Acceleration(i) => joint(to, names, Argument::Acceleration, i),
+        Atom::Force(i) => joint(to, names, Argument::Force, i),
+        Atom::Entry(argument, i) => joint(to, names, argument, i),
         Atom::Cosine(run) => turn(to, names, "c", "cos", run),
         Atom::Sine(run) => turn(to, names, "s", "sin", run),
-        Atom::VelocitySign(i) => to.call("sign", &joint(to, Argument::Velocity, i)),
+        Atom::VelocitySign(i) => to.call("sign", &joint(to, names, Argument::Velocity, i)),
         Atom::Stribeck(i) => stribeck(to, names, i),
     }
 }
@@ -144,7 +145,7 @@ fn turn(to: &dyn Notation, names: &Names, letter: &str, function: &str, run: Run
     match names.digits(run) {
         Some(digits) => to.letter(&format!("{letter}{digits}"), letter, 0, &digits),
         None => {
-            let terms = names.terms(run, |index| joint(to, Argument::Position, index));
+            let terms = names.terms(run, |index| position(to, names, index));
             to.call(function, &to.sum(&terms))
         }
     }
@@ -152,11 +153,11 @@ fn turn(to: &dyn Notation, names: &Names, letter: &str, function: &str, run: Run
 
 /// exp(-(qd / v)^2)
 fn stribeck(to: &dyn Notation, names: &Names, index: usize) -> String {
-    let v = match &names.stribeck[index] {
+    let v = match &names.stribeck[index - names.freedoms.base] {
         Some(velocity) => value(to, names, velocity),
         None => to.number(&Written::integer(1)),
     };
-    let qd = joint(to, Argument::Velocity, index);
+    let qd = joint(to, names, Argument::Velocity, index);
     let ratio = to.quotient(&qd, &to.parentheses(&v), true);
     let square = to.power(&to.parentheses(&ratio), 2);
     to.call("exp", &to.sum(&[(true, square)]))
@@ -168,21 +169,14 @@ fn value(to: &dyn Notation, names: &Names, value: &Value) -> String {
 }
 
 /// An entry of an argument.
-fn joint(to: &dyn Notation, argument: Argument, index: usize) -> String {
-    let (base, dots, reference) = match argument {
-        Argument::Velocity => ("q", 1, ""),
-        Argument::Acceleration => ("q", 2, ""),
-        Argument::ReferenceVelocity => ("q", 1, "r,"),
-        Argument::ReferenceAcceleration => ("q", 2, "r,"),
-        Argument::Jerk => ("q", 3, ""),
-        Argument::Snap => ("q", 4, ""),
-        Argument::Wrench => ("w", 0, ""),
-        // Rows of the rotation, then the position.
-        Argument::Base => ("b", 0, ""),
-        Argument::Position | Argument::Force | Argument::Order => (argument.name(), 0, ""),
-    };
-    let text = format!("{}{}", argument.name(), index + 1);
-    to.letter(&text, base, dots, &format!("{reference}{}", index + 1))
+fn joint(to: &dyn Notation, names: &Names, argument: Argument, index: usize) -> String {
+    let letter = Letter::new(names.freedoms, argument, index);
+    to.letter(&letter.text, letter.base, letter.dots, &letter.subscript)
+}
+
+/// The position of a joint, which is counted behind the degrees of freedom of a base that moves.
+fn position(to: &dyn Notation, names: &Names, freedom: usize) -> String {
+    joint(to, names, Argument::Position, freedom - names.freedoms.base)
 }
 
 /// A field: digits at its end and what follows the first underscore are a subscript.

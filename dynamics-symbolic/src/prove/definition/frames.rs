@@ -26,16 +26,19 @@ pub(super) struct FixedBody {
 }
 
 impl Frame {
-    /// The tip: the tool, or else the only row that carries no other. There is none where several carry no other.
+    /// The tip: the tool at the place that a file says, or in a table on the only row that carries no other.
     pub(super) fn tip(point: &mut Assignment, robot: &Robot) -> Option<Frame> {
         let rows = robot.rows.iter().enumerate();
         let parents: Vec<_> = rows.map(|(i, row)| place::parent(row, i)).collect();
         let mut leaves = (0..parents.len()).filter(|&i| !parents.contains(&Some(i)));
-        let (Some(row), None) = (leaves.next(), leaves.next()) else {
-            return None;
+        let mut mounts = robot.rows.iter().map(|row| row.mount.as_ref()).enumerate();
+        let (row, places) = if robot.rows.iter().any(|row| row.mount.is_some()) {
+            mounts.find_map(|(row, mount)| Some((row, Some(mount?.tip.as_ref()?))))?
+        } else {
+            let only = leaves.next().filter(|_| leaves.next().is_none());
+            (only?, None)
         };
-        let mount = robot.rows[row].mount.as_ref();
-        let behind = mount.map(|mount| place::product(point, &mount.tip));
+        let behind = places.map(|places| place::product(point, places));
         let tool = robot.tool.as_ref();
         let tool = tool.map(|tool| place::placement(point, &tool.placement));
         let place = behind.map_or(tool, |behind| Some(behind.then_fixed(&tool)));

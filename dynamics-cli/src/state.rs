@@ -1,0 +1,133 @@
+//! States of the command line.
+
+use clap::ArgMatches;
+use dynamics_runtime::Pose;
+use dynamics_runtime::nalgebra::{Rotation3, Vector3};
+use dynamics_symbolic::robot::Robot;
+
+use crate::failure::Failure;
+use crate::joints::note_degrees;
+
+/// Positions of the command line, zeros where it has none.
+pub(crate) fn positions(
+    given: &ArgMatches,
+    name: &str,
+    robot: &Robot,
+) -> Result<Vec<f64>, Failure> {
+    let positions = vector(given, name, [0, robot.freedoms().joints])?;
+    note_degrees(&format!("--{name}"), robot, &positions);
+    Ok(positions)
+}
+
+/// A vector of the command line, with so many numbers of the base and of the joints; zeros where it has none.
+pub(crate) fn vector(
+    given: &ArgMatches,
+    name: &str,
+    [base, joints]: [usize; 2],
+) -> Result<Vec<f64>, Failure> {
+    let expected = base + joints;
+    let Some(entries) = given.get_many::<f64>(name) else {
+        return Ok(vec![0.0; expected]);
+    };
+    let entries: Vec<f64> = entries.copied().collect();
+    if entries.len() != expected {
+        let found = entries.len();
+        let plural = if found == 1 { "" } else { "s" };
+        let of_base = if base > 0 {
+            "six of the base, then "
+        } else {
+            ""
+        };
+        let message = format!(
+            "`--{name}` has {found} number{plural}: expected {expected}, {of_base}one for each joint that moves"
+        );
+        return Err(Failure::of_the_command_line(message));
+    }
+    Ok(entries)
+}
+
+/// The pose of `--pose`: roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other.
+pub(crate) fn pose(given: &ArgMatches) -> Result<Pose<f64>, Failure> {
+    let Some(entries) = given.get_many::<f64>("pose") else {
+        return Ok(Pose::identity());
+    };
+    let entries: Vec<f64> = entries.copied().collect();
+    let [x, y, z, roll, pitch, yaw] = entries[..] else {
+        let message = format!(
+            "`--pose` has {} numbers: expected six, X,Y,Z,ROLL,PITCH,YAW",
+            entries.len()
+        );
+        return Err(Failure::of_the_command_line(message));
+    };
+    Ok(Pose {
+        rotation: Rotation3::from_euler_angles(roll, pitch, yaw).into_inner(),
+        position: Vector3::new(x, y, z),
+    })
+}
+
+/// Refuses the pose of a base that stands.
+pub(crate) fn refuse_pose(given: &ArgMatches) -> Result<(), Failure> {
+    if given.contains_id("pose") {
+        let message = "`--pose` is of a robot whose base moves: this one stands";
+        return Err(Failure::of_the_command_line(message));
+    }
+    Ok(())
+}
+
+/// Where the robot is, how it moves and what drives it.
+pub(crate) struct State {
+    pub(crate) q: Vec<f64>,
+    pub(crate) qd: Vec<f64>,
+    pub(crate) qdd: Vec<f64>,
+    pub(crate) tau: Vec<f64>,
+    /// Where a base that moves is.
+    pub(crate) base: Option<Pose<f64>>,
+}
+
+impl State {
+    /// The state of `--at`, `--torque` and `--pose`.
+    pub(crate) fn read(given: &ArgMatches, robot: &Robot) -> Result<State, Failure> {
+        let freedoms = robot.freedoms();
+        let [q, qd, qdd] = at(given, [freedoms.joints, freedoms.all()])?;
+        note_degrees("--at", robot, &q);
+        let base = if freedoms.has_base() {
+            Some(pose(given)?)
+        } else {
+            refuse_pose(given)?;
+            None
+        };
+        Ok(State {
+            q,
+            qd,
+            qdd,
+            tau: vector(given, "torque", [freedoms.base, freedoms.joints])?,
+            base,
+        })
+    }
+}
+
+/// The positions, velocities and accelerations of `--at`: zeros where the list ends, or is left out.
+fn at(given: &ArgMatches, [joints, freedoms]: [usize; 2]) -> Result<[Vec<f64>; 3], Failure> {
+    let numbers = given.get_many::<f64>("at");
+    let mut numbers: Vec<f64> = numbers.map_or_else(Vec::new, |numbers| numbers.copied().collect());
+    let ends = [joints, joints + freedoms, joints + 2 * freedoms];
+    if !(numbers.is_empty() || ends.contains(&numbers.len())) {
+        let found = numbers.len();
+        let plural = if found == 1 { "" } else { "s" };
+        let of_base = if freedoms > joints {
+            ", six of the base before those of the joints"
+        } else {
+            ""
+        };
+        let [positions, velocities, all] = ends;
+        return Err(Failure::of_the_command_line(format!(
+            "`--at` has {found} number{plural}: expected {positions}, one position for each joint that moves, \
+             {velocities} with the {freedoms} velocities behind them, or {all} with the {freedoms} accelerations \
+             too{of_base}"
+        )));
+    }
+    numbers.resize(ends[2], 0.0);
+    let qdd = numbers.split_off(ends[1]);
+    let qd = numbers.split_off(ends[0]);
+    Ok([numbers, qd, qdd])
+}
