@@ -143,7 +143,7 @@ class Robot:
     def source(self, lang: str, functions: Iterable[str] | None = None) -> dict[str, str]:
         """Functions as source code: the texts of files by their names.
 
-        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names.
+        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names; Rust is of robots without fields.
         """
         return dict(self._arm.source(lang, list(functions or self.functions)))
 
