@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{
-    c_source, javascript_module, matlab_files, python_module, snake_case,
+    CNumbers, c_source_in, javascript_module, matlab_files, python_module, snake_case,
 };
 
 use crate::failure::Failure;
@@ -16,13 +16,14 @@ use crate::write::{make_folder, write};
 /// Writes the files, and says which.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
+    let numbers = c_numbers(given)?;
     let model = read_on_any_base(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
         Some("rust") => {
             let name = given.get_one::<String>("name");
             vec![rust(path, model, name.map(String::as_str))?]
         }
-        language => other(language, path, &model)?,
+        language => other(language, numbers, path, &model)?,
     };
     let out = given.get_one::<PathBuf>("out");
     let folder = out.map_or(Path::new("."), PathBuf::as_path);
@@ -48,9 +49,30 @@ fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String
     source.map_err(|messages| Failure::of_file(path, messages))
 }
 
+/// The numbers of C. `--scalar` and `--sines` are of no other language.
+fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
+    let word = |option: &str| given.get_one::<String>(option).map(String::as_str);
+    let (scalar, sines) = (word("scalar"), word("sines"));
+    let language = word("lang").unwrap_or_default();
+    for (option, given) in [("scalar", scalar), ("sines", sines)] {
+        if let (Some(word), true) = (given, language != "c") {
+            return Err(Failure::of_the_command_line(format!(
+                "`--{option} {word}` is about `--lang c`: Rust's functions take any scalar, and numbers of the other \
+                 languages are doubles"
+            )));
+        }
+    }
+    Ok(match (scalar, sines) {
+        (Some("float"), None) => CNumbers::Float,
+        (Some("float"), Some(_)) => CNumbers::FloatWithLibrary,
+        _ => CNumbers::Double,
+    })
+}
+
 /// Names and texts of the files in another language.
 fn other(
     language: Option<&str>,
+    numbers: CNumbers,
     path: &Path,
     model: &Model,
 ) -> Result<Vec<(String, String)>, Failure> {
@@ -59,7 +81,7 @@ fn other(
     let name = snake_case(&robot.name);
     Ok(match language {
         Some("c") => {
-            let source = c_source(robot, &programs);
+            let source = c_source_in(robot, &programs, numbers);
             vec![
                 (format!("{name}.h"), source.header),
                 (format!("{name}.c"), source.source),

@@ -9,7 +9,9 @@ mod trees;
 
 use arms::{Bodies, Tables};
 use dynamics_evaluation::{RuntimeRobot, Value};
+use dynamics_symbolic::Proven;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
+use dynamics_symbolic::derive::derive_plain;
 use dynamics_symbolic::robot::{JointType, Robot, Row};
 use dynamics_symbolic::{Function, Request};
 use robot_dynamics::check::Check;
@@ -217,6 +219,32 @@ fn programs_of_many_random_robots_on_moving_bases_agree_with_newton_euler() {
     let tally = compare_by_turns(16, 1_000, 31, tree_on_moving_base);
     println!("largest error {:.1e}", tally.largest);
     assert!(2 * tally.with_fields > tally.arms);
+}
+
+/// M of trees on a base that moves is positive definite, at a state each, but for joints that move no mass.
+#[test]
+#[ignore = "takes minutes: .ci/run runs it"]
+fn mass_matrices_of_many_random_robots_on_moving_bases_are_positive() {
+    let mut tables = Tables::new(18, Bodies::Physical);
+    for number in 0..10_000 {
+        let robot = tree_on_moving_base(&mut tables);
+        let fields = (0..robot.fields.len()).map(|_| 0.1 + tables.below(1_000) as f64 / 500.0);
+        let fields: Vec<_> = fields.collect();
+        let joints = robot.freedoms().joints;
+        let q = (0..joints).map(|_| tables.below(6_000) as f64 / 1_000.0 - 3.0);
+        let q: Vec<_> = q.collect();
+        // By the plain recursion: another way of writing M changes its rounding alone.
+        let program = derive_plain(&robot, Function::MassMatrix);
+        let constants = program.rounded_constants();
+        let program = Proven { program, constants };
+        let programs = [(Function::MassMatrix.into(), program)];
+        let mut arm = RuntimeRobot::of_programs(robot, &programs).expect("a robot");
+        arm.set_fields(&fields).expect("a value for each field");
+        assert!(
+            is_positive(&arm, &q),
+            "table {number}: M at {q:?}, {fields:?}"
+        );
+    }
 }
 
 /// Followers by factors and offsets of numbers, angles and fields, beside joints that are locked.

@@ -80,7 +80,8 @@ fn generate() -> Command {
             "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
              the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \
              the name of the file, documented methods, the runtime's traits. `c` is C99, a header and a source without \
-             dependencies, which are C++ and device code as well. `js` is an ES module. `python` is a module for numpy, \
+             dependencies, which are C++ and device code as well; with --scalar float it has its own sines, with the digits \
+             of Rust's `f32`, and no operation in double precision. `js` is an ES module. `python` is a module for numpy, \
              jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. The same file \
              gives the same bytes each time.",
         )
@@ -90,11 +91,19 @@ fn generate() -> Command {
                 .required(true)
                 .help("The language"),
         )
+        .arg(
+            choice("scalar", "TYPE", ["double", "float"])
+                .help("The numbers of C; `double` where this is left out"),
+        )
+        .arg(
+            choice("sines", "LIBRARY", ["libm"])
+                .help("Take the sines of `float` from the C library, sinf and cosf, and not from the source"),
+        )
         .arg(path("out", "The folder").long("out").default_value("."))
         .after_help(
             "Examples:\n  \
              robot-dynamics generate puma560.toml --lang rust --out src\n  \
-             robot-dynamics generate panda.urdf --chain panda_link0,panda_link8 --gravity 0,0,-9.81 --lang c --out firmware",
+             robot-dynamics generate panda.urdf --chain panda_link0,panda_link8 --gravity 0,0,-9.81 --lang c --scalar float --out firmware",
         )
 }
 

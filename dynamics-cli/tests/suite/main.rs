@@ -1,5 +1,6 @@
 //! The command as it is called: what it writes, and its exit status.
 
+mod c;
 mod calls;
 mod command;
 mod convert;

@@ -17,7 +17,8 @@ mod signature;
 
 pub use documentation::quantities;
 pub use languages::{
-    CSource, c_source, description, javascript_module, matlab_files, python_module, snake_case,
+    CNumbers, CSource, c_source, c_source_in, description, javascript_module, matlab_files,
+    python_module, snake_case,
 };
 pub use signature::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,

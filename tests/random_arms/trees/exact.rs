@@ -1,7 +1,8 @@
 //! The dynamics of a tree in numbers of 31 digits, from the cells of its table.
 //!
-//! Newton-Euler in the axes of the world: the motion of every body, and for every joint the moments of all forces on
-//! bodies that it carries. It shares nothing with the derivation, and no formula with the runtime's numeric algorithms.
+//! Newton-Euler in the axes of the world, or of a base that moves: the motion of every body, and for every joint the moments
+//! of all forces on bodies that it carries. It shares nothing with the derivation, and no formula with the runtime's numeric
+//! algorithms.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -105,6 +106,14 @@ fn about_y((s, c): (DoubleDouble, DoubleDouble)) -> Matrix {
 fn about_z((s, c): (DoubleDouble, DoubleDouble)) -> Matrix {
     let [zero, one] = [0.0, 1.0].map(number);
     Matrix::new(c, -s, zero, s, c, zero, zero, zero, one)
+}
+
+/// The rotation of a base, which nine numbers say by rows; none of a base that stands.
+fn rotation(base: &[f64]) -> Matrix {
+    if base.is_empty() {
+        return Matrix::identity();
+    }
+    Matrix::from_fn(|i, j| number(base[3 * i + j]))
 }
 
 /// The motion of a body: of one of its points, and its rotation. Sizes are what its numbers could be, whatever cancels.
@@ -235,10 +244,9 @@ impl Exact<'_> {
         origin.placed(self.0.placement().map_or(&[][..], core::slice::from_ref))
     }
 
-    /// The links in the order of the rows; `state` is q, qd and qdd.
-    fn links(&self, [q, qd, qdd]: [&[f64]; 3], gravity: Vector) -> Vec<Link> {
-        let robot = self.0;
-        let world = self.world();
+    /// The motion of the frame in which links are placed, against gravity in the same axes. A base that moves has the first
+    /// six velocities u = (v, w) in its own axes, in which its origin has the acceleration dv/dt + w x v.
+    fn start(&self, velocities: &[f64], accelerations: &[f64], gravity: Vector) -> Motion {
         let still = Motion {
             point: Vector::zeros(),
             acceleration: -gravity,
@@ -246,13 +254,56 @@ impl Exact<'_> {
             turning: Vector::zeros(),
             size: [length(&gravity), 0.0, 0.0],
         };
+        if !self.0.freedoms().has_base() {
+            return still;
+        }
+        let three = |x: &[f64], first: usize| Vector::from_fn(|i, _| number(x[first + i]));
+        let [v, w] = [0, 3].map(|first| three(velocities, first));
+        let [dv, dw] = [0, 3].map(|first| three(accelerations, first));
+        Motion {
+            acceleration: dv + w.cross(&v) - gravity,
+            velocity: w,
+            turning: dw,
+            size: [
+                length(&gravity) + length(&dv) + length(&w) * length(&v),
+                length(&w),
+                length(&dw),
+            ],
+            ..still
+        }
+    }
+
+    /// The loads of the body of a base that moves, and of bodies of frames on it.
+    fn on_base(&self, motion: Motion) -> Vec<Load> {
+        let Some(own) = self.0.floating() else {
+            return Vec::new();
+        };
+        let world = self.world();
+        let frames = self.0.frames.iter().filter(|frame| frame.on.is_none());
+        let fixed =
+            frames.filter_map(|frame| Some((world.placed(&frame.places), frame.body.as_ref()?)));
+        let bodies = [(world, own)].into_iter().chain(fixed);
+        let load = |(pose, Body { mass, com, inertia }): (Pose, &Body)| {
+            Load::new(motion, &pose, mass, com, inertia)
+        };
+        bodies.map(load).collect()
+    }
+
+    /// The links in the order of the rows, on a base that moves so; `state` is q, velocities and accelerations.
+    fn links(&self, [q, qd, qdd]: [&[f64]; 3], base: Motion) -> Vec<Link> {
+        let robot = self.0;
+        let world = self.world();
         let mut links: Vec<Link> = Vec::new();
         for (i, row) in robot.rows.iter().enumerate() {
             let parent = robot.parent(i).map(|parent| &links[parent]);
-            let (frame, motion) = parent.map_or((world, still), |link| (link.frame, link.motion));
+            let (frame, motion) = parent.map_or((world, base), |link| (link.frame, link.motion));
             let (joint, factor, offset) = self.motion(i);
-            let of = |x: &[f64]| joint.map_or(number(0.0), |joint| factor * number(x[joint]));
-            let [position, speed, push] = [of(q) + offset, of(qd), of(qdd)];
+            let of = |x: &[f64], before: usize| {
+                joint.map_or(number(0.0), |joint| factor * number(x[joint - before]))
+            };
+            // Positions are those of the joints alone.
+            let position = of(q, robot.freedoms().base) + offset;
+            let [speed, push] = [of(qd, 0), of(qdd, 0)];
             let mut frame = frame.placed(&row.at);
             let axis = row.mount.as_ref().map(|mount| {
                 let [azimuth, polar] = mount.axis.each_ref().map(turn);
@@ -322,8 +373,10 @@ impl Exact<'_> {
 
     /// M qdd + V, and G if there is gravity, and F if there is friction.
     fn forces(&self, state: [&[f64]; 3], gravity: Vector, friction: bool) -> Forces {
-        let links = self.links(state, gravity);
-        let mut forces = vec![(number(0.0), 0.0); self.0.dof()];
+        let base = self.start(state[1], state[2], gravity);
+        let links = self.links(state, base);
+        let mut forces = self.at_base(&links, base);
+        forces.resize(self.0.dof(), (number(0.0), 0.0));
         for (i, row) in self.0.rows.iter().enumerate() {
             let (Some(joint), factor, _) = self.motion(i) else {
                 continue;
@@ -357,6 +410,25 @@ impl Exact<'_> {
         forces
     }
 
+    /// The six forces of a base that moves: the sum of all forces, and of their moments about its origin.
+    fn at_base(&self, links: &[Link], base: Motion) -> Forces {
+        if !self.0.freedoms().has_base() {
+            return Forces::new();
+        }
+        let own = self.on_base(base);
+        let loads = || own.iter().chain(links.iter().flat_map(|link| &link.loads));
+        let force: Vector = loads().map(|load| load.force).sum();
+        let moment: Vector = loads()
+            .map(|load| load.moment + load.com.cross(&load.force))
+            .sum();
+        let of_force: f64 = loads().map(|load| load.size[0]).sum();
+        let of_moment: f64 = loads()
+            .map(|load| load.size[1] + length(&load.com) * load.size[0])
+            .sum();
+        let sized = |x: &Vector, size: f64| [x.x, x.y, x.z].map(|x| (x, size));
+        [sized(&force, of_force), sized(&moment, of_moment)].concat()
+    }
+
     /// The reflected inertia of a row's motor, and friction, at the velocity and the acceleration of its joint or leader.
     fn at_joint(
         &self,
@@ -380,14 +452,16 @@ impl Exact<'_> {
         (motor + dry, size.iter().sum())
     }
 
-    fn gravity(&self) -> Vector {
-        Vector::from(self.0.gravity.each_ref().map(cell))
+    /// In the axes in which links are placed: of a base that moves its own. `base` is its rotation by rows and its position,
+    /// or nothing.
+    fn gravity(&self, base: &[f64]) -> Vector {
+        rotation(base).transpose() * Vector::from(self.0.gravity.each_ref().map(cell))
     }
 
     /// The columns of M(q).
     pub(super) fn mass_matrix(&self, q: &[f64]) -> Vec<Forces> {
-        let still = vec![0.0; q.len()];
-        let columns = (0..q.len()).map(|k| {
+        let still = vec![0.0; self.0.dof()];
+        let columns = (0..self.0.dof()).map(|k| {
             let mut unit = still.clone();
             unit[k] = 1.0;
             self.forces([q, &still, &unit], Vector::zeros(), false)
@@ -397,30 +471,59 @@ impl Exact<'_> {
 
     /// V(q, qd).
     pub(super) fn coriolis_vector(&self, q: &[f64], qd: &[f64]) -> Forces {
-        self.forces([q, qd, &vec![0.0; q.len()]], Vector::zeros(), false)
+        self.forces([q, qd, &vec![0.0; qd.len()]], Vector::zeros(), false)
     }
 
-    /// G(q).
-    pub(super) fn gravity_vector(&self, q: &[f64]) -> Forces {
-        let still = vec![0.0; q.len()];
-        self.forces([q, &still, &still], self.gravity(), false)
+    /// G(base, q).
+    pub(super) fn gravity_vector(&self, base: &[f64], q: &[f64]) -> Forces {
+        let still = vec![0.0; self.0.dof()];
+        self.forces([q, &still, &still], self.gravity(base), false)
     }
 
     /// M qdd + V + G + F.
-    pub(super) fn inverse_dynamics(&self, state: [&[f64]; 3]) -> Forces {
-        self.forces(state, self.gravity(), true)
+    pub(super) fn inverse_dynamics(&self, base: &[f64], state: [&[f64]; 3]) -> Forces {
+        self.forces(state, self.gravity(base), true)
     }
 
-    /// The pose of a frame and its Jacobian by columns.
-    pub(super) fn at_frame(&self, frame: usize, q: &[f64]) -> (Pose, Vec<[Vector; 2]>) {
-        let still = vec![0.0; q.len()];
-        let links = self.links([q, &still, &still], Vector::zeros());
+    /// The pose of a frame in the world and its Jacobian by columns.
+    pub(super) fn at_frame(
+        &self,
+        frame: usize,
+        base: &[f64],
+        q: &[f64],
+    ) -> (Pose, Vec<[Vector; 2]>) {
+        let (pose, columns) = self.on_standing_base(frame, q);
+        let turn = rotation(base);
+        let place = Vector::from_fn(|i, _| number(base.get(9 + i).copied().unwrap_or(0.0)));
+        let in_world = Pose {
+            rotation: turn * pose.rotation,
+            position: place + turn * pose.position,
+        };
+        let axes = [Vector::x(), Vector::y(), Vector::z()];
+        let along = axes.map(|axis| [axis, Vector::zeros()]);
+        let about = axes.map(|axis| [axis.cross(&pose.position), axis]);
+        let of_base = [along, about]
+            .concat()
+            .into_iter()
+            .take(self.0.freedoms().base);
+        let joints = columns.into_iter().skip(self.0.freedoms().base);
+        let columns = of_base.chain(joints).map(|column| column.map(|x| turn * x));
+        (in_world, columns.collect())
+    }
+
+    /// As [`Exact::at_frame`], in the axes in which links are placed; nothing of what a base does.
+    fn on_standing_base(&self, frame: usize, q: &[f64]) -> (Pose, Vec<[Vector; 2]>) {
+        let still = vec![0.0; self.0.dof()];
+        let links = self.links(
+            [q, &still, &still],
+            self.start(&still, &still, Vector::zeros()),
+        );
         let frame = &self.0.frames[frame];
         let carrier = frame
             .on
             .map_or_else(|| self.world(), |row| links[row].frame);
         let pose = carrier.placed(&frame.places);
-        let mut columns = vec![[Vector::zeros(); 2]; q.len()];
+        let mut columns = vec![[Vector::zeros(); 2]; self.0.dof()];
         let moving =
             (0..=frame.on.unwrap_or(0)).filter(|i| frame.on.is_some_and(|on| self.carries(*i, on)));
         for i in moving {

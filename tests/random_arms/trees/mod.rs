@@ -8,7 +8,8 @@ use dynamics_evaluation::{ReadOptions, RuntimeRobot, Value, read_file};
 use dynamics_symbolic::robot::{Frame, JointType, Placement, Robot};
 use dynamics_symbolic::{Function, Request};
 use robot_dynamics::check::Check;
-use robot_dynamics::{Certified, DoubleDouble};
+use robot_dynamics::nalgebra::{Rotation3, Vector3};
+use robot_dynamics::{Certified, DoubleDouble, Pose};
 use testkit::random::Random;
 
 use exact::{Exact, Forces, Vector};
@@ -45,10 +46,10 @@ fn from_file(name: &str) -> Robot {
 
 /// The robot with frames on the last row, in the middle and on the base.
 fn with_frames(mut robot: Robot) -> Robot {
-    let last = robot.rows.len() - 1;
+    let last = robot.rows.len().checked_sub(1);
     for (name, on) in [
-        ("last", Some(last)),
-        ("middle", Some(last / 2)),
+        ("last", last),
+        ("middle", last.map(|last| last / 2)),
         ("base frame", None),
     ] {
         robot.frames.push(Frame {
@@ -64,8 +65,53 @@ fn with_frames(mut robot: Robot) -> Robot {
     robot
 }
 
-/// Positions, velocities and accelerations: at rest, at right angles, slow, fast, at angles of up to 1e6 rad, and random.
-fn states(robot: &Robot) -> Vec<[Vec<f64>; 3]> {
+/// A state: where a base that moves stands, its rotation by rows and its position, and positions, velocities and
+/// accelerations.
+struct State {
+    base: Vec<f64>,
+    motion: [Vec<f64>; 3],
+}
+
+/// States at rest, at right angles, slow, fast, at angles of up to 1e6 rad, and random.
+fn states(robot: &Robot) -> Vec<State> {
+    let mut random = Random::seeded(28);
+    let [poses, twists] = [12, 6].map(|count| {
+        if robot.freedoms().has_base() {
+            count
+        } else {
+            0
+        }
+    });
+    let motions = motions(robot).into_iter().enumerate();
+    let states = motions.map(|(number, [q, qd, qdd])| {
+        let mut between = |size: f64| random.between(-size, size);
+        // At first in the axes of the world.
+        let turn = Rotation3::new(Vector3::from_fn(|_, _| number.min(1) as f64 * between(2.0)));
+        let place = Vector3::from_fn(|_, _| between(3.0));
+        let pose = Pose {
+            rotation: turn.into_inner(),
+            position: place,
+        };
+        let mut with_base = |joints: Vec<f64>| {
+            let of_joints = joints.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            let size = if joints.is_empty() { 3.0 } else { of_joints };
+            let twist = (0..twists).map(|_| between(size));
+            twist
+                .collect::<Vec<f64>>()
+                .into_iter()
+                .chain(joints)
+                .collect()
+        };
+        State {
+            motion: [q, with_base(qd), with_base(qdd)],
+            base: <[f64; 12]>::from(pose.entries())[..poses].to_vec(),
+        }
+    });
+    states.collect()
+}
+
+/// The motions of the joints.
+fn motions(robot: &Robot) -> Vec<[Vec<f64>; 3]> {
     let mut random = Random::seeded(27);
     let mut vector = |angle: f64, length: f64| -> Vec<f64> {
         let sizes = robot.joints().map(|row| match row.joint_type {
@@ -136,12 +182,25 @@ impl Errors {
     }
 }
 
-/// The numbers of a function, matrices by columns.
-fn value(robot: &RuntimeRobot, function: &str, arguments: &[&[f64]]) -> Vec<f64> {
-    match robot.evaluate(function, arguments) {
+/// The numbers of a function, matrices by columns, on that base if it takes one.
+fn value(robot: &RuntimeRobot, base: &[f64], function: &str, arguments: &[&[f64]]) -> Vec<f64> {
+    match robot.evaluate(function, &on_base(robot, base, function, arguments)) {
         Ok(Value::Matrix(matrix)) => matrix.as_slice().to_vec(),
         other => panic!("{function}: {other:?}"),
     }
+}
+
+/// The arguments of a function, behind that of the base if it takes one.
+fn on_base<'a, T>(
+    robot: &RuntimeRobot,
+    base: &'a [T],
+    function: &str,
+    arguments: &[&'a [T]],
+) -> Vec<&'a [T]> {
+    let mut names = robot.arguments(function).expect("a function").into_iter();
+    let takes_base = names.next().is_some_and(|(name, _)| name == "base");
+    let first = takes_base.then_some(base);
+    first.into_iter().chain(arguments.iter().copied()).collect()
 }
 
 fn compare(robot: Robot) -> Errors {
@@ -161,11 +220,15 @@ fn compare(robot: Robot) -> Errors {
     let requests = functions.map(Request::from).into_iter().chain(at_frames);
     let arm = RuntimeRobot::new(robot.clone(), requests.collect::<Vec<_>>()).expect("proven");
     let mut errors = Errors::default();
-    for [q, qd, qdd] in &states(&robot) {
-        let of = |function: &str, arguments: &[&[f64]]| value(&arm, function, arguments);
+    for State {
+        base,
+        motion: [q, qd, qdd],
+    } in &states(&robot)
+    {
+        let of = |function: &str, arguments: &[&[f64]]| value(&arm, base, function, arguments);
         let matrix = exact.mass_matrix(q);
         let found = of("mass_matrix", &[q]);
-        for (found, expected) in found.chunks(q.len()).zip(&matrix) {
+        for (found, expected) in found.chunks(robot.dof()).zip(&matrix) {
             errors.add_forces("M", found, expected);
         }
         errors.add_forces(
@@ -173,27 +236,35 @@ fn compare(robot: Robot) -> Errors {
             &of("coriolis_vector", &[q, qd]),
             &exact.coriolis_vector(q, qd),
         );
-        errors.add_forces("G", &of("gravity_vector", &[q]), &exact.gravity_vector(q));
-        let tau = exact.inverse_dynamics([q, qd, qdd]);
+        errors.add_forces(
+            "G",
+            &of("gravity_vector", &[q]),
+            &exact.gravity_vector(base, q),
+        );
+        let tau = exact.inverse_dynamics(base, [q, qd, qdd]);
         errors.add_forces("tau", &of("inverse_dynamics", &[q, qd, qdd]), &tau);
         let certified =
-            [q, qd, qdd].map(|x| x.iter().map(|x| Certified::exact(*x)).collect::<Vec<_>>());
-        let [certain_q, certain_qd, certain_qdd] = certified.each_ref().map(Vec::as_slice);
-        let arguments = [certain_q, certain_qd, certain_qdd];
-        let found = arm.evaluate_in("inverse_dynamics", &arguments);
-        errors.add_certified("tau", &found.expect("numbers"), &tau);
-        let found = arm.evaluate_in("gravity_vector", &[certain_q]);
-        errors.add_certified("G", &found.expect("numbers"), &exact.gravity_vector(q));
+            [base, q, qd, qdd].map(|x| x.iter().map(|x| Certified::exact(*x)).collect::<Vec<_>>());
+        let [certain_base, certain_q, certain_qd, certain_qdd] =
+            certified.each_ref().map(Vec::as_slice);
+        let bounded = |function: &str, arguments: &[&[Certified<f64>]]| {
+            let arguments = on_base(&arm, certain_base, function, arguments);
+            arm.evaluate_in(function, &arguments).expect("numbers")
+        };
+        let found = bounded("inverse_dynamics", &[certain_q, certain_qd, certain_qdd]);
+        errors.add_certified("tau", &found, &tau);
+        let found = bounded("gravity_vector", &[certain_q]);
+        errors.add_certified("G", &found, &exact.gravity_vector(base, q));
         // The forces that the accelerations take which are found.
         let given: Vec<f64> = tau.iter().map(|(tau, _)| tau.to_f64()).collect();
         let found = of("forward_dynamics", &[q, qd, &given]);
-        let mut taken = exact.inverse_dynamics([q, qd, &found]);
+        let mut taken = exact.inverse_dynamics(base, [q, qd, &found]);
         for (taken, tau) in taken.iter_mut().zip(&tau) {
             taken.1 = taken.1.max(tau.1);
         }
         errors.add_forces("qdd", &given, &taken);
         for (i, frame) in robot.frames.iter().enumerate() {
-            let (pose, columns) = exact.at_frame(i, q);
+            let (pose, columns) = exact.at_frame(i, base, q);
             let method = |function: Function| function.name_of_frame(&frame.name);
             let found = of(&method(Function::ForwardKinematics), &[q]);
             let far = pose.position.map(DoubleDouble::to_f64).amax().max(1.0);
@@ -252,4 +323,22 @@ fn trees_agree_with_newton_euler_in_31_digits() {
 #[ignore = "half a minute: large trees"]
 fn large_trees_agree_with_newton_euler_in_31_digits() {
     assert_eq!(compare_all(LARGE.map(arms::tree).into_iter()), 4);
+}
+
+/// The same robots and a body without joints, on a base that moves.
+#[test]
+fn robots_on_moving_bases_agree_with_newton_euler_in_31_digits() {
+    let names = arms::FLOATING.iter().filter(|name| !LARGE.contains(name));
+    let of_files = [
+        "files/torso.toml",
+        "files/trees/palletiser.toml",
+        "urdf/trees/panda_erd.urdf",
+    ];
+    let trunk = arms::floating("free_body").base;
+    let on_trunk = |name: &str| Robot {
+        base: trunk.clone(),
+        ..from_file(name)
+    };
+    let robots = names.map(|name| arms::floating(name));
+    compare_all(robots.chain(of_files.map(on_trunk)));
 }

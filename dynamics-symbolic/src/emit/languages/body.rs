@@ -9,7 +9,7 @@ use crate::robot::{Robot, Symbol, Value};
 pub(super) struct Body<'a> {
     robot: &'a Robot,
     program: &'a Program,
-    constants: &'a [f64],
+    constants: Vec<f64>,
     language: &'a Language,
     lines: Vec<Option<Line>>,
     /// The variable of each result that has a line.
@@ -26,10 +26,18 @@ impl<'a> Body<'a> {
     pub(super) fn new(robot: &'a Robot, proven: &'a Proven, language: &'a Language) -> Self {
         let program = &proven.program;
         let lines = program.lines();
+        let mut constants = proven.constants.clone();
+        if language.is_single {
+            // Rounded once, as in Rust.
+            let singles = program.constants.singles(&constants).into_iter();
+            for (constant, single) in constants.iter_mut().zip(singles) {
+                *constant = single.map_or(*constant, f64::from);
+            }
+        }
         Body {
             robot,
             program,
-            constants: &proven.constants,
+            constants,
             language,
             names: line_names(&lines),
             inputs: input_names(robot, program),
@@ -40,9 +48,6 @@ impl<'a> Body<'a> {
     /// One line of text for each input, each result and each pivot that is tested.
     pub(super) fn statements(&self, request: &Request) -> Vec<String> {
         let declare = |name: &String, value: String| (self.language.declare)(name, &value);
-        let symbols = in_order(self.program).into_iter();
-        let inputs =
-            symbols.map(|(index, symbol)| declare(&self.inputs[index], self.input(symbol)));
         let lines = self.lines.iter().zip(&self.names);
         let results = lines
             .filter_map(|(line, name)| Some(declare(name.as_ref()?, self.line(line.as_ref()?))));
@@ -51,7 +56,34 @@ impl<'a> Body<'a> {
             let [pivot, diagonal] = outputs.map(|output| self.output(output));
             (self.language.test_pivot)(joint, &pivot, &diagonal)
         });
+        let inputs = self.input_statements().into_iter();
         inputs.chain(results).chain(tests).collect()
+    }
+
+    /// One line for each input, or for the sine and the cosine of an angle together.
+    fn input_statements(&self) -> Vec<String> {
+        let symbols = in_order(self.program);
+        let partner = |of: &Symbol, is_pair: fn(&Symbol, &Symbol) -> bool| {
+            let mut others = symbols.iter();
+            others
+                .find(|(_, other)| is_pair(of, other))
+                .map(|(index, _)| *index)
+        };
+        let mut statements = Vec::new();
+        for (index, symbol) in &symbols {
+            let name = &self.inputs[*index];
+            if let Some(both) = self.language.sine_and_cosine {
+                if let Some(cosine) = partner(symbol, is_sine_beside) {
+                    statements.push(both(name, &self.inputs[cosine], &self.angle(symbol)));
+                    continue;
+                }
+                if partner(symbol, |cosine, sine| is_sine_beside(sine, cosine)).is_some() {
+                    continue;
+                }
+            }
+            statements.push((self.language.declare)(name, &self.input(symbol)));
+        }
+        statements
     }
 
     /// The outputs of each part that are values, one part after the other.
@@ -114,7 +146,7 @@ impl<'a> Body<'a> {
 
     fn operand(&self, operand: Operand) -> String {
         match operand {
-            Operand::Constant(id) => number(self.constants[id.index()]),
+            Operand::Constant(id) => (self.language.number)(self.constants[id.index()]),
             Operand::Input(index) => self.inputs[index as usize].clone(),
             Operand::Result(index) => self.names[index as usize].clone().unwrap_or_default(),
         }
@@ -128,12 +160,10 @@ impl<'a> Body<'a> {
             return (language.entry)(argument.name(), entry);
         }
         match symbol {
-            Symbol::Pi => number(core::f64::consts::PI),
+            Symbol::Pi => (language.number)(core::f64::consts::PI),
             Symbol::Field(i) => self.cell(&Value::Field(*i)),
-            Symbol::AngleSine(angle) => call(language.sine, self.cell(angle)),
-            Symbol::AngleCosine(angle) => call(language.cosine, self.cell(angle)),
-            Symbol::Sine(i) => call(language.sine, self.of_joint(Argument::Position, *i)),
-            Symbol::Cosine(i) => call(language.cosine, self.of_joint(Argument::Position, *i)),
+            Symbol::Sine(_) | Symbol::AngleSine(_) => call(language.sine, self.angle(symbol)),
+            Symbol::Cosine(_) | Symbol::AngleCosine(_) => call(language.cosine, self.angle(symbol)),
             Symbol::VelocitySign(i) => call(language.sign, self.of_joint(Argument::Velocity, *i)),
             Symbol::Stribeck(i) => {
                 let row = self.robot.row_of(*i);
@@ -144,6 +174,15 @@ impl<'a> Body<'a> {
                 call(language.exponential, format!("-({})", self.product(&x, &x)))
             }
             _ => unreachable!("an entry of an argument"),
+        }
+    }
+
+    /// The angle of a sine or a cosine.
+    fn angle(&self, symbol: &Symbol) -> String {
+        match symbol {
+            Symbol::AngleSine(angle) | Symbol::AngleCosine(angle) => self.cell(angle),
+            Symbol::Sine(i) | Symbol::Cosine(i) => self.of_joint(Argument::Position, *i),
+            _ => unreachable!("a sine or a cosine"),
         }
     }
 
@@ -163,12 +202,21 @@ impl<'a> Body<'a> {
     fn cell(&self, value: &Value) -> String {
         let cell = |value: &Value| self.cell(value);
         match value {
-            Value::Rational(_) | Value::Pi => number(value.to_f64(&[])),
+            Value::Rational(_) | Value::Pi => (self.language.number)(value.to_f64(&[])),
             Value::Field(i) => (self.language.field)(plain(&self.robot.fields[*i])),
             Value::Neg(a) => format!("(-{})", cell(a)),
             Value::Add(a, b) => format!("({} + {})", cell(a), cell(b)),
             Value::Mul(a, b) => format!("({})", self.product(&cell(a), &cell(b))),
             Value::Div(a, b) => format!("({}{}{})", cell(a), self.language.over, cell(b)),
         }
+    }
+}
+
+/// Whether the first is the sine and the second the cosine of one angle.
+fn is_sine_beside(sine: &Symbol, cosine: &Symbol) -> bool {
+    match (sine, cosine) {
+        (Symbol::Sine(i), Symbol::Cosine(j)) => i == j,
+        (Symbol::AngleSine(angle), Symbol::AngleCosine(other)) => angle == other,
+        _ => false,
     }
 }

@@ -1,7 +1,7 @@
 //! JavaScript: an ES module.
 
 use super::arrangement::Arrangement;
-use super::body::Body;
+use super::body::{Body, number};
 use super::comments::{comment, lines as documentation, title};
 use super::{Language, argument_names, free_name, indented, plain};
 use crate::function::Request;
@@ -11,11 +11,14 @@ use crate::robot::Robot;
 const JAVASCRIPT: Language = Language {
     declare: |name, value| format!("const {name} = {value};"),
     entry: |argument, i| format!("{argument}[{i}]"),
+    number,
+    is_single: false,
     times: " * ",
     over: " / ",
     field: |field| format!("arm.{field}"),
     sine: "Math.sin",
     cosine: "Math.cos",
+    sine_and_cosine: None,
     exponential: "Math.exp",
     sign: "sign",
     test_pivot: |joint, pivot, diagonal| format!("assertPivot({joint}, {pivot}, {diagonal});"),

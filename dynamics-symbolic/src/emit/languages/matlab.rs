@@ -1,7 +1,7 @@
 //! MATLAB, which Octave runs too: a file for each function, over columns of states.
 
 use super::arrangement::Arrangement;
-use super::body::Body;
+use super::body::{Body, number};
 use super::comments::lines as documentation;
 use super::{Language, argument_names, argument_sizes, free_name, indented};
 use crate::function::{Argument, Request};
@@ -11,11 +11,14 @@ use crate::robot::Robot;
 const MATLAB: Language = Language {
     declare: |name, value| format!("{name} = {value};"),
     entry: |argument, i| format!("{argument}({}, :)", i + 1),
+    number,
+    is_single: false,
     times: " .* ",
     over: " ./ ",
     field: |field| format!("arm.{}", free_name(field, WORDS)),
     sine: "sin",
     cosine: "cos",
+    sine_and_cosine: None,
     exponential: "exp",
     sign: "sign",
     test_pivot: |joint, pivot, diagonal| format!("test_pivot({}, {pivot}, {diagonal});", joint + 1),

@@ -11,7 +11,7 @@ mod javascript;
 mod matlab;
 mod python;
 
-pub use c::{CSource, c_source};
+pub use c::{CNumbers, CSource, c_source, c_source_in};
 pub use comments::description;
 pub use javascript::javascript_module;
 pub use matlab::matlab_files;
@@ -30,6 +30,10 @@ struct Language {
     declare: fn(&str, &str) -> String,
     /// How an entry of an argument is read, counted from 0.
     entry: fn(&str, usize) -> String,
+    /// The literal of a number.
+    number: fn(f64) -> String,
+    /// Whether numbers are of single precision.
+    is_single: bool,
     /// The operators between two numbers, with the spaces around them.
     times: &'static str,
     over: &'static str,
@@ -38,6 +42,8 @@ struct Language {
     /// The functions of a number.
     sine: &'static str,
     cosine: &'static str,
+    /// The statement that gives the sine and the cosine of an angle their names, where there is one for both.
+    sine_and_cosine: Option<fn(&str, &str, &str) -> String>,
     exponential: &'static str,
     sign: &'static str,
     /// The statement that ends a function unless the pivot of a joint is good beside the diagonal entry.

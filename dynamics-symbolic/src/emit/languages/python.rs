@@ -1,7 +1,7 @@
 //! Python: a module for numpy, and for all that computes as numpy does, or with symbols.
 
 use super::arrangement::Arrangement;
-use super::body::Body;
+use super::body::{Body, number};
 use super::comments::{lines as documentation, title_lines};
 use super::{Language, argument_names, argument_sizes, free_name, indented, plain};
 use crate::function::{Argument, Request};
@@ -11,11 +11,14 @@ use crate::robot::Robot;
 const PYTHON: Language = Language {
     declare: |name, value| format!("{name} = {value}"),
     entry: |argument, i| format!("{argument}[{i}]"),
+    number,
+    is_single: false,
     times: " * ",
     over: " / ",
     field: |field| format!("arm.{}", free_name(field, WORDS)),
     sine: "xp.sin",
     cosine: "xp.cos",
+    sine_and_cosine: None,
     exponential: "xp.exp",
     sign: "xp.sign",
     test_pivot: |joint, pivot, diagonal| {

@@ -1,12 +1,17 @@
 //! C99, which is C++ and device code as well: a header and a source.
 
+mod precision;
+
+pub use precision::CNumbers;
+
 use super::body::Body;
 use super::comments::{comment, lines, title};
-use super::{Language, argument_names, argument_sizes, free_name, indented, snake_case};
+use super::{argument_names, argument_sizes, free_name, indented, snake_case};
 use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
 use crate::robot::Robot;
 use core::fmt::Write as _;
+use precision::Precision;
 
 /// A robot in C.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,26 +24,6 @@ pub struct CSource {
     pub source: String,
 }
 
-const C: Language = Language {
-    declare: |name, value| format!("const double {name} = {value};"),
-    entry: |argument, i| format!("{argument}[{i}]"),
-    times: " * ",
-    over: " / ",
-    field: |field| format!("arm->{}", free_name(field, WORDS)),
-    sine: "ROBOT_DYNAMICS_SIN",
-    cosine: "ROBOT_DYNAMICS_COS",
-    exponential: "ROBOT_DYNAMICS_EXP",
-    sign: "robot_dynamics_sign",
-    test_pivot: |joint, pivot, diagonal| {
-        let number = joint + 1;
-        format!("if (!robot_dynamics_is_pivot({pivot}, {diagonal})) return {number};")
-    },
-    own_functions: &[
-        ("robot_dynamics_sign(", SIGN),
-        ("robot_dynamics_is_pivot(", IS_PIVOT),
-    ],
-};
-
 /// The keywords of C and of C++.
 const WORDS: &str = "
 alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept
@@ -50,43 +35,19 @@ static_cast struct switch template this thread_local throw true try typedef type
 union unsigned using virtual void volatile wchar_t while xor xor_eq _Bool _Complex
 ";
 
-/// Sine, cosine and exponential may be others than those of the C library.
-const FUNCTIONS: &str = "\
-#ifndef ROBOT_DYNAMICS_SIN
-#define ROBOT_DYNAMICS_SIN sin
-#endif
-#ifndef ROBOT_DYNAMICS_COS
-#define ROBOT_DYNAMICS_COS cos
-#endif
-#ifndef ROBOT_DYNAMICS_EXP
-#define ROBOT_DYNAMICS_EXP exp
-#endif
-";
-
-const SIGN: &str = "
-/** The sign, 0 of zero; NaN of NaN. */
-ROBOT_DYNAMICS_DEVICE static double robot_dynamics_sign(double x)
-{
-    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x == 0.0 ? 0.0 : x;
-}
-";
-
-const IS_PIVOT: &str = "
-/** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
-ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
-{
-    const double rounding = diagonal * 2.220446049250313e-16 * 8.0;
-    return pivot - rounding > 0.0 && pivot + rounding > 0.0;
-}
-";
-
 const REFUSAL: &str = "Returns 0; or, where M(q) is not positive definite to working precision or not finite, the \
                        number of the joint whose pivot failed, counted from 1, and writes nothing.";
 
 /// The functions of a robot in C99, each with its program. A method of several functions writes the values of each.
 pub fn c_source(robot: &Robot, functions: &[(Request, Proven)]) -> CSource {
+    c_source_in(robot, functions, CNumbers::Double)
+}
+
+/// The same with numbers of that kind.
+pub fn c_source_in(robot: &Robot, functions: &[(Request, Proven)], numbers: CNumbers) -> CSource {
     let writer = Writer {
         robot,
+        precision: numbers.precision(),
         name: snake_case(&robot.name),
     };
     CSource {
@@ -98,6 +59,7 @@ pub fn c_source(robot: &Robot, functions: &[(Request, Proven)]) -> CSource {
 
 struct Writer<'a> {
     robot: &'a Robot,
+    precision: &'static Precision,
     name: String,
 }
 
@@ -114,11 +76,12 @@ impl Writer<'_> {
             self.robot,
             [
                 "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.",
-                "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.",
+                self.precision.convention,
             ],
         );
         let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
-        let member = |field: &String| format!("double {};", free_name(field, WORDS));
+        let word = self.precision.word;
+        let member = |field: &String| format!("{word} {};", free_name(field, WORDS));
         let members: Vec<_> = self.robot.fields.iter().map(member).collect();
         let fields = match &members[..] {
             [] => String::new(),
@@ -160,13 +123,15 @@ impl Writer<'_> {
         let bodies: String = functions
             .map(|(request, proven)| self.function(request, proven))
             .collect();
-        let called = C.called(&bodies);
+        let called = self.precision.language.called(&bodies);
+        let functions = self.precision.functions;
+        let top = if functions.is_empty() { "" } else { "\n" };
         let name = &self.name;
-        format!("#include \"{name}.h\"\n\n#include <math.h>\n\n{FUNCTIONS}{called}{bodies}")
+        format!("#include \"{name}.h\"\n{top}{functions}{called}{bodies}")
     }
 
     fn function(&self, request: &Request, proven: &Proven) -> String {
-        let body = Body::new(self.robot, proven, &C);
+        let body = Body::new(self.robot, proven, &self.precision.language);
         let statements = body.statements(request);
         let is_unread = |argument: &&str| {
             let reads = [format!("{argument}["), format!("{argument}->")];
@@ -197,8 +162,9 @@ impl Writer<'_> {
     }
 
     fn signature(&self, request: &Request, proven: &Proven) -> String {
+        let word = self.precision.word;
         let result = match (is_number(request), request.refuses()) {
-            (true, _) => "double",
+            (true, _) => word,
             (_, true) => "int",
             _ => "void",
         };
@@ -208,11 +174,11 @@ impl Writer<'_> {
             parameters.push(format!("const {}_fields *arm", self.name));
         }
         for (argument, entries) in argument_sizes(request, sizes) {
-            parameters.push(format!("const double {}[{entries}]", argument.name()));
+            parameters.push(format!("const {word} {}[{entries}]", argument.name()));
         }
         if !is_number(request) {
             let written = self.written(request, proven);
-            parameters.extend(written.iter().map(Written::parameter));
+            parameters.extend(written.iter().map(|written| written.parameter(word)));
         }
         if parameters.is_empty() {
             parameters.push("void".to_owned());
@@ -311,10 +277,10 @@ impl Written {
         format!("{pointer}{}", self.name)
     }
 
-    fn parameter(&self) -> String {
+    fn parameter(&self, word: &str) -> String {
         let dimensions = self.dimensions.iter().map(|size| format!("[{size}]"));
         format!(
-            "double {}{}",
+            "{word} {}{}",
             self.without_indices(),
             dimensions.collect::<String>()
         )
