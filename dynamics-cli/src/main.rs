@@ -3,6 +3,7 @@
 
 mod arguments;
 mod beside;
+mod cell;
 mod check;
 mod compare;
 mod convert;
