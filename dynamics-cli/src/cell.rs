@@ -3,7 +3,7 @@
 use dynamics_symbolic::robot::{Robot, Value};
 
 /// A field's name without the `r#` of a raw identifier.
-pub(crate) fn plain(field: &str) -> &str {
+pub fn plain(field: &str) -> &str {
     field.strip_prefix("r#").unwrap_or(field)
 }
 
@@ -16,7 +16,7 @@ enum Binding {
 }
 
 /// A cell as a person writes it, where fields are in it: `l / 2`, `-m g`.
-pub(crate) fn text(robot: &Robot, value: &Value) -> Option<String> {
+pub fn text(robot: &Robot, value: &Value) -> Option<String> {
     (!value.is_number()).then(|| written(robot, value, Binding::Sum))
 }
 

@@ -4,6 +4,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
+use dynamics_cli::cell::plain;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
 use dynamics_evaluation::{FileError, FileMistake, RuntimeRobot, read_file};
@@ -11,7 +12,6 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
 use crate::beside::{Beside, Lines, with_fields, with_names, with_values};
-use crate::cell::plain;
 use crate::failure::Failure;
 use crate::progress::Progress;
 

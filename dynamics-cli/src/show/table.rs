@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
+use dynamics_cli::cell::{plain, text};
 use dynamics_symbolic::robot::{
     Body, Convention, Frame, JointType, Mount, Placement, Robot, Row, Value,
 };
 
-use crate::cell::{plain, text};
 use crate::csv::shortest;
 
 /// All that the file says of the arm, so that the same arm can be typed in again.

@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use super::*;
 
 /// Every place where a value may stand.
-const PLACES: [&str; 32] = [
+const PLACES: [&str; 35] = [
     "a: value",
     "alpha: value",
     "d: value",
@@ -41,10 +41,13 @@ const PLACES: [&str; 32] = [
     "limits: [-100 * PI, value]",
     "a: one + value",
     "a: 1e3, d: one",
+    "at: { xyz: [value, 0, 0] }",
+    "at: { rpy: [0, value, 0] }",
+    "on: base, at: { xyz: [1, 0, value] }",
 ];
 
 /// Every place outside of the rows.
-const ENTRIES: [&str; 7] = [
+const ENTRIES: [&str; 12] = [
     "gravity: [value, 0, 0]",
     "gravity: [0, value, 0]",
     "gravity: [0, 0, value]",
@@ -52,6 +55,11 @@ const ENTRIES: [&str; 7] = [
     "lock: [second = value]",
     "neglect: value / 100",
     "neglect: value%",
+    "base: floating { mass: value, inertia: sphere(1) }",
+    "base: floating { mass: 9, com: [0, value, 0], inertia: sphere(value) }",
+    "base: floating { mass: 9, inertia: { xx: 1e6, yy: 1e6, zz: 1e6, xz: value } }",
+    "frames: { hand: { on: second, xyz: [0, value, 0], mass: 1 } }",
+    "frames: { hand: { on: base, rpy: [value, 0, 0], mass: value } }",
 ];
 
 /// What may stand around an operand.

@@ -47,3 +47,18 @@ robot_dynamics! {
     base: floating { mass: 3000, inertia: sphere(0.1) },
     joints: [joint: revolute { a: 0.1, mass: 1 }],
 }
+// A quarter turn that is none, and a mass of ten powers too many.
+robot_dynamics! {
+    pub struct Turned;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    base: floating { mass: 3, inertia: sphere(0.1) },
+    joints: [joint: revolute { at: { xyz: [0, 0, 0.1], rpy: [0, 1.5708, 0] }, a: 0.1, mass: 1 }],
+}
+robot_dynamics! {
+    pub struct Heavy;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    base: floating { mass: 30000000000, inertia: sphere(0.1) },
+    joints: [joint: revolute { a: 0.1, mass: 1 }],
+}
