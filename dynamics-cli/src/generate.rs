@@ -9,7 +9,7 @@ use dynamics_symbolic::emit::{
 };
 
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read_on_any_base, requests};
+use crate::load::{file_of, programs, read_with_names, requests};
 use crate::progress::Progress;
 use crate::write::{make_folder, write};
 
@@ -17,7 +17,7 @@ use crate::write::{make_folder, write};
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let numbers = c_numbers(given)?;
-    let model = read_on_any_base(path, given)?;
+    let model = read_with_names(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
         Some("rust") => {
             let name = given.get_one::<String>("name");
