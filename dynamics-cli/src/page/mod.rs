@@ -4,22 +4,23 @@
 mod cells;
 mod html;
 mod literal;
+mod start;
 mod table;
 
 use std::io::Write as _;
 
 use clap::ArgMatches;
 use dynamics_symbolic::emit::javascript_module;
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Frame, Robot};
 use dynamics_symbolic::{Function, Request};
 
 use crate::beside::fields;
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read, read_with_fields};
+use crate::load::{file_of, programs, read_on_any_base, read_with_fields};
 use crate::poses::poses;
-use crate::state::positions;
 use html::html;
 use literal::module_with_a_global;
+use start::Start;
 
 /// The functions that the page evaluates, besides the poses of the tip and of frames.
 const FUNCTIONS: [Function; 8] = [
@@ -37,10 +38,10 @@ const FUNCTIONS: [Function; 8] = [
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let mut robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
-    let poses = poses(&mut robot);
+    let poses = shown_poses(&mut robot);
     let start = Start::read(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
-    read(path, given)?;
+    read_on_any_base(path, given)?;
     let requests = FUNCTIONS.map(Request::from).into_iter();
     let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
     let programs = programs(path, &robot, &requests)?;
@@ -49,10 +50,23 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let tips: Vec<_> = poses.iter().map(|request| request.parts()[0]).collect();
     let table = table::script(&robot, &tips, &fields(given)?, &start);
     let html = html(&robot.name, &equations, &table);
-    if let Some(remark) = remark(html.len(), equations.len(), robot.dof()) {
+    if let Some(remark) = remark(html.len(), equations.len(), robot.freedoms().joints) {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(html)
+}
+
+/// The poses of the tip and of frames; of a body without any, that of its own frame.
+fn shown_poses(robot: &mut Robot) -> Vec<Request> {
+    if robot.rows.is_empty() && robot.frames.is_empty() {
+        robot.frames.push(Frame {
+            name: "base".to_owned(),
+            on: None,
+            places: Vec::new(),
+            body: None,
+        });
+    }
+    poses(robot)
 }
 
 /// Bytes up to which a page opens at once on a phone.
@@ -69,27 +83,6 @@ fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
             megabytes(equations)
         )
     })
-}
-
-/// The motion that the page shows at first.
-struct Start {
-    from: Option<Vec<f64>>,
-    to: Option<Vec<f64>>,
-    duration: f64,
-}
-
-impl Start {
-    fn read(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
-        let positions_of = |name: &str| {
-            let is_given = given.contains_id(name);
-            is_given.then(|| positions(given, name, robot)).transpose()
-        };
-        Ok(Start {
-            from: positions_of("from")?,
-            to: positions_of("to")?,
-            duration: given.get_one::<f64>("duration").copied().unwrap_or(3.0),
-        })
-    }
 }
 
 #[cfg(test)]
