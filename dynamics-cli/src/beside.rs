@@ -12,6 +12,8 @@ use crate::failure::Failure;
 pub(crate) struct Beside {
     pub(crate) options: ReadOptions,
     pub(crate) lines: Lines,
+    /// Whether fields may be left without a value.
+    pub(crate) keeps_names: bool,
     /// The name of the robot, if it is not that of the file.
     pub(crate) name: Option<String>,
 }
@@ -80,6 +82,15 @@ pub(crate) fn with_fields(given: &ArgMatches, path: &Path) -> Result<Beside, Fai
     let entries = entries(given, is_meant(path, None))?;
     let mut beside = beside(given, path, None, "chain", entries)?;
     beside.options = beside.options.fields(names);
+    beside.keeps_names = true;
+    Ok(beside)
+}
+
+/// As [`with_values`] of one file, where names that nothing binds are fields of the robot.
+pub(crate) fn with_names(given: &ArgMatches, path: &Path) -> Result<Beside, Failure> {
+    let mut beside = with_values(given, path, None, "chain")?;
+    beside.options = beside.options.names_are_fields();
+    beside.keeps_names = true;
     Ok(beside)
 }
 
@@ -150,6 +161,7 @@ fn beside(
     Ok(Beside {
         options: options.ignore(ignore),
         lines: entries.lines,
+        keeps_names: false,
         name: given.get_one("name").cloned(),
     })
 }

@@ -9,19 +9,19 @@ use dynamics_symbolic::emit::{
 };
 
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read_on_any_base, requests};
-use crate::rust;
+use crate::load::{file_of, programs, read_with_names, requests};
+use crate::progress::Progress;
 use crate::write::{make_folder, write};
 
 /// Writes the files, and says which.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let numbers = c_numbers(given)?;
-    let model = read_on_any_base(path, given)?;
+    let model = read_with_names(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
         Some("rust") => {
             let name = given.get_one::<String>("name");
-            vec![rust::source(path, model, name.map(String::as_str))?]
+            vec![rust(path, model, name.map(String::as_str))?]
         }
         language => other(language, numbers, path, &model)?,
     };
@@ -37,6 +37,16 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         .iter()
         .map(|(path, _)| format!("{}\n", path.display()));
     Ok(names.collect())
+}
+
+/// The expansion of the macro.
+fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String), Failure> {
+    let progress = Progress::new(1);
+    progress.doing("deriving and proving the functions");
+    let of_file = path.file_name().unwrap_or_default().to_string_lossy();
+    let source = dynamics_cli::rust::source(&of_file, model, name);
+    drop(progress);
+    source.map_err(|messages| Failure::of_file(path, messages))
 }
 
 /// The numbers of C. `--scalar` and `--sines` are of no other language.

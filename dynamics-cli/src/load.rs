@@ -4,13 +4,14 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
+use dynamics_cli::cell::plain;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
 use dynamics_evaluation::{FileError, FileMistake, RuntimeRobot, read_file};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
-use crate::beside::{Beside, Lines, with_fields, with_values};
+use crate::beside::{Beside, Lines, with_fields, with_names, with_values};
 use crate::failure::Failure;
 use crate::progress::Progress;
 
@@ -31,6 +32,12 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
 pub(crate) fn read_on_any_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     read_any(path, with_values(given, path, None, "chain")?, Vec::new())
+}
+
+/// As [`read_on_any_base`], where names that nothing binds are fields of the robot.
+pub(crate) fn read_with_names(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    about_links(given, &[path])?;
+    read_any(path, with_names(given, path)?, Vec::new())
 }
 
 /// As [`read_on_any_base`], of an arm whose base must stand, and of which functions are needed besides.
@@ -103,6 +110,7 @@ fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model,
     let Beside {
         options,
         lines,
+        keeps_names,
         name,
     } = beside;
     let model = read_file(path, &options.for_command(needed));
@@ -113,7 +121,23 @@ fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model,
     if let Some(name) = name {
         model.robot.name = name;
     }
-    Ok(model)
+    match model.robot.fields.is_empty() || keeps_names {
+        true => Ok(model),
+        false => Err(without_values(path, &model.robot.fields)),
+    }
+}
+
+/// The failure of fields that the file lists, where their values are needed.
+fn without_values(path: &Path, fields: &[String]) -> Failure {
+    let names = fields.iter().map(|field| plain(field));
+    let quoted: Vec<_> = names.clone().map(|name| format!("`{name}`")).collect();
+    let options: Vec<_> = names.map(|name| format!("--field {name}=2")).collect();
+    let message = format!(
+        "fields have no value: {}. This command needs numbers: `{}`, for example",
+        quoted.join(", "),
+        options.join(" ")
+    );
+    Failure::of_file(path, message)
 }
 
 /// The failure of mistakes in a file and in options. A mistake without a file is one of the command line.

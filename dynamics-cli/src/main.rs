@@ -15,11 +15,9 @@ mod inverse;
 mod joints;
 mod load;
 mod measure;
-mod page;
+mod page_file;
 mod plot;
-mod poses;
 mod progress;
-mod rust;
 mod show;
 mod simulate;
 mod spline;
@@ -64,7 +62,7 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "inverse-dynamics" => inverse::run(given),
         "inverse-kinematics" => return Err(inverse::no_kinematics()),
         "measure" => measure::run(given),
-        "page" => page::run(given),
+        "page" => page_file::run(given),
         "convert" => convert::run(given),
         _ => Ok(arguments::completions(given)),
     };

@@ -5,7 +5,7 @@ use dynamics_symbolic::{Function, Request};
 
 /// The poses of a robot: of the tip, if there is one, and of all frames. Where there is no tip, each link that
 /// carries no other becomes a frame of the robot, unless one stands on it.
-pub(crate) fn poses(robot: &mut Robot) -> Vec<Request> {
+pub fn poses(robot: &mut Robot) -> Vec<Request> {
     let of_tip = robot.tip_row().map(|_| Function::ForwardKinematics.into());
     if of_tip.is_none() {
         let is_end = |row: &usize| {

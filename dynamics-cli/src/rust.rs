@@ -1,28 +1,27 @@
 //! The expansion of the macro as a file of Rust.
 
-use std::path::Path;
-
 use dynamics_codegen::{Model, items_of};
 use dynamics_symbolic::emit::snake_case;
 use proc_macro2::{Ident, Span};
 use quote::{format_ident, quote};
 use syn::{Item, ItemMacro};
 
-use crate::failure::Failure;
-use crate::progress::Progress;
-
 /// The crate that the file's own crate depends on.
 const FACADE: &str = "::robot_dynamics";
 
-/// The name of the file, and its text. A name that was given for the struct is taken as it is, if it can be.
-pub(crate) fn source(
-    path: &Path,
+/// The name of the file, and its text, for the robot of a file of that name. A name that was given for the struct is taken
+/// as it is, if it can be.
+///
+/// # Errors
+///
+/// The messages about functions that could not be derived, one a line.
+pub fn source(
+    of_file: &str,
     model: Model,
     given: Option<&str>,
-) -> Result<(String, String), Failure> {
+) -> Result<(String, String), String> {
     let module = snake_case(&model.robot.name);
     let name = given.and_then(as_struct).unwrap_or(struct_name(&module));
-    let of_file = path.file_name().unwrap_or_default().to_string_lossy();
     let documentation = [
         format!(" The arm of `{of_file}`, with its equations of motion."),
         String::new(),
@@ -36,19 +35,17 @@ pub(crate) fn source(
                 .join(", ")
         ),
     ];
-    let progress = Progress::new(1);
-    progress.doing("deriving and proving the functions");
-    let facade = syn::parse_str(FACADE)?;
+    let facade = syn::parse_str(FACADE).map_err(|error| error.to_string())?;
     let items = items_of(model, name, &documentation, facade).map_err(|errors| {
         let messages = errors.iter().map(|error| error.message.as_str());
-        Failure::of_file(path, messages.collect::<Vec<_>>().join("\n"))
+        messages.collect::<Vec<_>>().join("\n")
     })?;
-    drop(progress);
     let head = format!(
         "// Generated from {of_file} by `robot-dynamics generate --lang rust`: what the macro `robot_dynamics!` expands to\n\
          // for this arm. The crate that it stands in depends on `robot-dynamics`.\n\n"
     );
-    let text = head + &formatted(syn::parse2(items)?);
+    let items = syn::parse2(items).map_err(|error| error.to_string())?;
+    let text = head + &formatted(items);
     Ok((format!("{module}.rs"), text))
 }
 

@@ -11,7 +11,7 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
 
 use crate::failure::Failure;
-use crate::load::{count, file_of, programs, read_on_any_base, requests};
+use crate::load::{count, file_of, programs, read_with_names, requests};
 use table::table;
 
 /// How far the formulas of one function are multiplied out before they are given up, for each term that a formula may
@@ -21,7 +21,7 @@ const PRODUCTS_FOR_EACH_TERM: usize = 30;
 /// The text of `show`.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read_on_any_base(path, given)?;
+    let model = read_with_names(path, given)?;
     let robot = &model.robot;
     let programs = programs(path, robot, &requests(&model)?)?;
     let terms = count(given, "terms");

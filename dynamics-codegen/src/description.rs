@@ -56,6 +56,8 @@ pub struct Table {
     pub fields: Vec<Name>,
     /// Whether `fields` holds all of them, or some could not be read.
     pub has_all_fields: bool,
+    /// Whether names in the values of a file that nothing binds are symbolic parameters, unless the file lists these.
+    pub names_are_fields: bool,
     /// The entries, in the order in which they were written.
     pub entries: Vec<Entry>,
     /// Further remarks for the struct's documentation.
@@ -71,6 +73,12 @@ pub struct Table {
 }
 
 impl Table {
+    /// Whether it lists its symbolic parameters itself.
+    pub(crate) fn lists_fields(&self) -> bool {
+        let mut entries = self.entries.iter();
+        entries.any(|entry| matches!(entry, Entry::Fields(_)))
+    }
+
     /// The joints, where they could be read.
     pub(crate) fn joints(&self) -> Option<&Joints> {
         self.entries.iter().find_map(|entry| match entry {
@@ -159,6 +167,8 @@ pub enum Entry {
     Lock(Option<Vec<Positioned>>),
     /// `couple: [finger_2 = -finger_1 + 0.02]`
     Couple(Option<Vec<Positioned>>),
+    /// `fields = ["m1", "l1"]` in a file: its symbolic parameters.
+    Fields(Option<Vec<Name>>),
     /// `neglect: 1%`
     Neglect(Option<Share>),
     /// `tests: true`

@@ -27,7 +27,8 @@ pub(crate) const KEYS: &[&str] = word_list![
 
 /// The keys of entries in TOML beside a file.
 const KEYS_BESIDE_A_FILE: &[&str] = word_list![
-    convention gravity base joint couple tool frame functions lock neglect tests allow let joints
+    convention gravity base joint couple tool frame functions lock neglect tests allow let fields
+    joints
 ];
 
 /// The keys of a file.

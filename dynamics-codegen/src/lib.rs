@@ -109,7 +109,7 @@ pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
 }
 
 /// The items of a model that was read elsewhere, as a call of the macro with that table expands to them: a
-/// struct without fields, its methods and its traits, for a file of their own. `path` is the path of the runtime
+/// struct with the fields of the model, its methods and its traits, for a file of their own. `path` is the path of the runtime
 /// crate.
 ///
 /// # Errors
@@ -122,9 +122,16 @@ pub fn items_of(
     path: TokenStream,
 ) -> Result<TokenStream, Vec<Error>> {
     let diagnostics = Diagnostics::new();
+    let fields: Vec<_> = model.robot.fields.iter().map(|name| field(name)).collect();
     let structure = call::Structure {
         attributes: quote!(#(#[doc = #documentation])*),
         visibility: quote!(pub),
+        shape: if fields.is_empty() {
+            call::Shape::Unit
+        } else {
+            call::Shape::Named
+        },
+        fields,
         complete: true,
         is_alone: true,
         ..call::Structure::new(name)
@@ -137,6 +144,21 @@ pub fn items_of(
     match methods(&model, &call, derivation, &diagnostics) {
         Some(methods) => Ok(items(&call, Some((model, methods)), diagnostics)),
         None => Err(diagnostics.shown_to(Audience::default())),
+    }
+}
+
+/// A public field for a symbolic parameter, whose name is an identifier.
+fn field(name: &str) -> call::Field {
+    let place = Span::call_site();
+    let plain = name.strip_prefix("r#");
+    call::Field {
+        attributes: quote!(#[doc = " A symbolic parameter of the table."]),
+        visibility: quote!(pub),
+        name: Some(plain.map_or_else(
+            || Ident::new(name, place),
+            |name| Ident::new_raw(name, place),
+        )),
+        written: quote!(f64),
     }
 }
 

@@ -99,6 +99,7 @@ pub struct ReadOptions {
     ignore: Vec<String>,
     round_angles: Option<f64>,
     fields: Vec<String>,
+    names_are_fields: bool,
     needed: Vec<Function>,
     audience: Audience,
 }
@@ -162,6 +163,13 @@ impl ReadOptions {
         self
     }
 
+    /// Names in cells that nothing binds become fields, too, in the order in which they are read; unless the file closes the
+    /// list by `fields = ["m1", "l1"]`, where another name is a mistake.
+    pub fn names_are_fields(mut self) -> Self {
+        self.names_are_fields = true;
+        self
+    }
+
     /// Functions that are derived besides those that are asked for: if one reads masses, the file has to have them.
     /// Messages speak to somebody who typed a command line.
     #[doc(hidden)]
@@ -185,6 +193,7 @@ impl ReadOptions {
         };
         let name = |name: &String| Name::new(name.as_str(), place);
         table.fields = self.fields.iter().map(name).collect();
+        table.names_are_fields = self.names_are_fields;
         if let Some(links) = &self.chain {
             let links = links.iter().map(name).collect();
             table.entries.push(Entry::Chain(Some(links)));

@@ -17,6 +17,16 @@ pub(crate) struct Argument {
 /// The name of the pose of a base that moves.
 const BASE: &str = "base";
 
+/// The name of an argument of a robot whose base moves or stands: the velocities of a base are no derivatives of
+/// positions.
+pub(crate) fn name_of(name: &'static str, moves: bool) -> &'static str {
+    match name {
+        "qd" if moves => "v",
+        "qdd" if moves => "a",
+        name => name,
+    }
+}
+
 impl Argument {
     /// An argument of so many numbers, of a robot whose base moves or stands.
     pub(crate) fn new(name: &'static str, entries: usize, moves: bool) -> Self {
@@ -24,14 +34,8 @@ impl Argument {
             BASE => vec![4, 4],
             _ => vec![entries],
         };
-        // The velocities of a base are no derivatives of positions.
-        let name = match name {
-            "qd" if moves => "v",
-            "qdd" if moves => "a",
-            name => name,
-        };
         Argument {
-            name,
+            name: name_of(name, moves),
             entries,
             axes,
         }

@@ -44,23 +44,17 @@ impl Description {
         let Model {
             robot, requests, ..
         } = read_source(path, text, options)?;
-        let of_request = |(request, _)| Lazy {
-            request,
-            derived: OnceLock::new(),
-        };
         if !robot.freedoms().has_base() && robot.freedoms().joints == 0 {
             return Err(FileError::Build(path.to_owned(), BuildError::NoJoints));
         }
-        Ok(Description {
-            robot,
-            functions: requests.into_iter().map(of_request).collect(),
-        })
+        let requests = requests.into_iter().map(|(request, _)| request);
+        Ok(Description::new(robot, requests))
     }
 
-    /// The same functions of another robot.
-    pub(crate) fn of_robot(&self, robot: Robot) -> Self {
-        let functions = self.functions.iter().map(|lazy| Lazy {
-            request: lazy.request.clone(),
+    /// Functions of a robot.
+    pub(crate) fn new(robot: Robot, requests: impl IntoIterator<Item = Request>) -> Self {
+        let functions = requests.into_iter().map(|request| Lazy {
+            request,
             derived: OnceLock::new(),
         });
         Description {
@@ -69,17 +63,23 @@ impl Description {
         }
     }
 
+    /// The same functions of another robot.
+    pub(crate) fn of_robot(&self, robot: Robot) -> Self {
+        let requests = self.functions.iter().map(|lazy| lazy.request.clone());
+        Description::new(robot, requests)
+    }
+
+    /// The function at that place.
+    pub(crate) fn request(&self, place: usize) -> &Request {
+        &self.functions[place].request
+    }
+
     /// The functions that are programs over numbers, each by its place.
     pub(crate) fn functions(&self) -> impl Iterator<Item = (usize, &Request)> {
         let is_program =
             |(_, request): &(usize, &Request)| request.function() != Some(Function::TaylorSeries);
         let requests = self.functions.iter().map(|lazy| &lazy.request);
         requests.enumerate().filter(is_program)
-    }
-
-    /// The name of the function at that place.
-    pub(crate) fn name_at(&self, place: usize) -> &str {
-        self.functions[place].request.name()
     }
 
     /// The place of the function of that name.

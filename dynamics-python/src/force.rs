@@ -3,12 +3,12 @@
 use std::cell::{Cell, RefCell};
 
 use dynamics_runtime::Pose;
-use dynamics_runtime::nalgebra::DVector;
+use dynamics_runtime::nalgebra::{DVector, Matrix4, Vector6};
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::motion::by_rows;
+use crate::motion::{by_rows, rows_of};
 use crate::results::array;
 
 /// After so many calls of a constant force signals such as Ctrl-C are looked for.
@@ -18,14 +18,20 @@ const BETWEEN_SIGNALS: u32 = 1024;
 pub(crate) struct Force {
     law: Option<Py<PyAny>>,
     constant: DVector<f64>,
+    wrench: Option<Py<PyAny>>,
     failure: RefCell<Option<PyErr>>,
     calls: Cell<u32>,
 }
 
 impl Force {
-    pub(crate) fn new(law: Option<Py<PyAny>>, constant: Vec<f64>) -> Self {
+    pub(crate) fn new(
+        law: Option<Py<PyAny>>,
+        constant: Vec<f64>,
+        wrench: Option<Py<PyAny>>,
+    ) -> Self {
         Force {
             law,
+            wrench,
             constant: constant.into(),
             failure: RefCell::default(),
             calls: Cell::new(0),
@@ -81,14 +87,49 @@ impl Force {
                 law.call1(py, (t, pose, q, v))?
             }
         };
-        let forces: Vec<f64> = forces.extract(py)?;
-        if forces.len() != self.constant.len() {
-            return Err(PyValueError::new_err(format!(
-                "`torque` returned {} numbers: expected {}",
-                forces.len(),
-                self.constant.len()
-            )));
-        }
-        Ok(forces.into())
+        Ok(numbers("torque", forces.bind(py), self.constant.len())?.into())
     }
+
+    /// Whether a law of Python is the force at the tool.
+    pub(crate) fn has_wrench(&self) -> bool {
+        self.wrench.is_some()
+    }
+
+    /// The force and the moment at the tool; NaN once a law has failed.
+    pub(crate) fn wrench_at(
+        &self,
+        t: f64,
+        pose: &Matrix4<f64>,
+        twist: &Vector6<f64>,
+    ) -> Vector6<f64> {
+        let law = match &self.wrench {
+            Some(law) if self.failure.borrow().is_none() => law,
+            _ => return Vector6::repeat(f64::NAN),
+        };
+        let wrench = Python::attach(|py| {
+            let pose = array(py, &[4, 4], &rows_of(pose))?;
+            let twist = PyArray1::from_slice(py, twist.as_slice());
+            let wrench = law.call1(py, (t, pose, twist))?;
+            numbers("tool_wrench", wrench.bind(py), 6)
+        });
+        match wrench {
+            Ok(wrench) => Vector6::from_column_slice(&wrench),
+            Err(failure) => {
+                self.failure.replace(Some(failure));
+                Vector6::repeat(f64::NAN)
+            }
+        }
+    }
+}
+
+/// The numbers that a law returned.
+fn numbers(law: &str, returned: &Bound<'_, PyAny>, expected: usize) -> PyResult<Vec<f64>> {
+    let numbers: Vec<f64> = returned.extract()?;
+    if numbers.len() == expected {
+        return Ok(numbers);
+    }
+    let found = numbers.len();
+    Err(PyValueError::new_err(format!(
+        "`{law}` returned {found} numbers: expected {expected}"
+    )))
 }

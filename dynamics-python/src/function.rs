@@ -7,7 +7,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::arguments::Argument;
+use crate::arguments::{Argument, name_of};
 use crate::call::{self, MOST_ARGUMENTS, SHORT};
 use crate::description::{Derived, Description};
 
@@ -125,11 +125,24 @@ impl Function {
     /// The name.
     #[getter]
     fn __name__(&self) -> &str {
-        self.description.name_at(self.place)
+        self.description.request(self.place).name()
+    }
+
+    /// The names of the arguments.
+    #[getter]
+    fn arguments(&self) -> Vec<&'static str> {
+        let robot = &self.description.robot;
+        let request = robot.request(self.description.request(self.place).clone());
+        let moves = robot.freedoms().has_base();
+        let names = request.arguments().into_iter().map(|of| of.name());
+        names.map(|name| name_of(name, moves)).collect()
     }
 
     fn __repr__(&self) -> String {
-        let robot = &self.description.robot.name;
-        format!("<function {} of {robot}>", self.__name__())
+        let (name, robot) = (self.__name__(), &self.description.robot.name);
+        format!(
+            "<function {name}({}) of {robot}>",
+            self.arguments().join(", ")
+        )
     }
 }

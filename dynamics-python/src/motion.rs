@@ -1,9 +1,10 @@
 //! Simulations, under torques that are constant or a law of Python.
 
-use dynamics_evaluation::{EvaluationError, RuntimeRobot};
-use dynamics_runtime::nalgebra::{DVector, Dyn};
+use dynamics_evaluation::{EvaluationError, RuntimeDynamics, RuntimeRobot, Stands};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
 use dynamics_runtime::simulation::{
-    Cause, Dop853, DormandPrince, Method, Radau5, SizedModel, Stand, Work,
+    Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, SizedModel, Stand, ToolWrench,
+    Work,
 };
 use dynamics_runtime::{Friction, Pose, Simulation};
 use pyo3::exceptions::PyValueError;
@@ -142,8 +143,27 @@ fn is_invalid(cause: &Cause) -> bool {
 /// The motion of a robot whose base stands.
 fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
     let dynamics = robot.dynamics()?;
+    if !force.has_wrench() {
+        return follow(&dynamics, Simulation::new(&dynamics), plan, kinds, force);
+    }
+    let dynamics = dynamics.with_tip()?;
+    let wrench = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench_at(t, pose, twist);
+    let simulation = Simulation::new(&dynamics).tool_wrench(wrench);
+    follow(&dynamics, simulation, plan, kinds, force)
+}
+
+fn follow<'a, K: Stands, L, W>(
+    dynamics: &RuntimeDynamics<'a, K>,
+    simulation: Simulation<'_, RuntimeDynamics<'a, K>, L, Dyn, W>,
+    plan: &Plan,
+    kinds: (Method, Friction),
+    force: &Force,
+) -> Ran
+where
+    W: ToolWrench<RuntimeDynamics<'a, K>, Dyn> + ContinuousWrench,
+{
     let [q, v] = plan.start();
-    let simulation = plan.planned(Simulation::new(&dynamics).initial(q, v), kinds);
+    let simulation = plan.planned(simulation.initial(q, v), kinds);
     let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
     let outcome = match plan.control_period {
         None => simulation.torque(law).run(),
@@ -157,7 +177,7 @@ fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force:
         }
     };
     let states = motion.q.iter().zip(&motion.qd);
-    let energies = states.map(|(q, v)| SizedModel::<Dyn>::sized_energies(&dynamics, q, v));
+    let energies = states.map(|(q, v)| SizedModel::<Dyn>::sized_energies(dynamics, q, v));
     let motion = Motion {
         energies: energies.flatten().collect(),
         t: motion.t,
@@ -205,10 +225,14 @@ fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: 
     Ok((motion, stopped))
 }
 
+/// The entries of a homogeneous matrix by rows.
+pub(crate) fn rows_of(matrix: &Matrix4<f64>) -> [f64; 16] {
+    core::array::from_fn(|k| matrix[(k / 4, k % 4)])
+}
+
 /// The homogeneous matrix of a pose by rows.
 pub(crate) fn by_rows(pose: &Pose<f64>) -> [f64; 16] {
-    let matrix = pose.homogeneous();
-    core::array::from_fn(|k| matrix[(k / 4, k % 4)])
+    rows_of(&pose.homogeneous())
 }
 
 impl Motion {
@@ -253,10 +277,11 @@ impl Arm {
         plan: Plan,
         law: Option<Py<PyAny>>,
         constant: Vec<f64>,
+        wrench: Option<Py<PyAny>>,
     ) -> PyResult<(Bound<'py, PyDict>, Option<Stopped>)> {
         let kinds = (plan.method()?, plan.friction()?);
         let robot = self.all_functions(py)?;
-        let force = Force::new(law, constant);
+        let force = Force::new(law, constant, wrench);
         let (ran, force) = py.detach(move || {
             let ran = match robot.robot().floating() {
                 Some(_) => on_base(&robot, &plan, kinds, &force),

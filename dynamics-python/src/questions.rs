@@ -1,14 +1,20 @@
 //! What a robot says of its functions: formulas, operations, source code, and a check.
 
+use std::sync::Arc;
+
+use dynamics_cli::page;
+use dynamics_cli::rust::source;
+use dynamics_codegen::Model;
 use dynamics_runtime::check::Check;
 use dynamics_symbolic::emit::{
     c_source, javascript_module, matlab_files, python_module, snake_case,
 };
 use dynamics_symbolic::formula::{Budget, Format, Formulas};
 use dynamics_symbolic::{Proven, Request};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
+use crate::description::Description;
 use crate::robot::Arm;
 
 /// How far formulas are multiplied out before they are given up, for each term that one may have.
@@ -17,8 +23,61 @@ const PRODUCTS_FOR_EACH_TERM: usize = 30;
 /// A function in the report of a check: its name, the largest error relative to its scale, and the largest that passes.
 type Compared = (String, f64, f64);
 
+impl Arm {
+    /// The expansion of the macro, which derives the functions anew.
+    fn rust(&self, py: Python<'_>, functions: &[String]) -> PyResult<(String, String)> {
+        if !self.fields.is_empty() {
+            let message =
+                "`lang` is \"rust\", and the robot has fields: the macro makes a struct of them";
+            return Err(PyValueError::new_err(message));
+        }
+        let requests = functions.iter().map(|name| {
+            let place = self.description.place(name)?;
+            Ok(self.description.request(place).clone())
+        });
+        let requests: Vec<Request> = requests.collect::<PyResult<_>>()?;
+        let robot = self.description.robot.clone();
+        let source = py.detach(|| {
+            let name = robot.name.clone();
+            let model = Model {
+                robot,
+                requests: requests.into_iter().map(|of| (of, None)).collect(),
+                tests: false,
+                neglect: None,
+                notes: Vec::new(),
+            };
+            source(&name, model, None)
+        });
+        source.map_err(PyRuntimeError::new_err)
+    }
+}
+
 #[pymethods]
 impl Arm {
+    /// The page of the robot: a file that shows it in motion.
+    fn page(&self, py: Python<'_>) -> PyResult<String> {
+        let mut robot = self.description.robot.clone();
+        let poses = page::shown_poses(&mut robot);
+        let requests = page::FUNCTIONS.map(Request::from).into_iter();
+        let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
+        let shown = Arc::new(Description::new(robot, requests));
+        let places = 0..page::FUNCTIONS.len() + poses.len();
+        let programs = places.map(|place| {
+            let derived = shown.derived(py, place)?;
+            Ok((derived.request.clone(), derived.proven.clone()))
+        });
+        let programs: Vec<_> = programs.collect::<PyResult<_>>()?;
+        let names = shown.robot.fields.iter().cloned();
+        let fields: Vec<_> = names.zip(self.fields.iter().copied()).collect();
+        if let Some((name, _)) = fields.iter().find(|(_, value)| value.is_nan()) {
+            let message =
+                format!("field `{name}` has no value: `with_fields({name}=..)` gives it one");
+            return Err(PyValueError::new_err(message));
+        }
+        let start = page::Start::default();
+        Ok(page::Page::new(&shown.robot, &programs, &poses, &fields, &start).html)
+    }
+
     /// How many products, sums, quotients, pairs of sine and cosine, and exponentials a function takes.
     fn operations(&self, py: Python<'_>, function: &str) -> PyResult<(u32, u32, u32, u32, u32)> {
         let counted = self.derived(py, function)?.proven.program.operations();
@@ -102,11 +161,12 @@ impl Arm {
                 "mjs",
                 javascript_module(robot, &programs(&functions)?),
             )],
+            "rust" => vec![self.rust(py, &functions)?],
             "matlab" => matlab_files(robot, &programs(&functions)?),
             "python" => vec![file("py", python_module(robot, &programs(&functions)?))],
             _ => {
                 return Err(PyValueError::new_err(format!(
-                    "`lang` is {language:?}: expected \"c\", \"js\", \"matlab\" or \"python\""
+                    "`lang` is {language:?}: expected \"rust\", \"c\", \"js\", \"matlab\" or \"python\""
                 )));
             }
         })

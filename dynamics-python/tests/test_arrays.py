@@ -140,6 +140,10 @@ def test_results_in_an_array_of_the_caller(arm: rd.Robot, lead: tuple[int, ...])
     arm.inverse_dynamics(q, qd, qdd, out=strided[..., ::2])
     np.testing.assert_array_equal(strided[..., ::2], tau)
     assert np.isnan(strided[..., 1::2]).all()
+    single = [x.astype(np.float32) for x in (q, qd, qdd)]
+    out = np.empty((*lead, 7), dtype=np.float32)
+    assert arm.inverse_dynamics(*single, out=out) is out
+    np.testing.assert_array_equal(out, arm.inverse_dynamics(*single))
     own = qdd.copy()
     assert arm.inverse_dynamics(q, qd, own, out=own) is own
     np.testing.assert_array_equal(own, tau)

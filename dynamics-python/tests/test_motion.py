@@ -108,6 +108,24 @@ def test_an_exception_of_the_law_is_raised(cart: rd.Robot) -> None:
         cart.simulate([0.0], torque=lambda t, q, qd: [0, 0])
 
 
+def test_a_force_at_the_tool() -> None:
+    """From 1 m on a wall pushes back: the cart returns with its speed."""
+    arm = rd.Robot.from_toml(
+        CART, gravity=[0, -9.7, 0], functions=["default", "forward_kinematics", "jacobian"]
+    )
+
+    def wall(t: float, pose: np.ndarray, twist: np.ndarray) -> list[float]:
+        assert pose.shape == (4, 4) and twist.shape == (6,)
+        return [0, 0, -800 * max(pose[2, 3] - 1, 0), 0, 0, 0]
+
+    motion = arm.simulate([0.0], [1.0], tool_wrench=wall, duration=2.0, tolerance=1e-10)
+    np.testing.assert_allclose(motion.qd[[0, -1], 0], [1, -1], atol=1e-6)
+    with pytest.raises(ValueError, match="`tool_wrench` returned 3 numbers: expected 6"):
+        arm.simulate([0.0], tool_wrench=lambda t, pose, twist: [0, 0, 0])
+    with pytest.raises(ValueError, match="forward_kinematics"):
+        rd.Robot.from_toml(CART).simulate([0.0], tool_wrench=wall)
+
+
 def test_stops_and_limits(cart: rd.Robot) -> None:
     with pytest.raises(rd.SimulationError, match="rail|joint 1") as raised:
         cart.simulate([0.0], limits_are_errors=True, duration=4)

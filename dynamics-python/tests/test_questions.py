@@ -1,5 +1,7 @@
 """Formulas, operations, source code and checks."""
 
+import html
+
 import numpy as np
 import pytest
 
@@ -34,12 +36,16 @@ def test_formulas(two_link: rd.Robot) -> None:
         two_link.formulas("forward_dynamics")
 
 
-def test_source_in_other_languages(two_link: rd.Robot) -> None:
+def test_source_in_other_languages(arm: rd.Robot, two_link: rd.Robot) -> None:
     header, source = two_link.source("c", functions=["mass_matrix"]).items()
     assert header[0].endswith(".h") and source[0].endswith(".c") and "mass_matrix" in source[1]
     (module,) = two_link.source("js").values()
     assert "export function inverse_dynamics" in module
     assert "mass_matrix.m" in two_link.source("matlab", functions=["mass_matrix"])
+    with pytest.raises(ValueError, match="the robot has fields"):
+        two_link.source("rust")
+    (expansion,) = arm.source("rust", functions=["gravity_vector"]).values()
+    assert "pub struct Panda" in expansion and "pub fn gravity_vector" in expansion
     with pytest.raises(ValueError, match="`lang` is \"fortran\""):
         two_link.source("fortran")
 
@@ -54,6 +60,15 @@ def test_a_function_for_other_namespaces(arm: rd.Robot, two_link: rd.Robot) -> N
 
     M = two_link.function("mass_matrix")(Fields, np.zeros(2))
     np.testing.assert_allclose(M, two_link.mass_matrix(np.zeros(2)), atol=1e-14)
+
+
+def test_a_notebook_shows_the_page(arm: rd.Robot, two_link: rd.Robot) -> None:
+    page = two_link.page()
+    assert page.startswith("<!DOCTYPE html>") and "robotEquations" in page and "shoulder" in page
+    shown = two_link._repr_html_()
+    assert shown is not None and html.unescape(shown).count(page) == 1
+    without_values = rd.Robot.from_file(DATA / "files" / "two_link.toml", fields=list(FIELDS))
+    assert without_values._repr_html_() is None
 
 
 def test_functions_are_checked(arm: rd.Robot) -> None:
@@ -81,6 +96,6 @@ def test_identified_robots() -> None:
     same = pickle.loads(pickle.dumps(identified))
     np.testing.assert_array_equal(same.mass_matrix(q), identified.mass_matrix(q))
     free = arm.identified(nearest, friction=np.zeros((7, 3)))
-    assert not free.friction_vector(qd).any() if "friction_vector" in free.functions else True
+    assert not free.friction_vector(qd).any()
     with pytest.raises(ValueError, match="base_parameters"):
         arm.identified(b[:-1])

@@ -183,6 +183,8 @@ def test_a_base_that_moves() -> None:
         joint=[{"name": "elbow", "type": "revolute", "mass": 1, "com": [0.2, 0, 0]}],
     )
     assert arm.dof == 7 and arm.joint_names == ["elbow"]
+    assert arm.inverse_dynamics.arguments == ["base", "q", "v", "a"]
+    assert repr(arm.mass_matrix) == "<function mass_matrix(q) of TOML>"
     pose = np.eye(4)
     pose[:3, 3] = [1, 2, 3]
     q, v, a = np.zeros(1), np.zeros(7), np.zeros(7)

@@ -37,7 +37,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             several("field", "NAME=VALUE")
-                .help("The value of a name in the file's cells, such as load=2.5; may be given several times"),
+                .help("The value of a name in the file's cells, such as load=2.5; may be given several times. `show` and `generate` keep names without a value"),
         )
         .arg(
             words("lock", "JOINT=POSITION")

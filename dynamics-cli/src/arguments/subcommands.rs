@@ -33,7 +33,8 @@ fn show() -> Command {
             "Print the table, of a URDF file the joints as it places them; and, of each function, what it is, its units, its operations, which of its entries are \
              zero or constant and on what the others depend, and the formulas of arms of up to three joints. With \
              --format, print the formulas alone, of arms of any length. Formulas of more than --terms terms are not \
-             printed, nor those that take too long to multiply out: a sentence names them.",
+             printed, nor those that take too long to multiply out: a sentence names them. Names in the file's cells that \
+             have no value are fields: they are listed first, and stand in the formulas.",
         )
         .arg(functions())
         .arg(choice("format", "FORMAT", ["text", "latex", "mathml"]).help("Print formulas alone, in this format"))
@@ -83,7 +84,9 @@ fn generate() -> Command {
              dependencies, which are C++ and device code as well; with --scalar float it has its own sines, with the digits \
              of Rust's `f32`, and no operation in double precision. `js` is an ES module. `python` is a module for numpy, \
              jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. The same file \
-             gives the same bytes each time.",
+             gives the same bytes each time.\n\n\
+             Names in the file's cells that have no value are fields: of the struct in Rust, of a struct in C and MATLAB, \
+             of an object in JavaScript and Python, which is the first argument.",
         )
         .arg(functions())
         .arg(

@@ -13,8 +13,8 @@ use dynamics_symbolic::function::Argument;
 
 use crate::failure::Failure;
 use crate::load::{arm, count, file_of, read_on_any_base, requests};
-use crate::poses::poses;
 use crate::state::State;
+use dynamics_cli::poses::poses;
 use labels::Labels;
 use tables::{Tables, state_table};
 

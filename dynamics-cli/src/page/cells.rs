@@ -3,11 +3,8 @@
 use dynamics_symbolic::robot::{Robot, Row, Value};
 
 use super::literal::number;
-
-/// A field's name without the `r#` of a raw identifier.
-fn plain(field: &str) -> &str {
-    field.strip_prefix("r#").unwrap_or(field)
-}
+use crate::cell::plain;
+pub(super) use crate::cell::text;
 
 /// A cell over the fields, which are properties of `arm`.
 pub(super) fn code(robot: &Robot, value: &Value) -> String {
@@ -23,58 +20,6 @@ pub(super) fn code(robot: &Robot, value: &Value) -> String {
         Value::Add(a, b) => format!("({} + {})", of(a), of(b)),
         Value::Mul(a, b) => format!("({} * {})", of(a), of(b)),
         Value::Div(a, b) => format!("({} / {})", of(a), of(b)),
-    }
-}
-
-/// How tightly an operation binds.
-#[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Binding {
-    Sum,
-    Product,
-    Factor,
-}
-
-/// A cell as a person writes it, where fields are in it: `l / 2`, `-m g`.
-pub(super) fn text(robot: &Robot, value: &Value) -> Option<String> {
-    (!value.is_number()).then(|| written(robot, value, Binding::Sum))
-}
-
-fn written(robot: &Robot, value: &Value, around: Binding) -> String {
-    let of = |value: &Value, around| written(robot, value, around);
-    let (binding, text) = match value {
-        Value::Field(i) => (Binding::Factor, plain(&robot.fields[*i]).to_owned()),
-        Value::Pi => (Binding::Factor, "\u{3c0}".to_owned()),
-        Value::Rational(_) => {
-            let x = value.to_f64(&[]);
-            let binding = if x < 0.0 {
-                Binding::Sum
-            } else {
-                Binding::Factor
-            };
-            (binding, x.to_string())
-        }
-        Value::Neg(a) => (Binding::Sum, format!("-{}", of(a, Binding::Product))),
-        Value::Add(a, b) => {
-            let (a, b) = (of(a, Binding::Sum), of(b, Binding::Sum));
-            let text = match b.strip_prefix('-') {
-                Some(opposite) => format!("{a} - {opposite}"),
-                None => format!("{a} + {b}"),
-            };
-            (Binding::Sum, text)
-        }
-        Value::Mul(a, b) => {
-            let text = format!("{} {}", of(a, Binding::Product), of(b, Binding::Product));
-            (Binding::Product, text)
-        }
-        Value::Div(a, b) => {
-            let text = format!("{} / {}", of(a, Binding::Product), of(b, Binding::Factor));
-            (Binding::Product, text)
-        }
-    };
-    if binding < around {
-        format!("({text})")
-    } else {
-        text
     }
 }
 

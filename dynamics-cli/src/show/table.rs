@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use dynamics_cli::cell::{plain, text};
 use dynamics_symbolic::robot::{
     Body, Convention, Frame, JointType, Mount, Placement, Robot, Row, Value,
 };
@@ -20,8 +21,9 @@ pub(super) fn table(robot: &Robot) -> String {
         1 => "1 joint that moves".to_owned(),
         count => format!("{count} joints that move"),
     };
-    let (name, gravity) = (&robot.name, numbers(&robot.gravity));
+    let (name, gravity) = (&robot.name, numbers(robot, &robot.gravity));
     let mut text = format!("{name}: {joints}, {how}, gravity {gravity} m/s^2\n\n");
+    text.push_str(&fields(robot));
     let joints = robot.rows.iter().map(|row| &row.name);
     let names = joints.chain(robot.frames.iter().map(|frame| &frame.name));
     let widest = names.map(|name| name.chars().count()).max();
@@ -41,10 +43,10 @@ pub(super) fn table(robot: &Robot) -> String {
         );
     }
     if let Some(base) = robot.placement() {
-        let _ = writeln!(text, "{:<width$}{}", "base", place(base));
+        let _ = writeln!(text, "{:<width$}{}", "base", place(robot, base));
     }
     if let Some(Body { mass, com, inertia }) = robot.floating() {
-        let body = body(mass, com, inertia);
+        let body = body(robot, mass, com, inertia);
         let _ = writeln!(text, "{:<width$}{:<11}{body}", "base", "moves");
     }
     for (i, row) in robot.rows.iter().enumerate() {
@@ -58,8 +60,13 @@ pub(super) fn table(robot: &Robot) -> String {
     }
     text.push_str(&tip(robot, width).unwrap_or_default());
     if let Some(tool) = &robot.tool {
-        let body = body(&tool.mass, &tool.com, &tool.inertia);
-        let _ = writeln!(text, "{:<width$}{}{body}", "tool", place(&tool.placement));
+        let body = body(robot, &tool.mass, &tool.com, &tool.inertia);
+        let _ = writeln!(
+            text,
+            "{:<width$}{}{body}",
+            "tool",
+            place(robot, &tool.placement)
+        );
     }
     if !robot.frames.is_empty() {
         text.push('\n');
@@ -75,8 +82,20 @@ fn tip(robot: &Robot, width: usize) -> Option<String> {
     let row = robot.tip_row()?;
     let tip = robot.rows[row].tip()?;
     let is_known = robot.is_serial() && tip.is_empty();
-    let (on, tip) = (carrier(robot, link(robot, Some(row)), width), places(tip));
+    let (on, tip) = (
+        carrier(robot, link(robot, Some(row)), width),
+        places(robot, tip),
+    );
     (!is_known).then(|| format!("{:<width$}{:<11}{on}{tip}\n", "tip", "fixed"))
+}
+
+/// The names in the cells that have no value.
+fn fields(robot: &Robot) -> String {
+    if robot.fields.is_empty() {
+        return String::new();
+    }
+    let names: Vec<_> = robot.fields.iter().map(|field| plain(field)).collect();
+    format!("fields: {}\n\n", names.join(", "))
 }
 
 /// The link behind a row, by the name of its joint.
@@ -96,43 +115,48 @@ fn carrier(robot: &Robot, on: &str, width: usize) -> String {
 /// A frame, and the body that is fixed there.
 fn of_frame(robot: &Robot, frame: &Frame, width: usize) -> String {
     let (name, on) = (&frame.name, link(robot, frame.on));
-    let places = places(&frame.places);
+    let places = places(robot, &frame.places);
     let fixed = match &frame.body {
-        Some(Body { mass, com, inertia }) => body(mass, com, inertia),
+        Some(Body { mass, com, inertia }) => body(robot, mass, com, inertia),
         None => String::new(),
     };
     format!("{name:<width$}{:<11}on {on}  {places}{fixed}\n", "frame")
 }
 
 /// A body at a place.
-fn body(mass: &Value, com: &[Value; 3], inertia: &[Value; 6]) -> String {
-    let (mass, com, inertia) = (number(mass), numbers(com), numbers(inertia));
+fn body(robot: &Robot, mass: &Value, com: &[Value; 3], inertia: &[Value; 6]) -> String {
+    let (mass, com, inertia) = (
+        number(robot, mass),
+        numbers(robot, com),
+        numbers(robot, inertia),
+    );
     format!("  mass {mass}  com {com}  inertia {inertia}")
 }
 
 /// The cells of a row of a Denavit-Hartenberg table.
 fn cells(robot: &Robot, row: &Row) -> String {
-    let cell = |value: &Value| match value.to_f64(&[]) {
+    let of_number = |value: &Value| match value.to_f64(&[]) {
         x if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) => format!("{x:.2e}"),
         x => format!("{x:.6}")
             .trim_end_matches('0')
             .trim_end_matches('.')
             .to_owned(),
     };
+    let cell = |value: &Value| text(robot, value).unwrap_or_else(|| of_number(value));
     let columns = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
-    let columns = columns.map(|value| format!("{:>10}", cell(value))).concat();
-    let (com, further) = (numbers(&row.com), further(robot, row));
+    let columns = columns.map(|value| format!(" {:>9}", cell(value))).concat();
+    let (com, further) = (numbers(robot, &row.com), further(robot, row));
     let at = if row.at.is_empty() {
         String::new()
     } else {
-        format!("  at {}", places(&row.at))
+        format!("  at {}", places(robot, &row.at))
     };
     format!("{columns}  {com}{at}{further}\n")
 }
 
 /// Where a joint of a URDF file is, and its link.
 fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
-    let places = places(&row.at);
+    let places = places(robot, &row.at);
     let [azimuth, polar] = mount.axis.each_ref().map(|angle| angle.to_f64(&[]));
     let axis = [
         polar.sin() * azimuth.cos(),
@@ -142,7 +166,7 @@ fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
     // The sine of pi is 1.2e-16 in doubles.
     let axis = axis.map(|x| shortest(if x.abs() < 1e-15 { 0.0 } else { x }));
     let axis = axis.join(", ");
-    let (mass, com) = (number(&row.mass), numbers(&row.com));
+    let (mass, com) = (number(robot, &row.mass), numbers(robot, &row.com));
     let further = further(robot, row);
     format!(
         "{places}  axis [{axis}]\n{:width$}mass {mass}  com {com}{further}\n",
@@ -174,16 +198,17 @@ fn further(robot: &Robot, row: &Row) -> String {
     let mut text = String::new();
     for (word, values) in entries {
         if values.iter().any(|value| !value.is_zero()) {
-            let _ = write!(text, "  {word} {}", numbers(values));
+            let _ = write!(text, "  {word} {}", numbers(robot, values));
         }
     }
     if let Some(coupling) = &row.follows {
         let leader = &robot.rows[coupling.leader].name;
-        let [factor, offset] = [&coupling.factor, &coupling.offset].map(number);
+        let [factor, offset] =
+            [&coupling.factor, &coupling.offset].map(|value| number(robot, value));
         let _ = write!(text, "  follows {factor} {leader} + {offset}");
     }
     if let Some(position) = &row.locked {
-        let _ = write!(text, "  locked at {}", number(position));
+        let _ = write!(text, "  locked at {}", number(robot, position));
     }
     text
 }
@@ -196,23 +221,32 @@ fn joint_type(row: &Row) -> &'static str {
 }
 
 /// Places one after the other, but for those that change nothing.
-fn places(places: &[Placement]) -> String {
+fn places(robot: &Robot, places: &[Placement]) -> String {
     let is_still = |x: &Placement| x.xyz.iter().chain(&x.rpy).all(Value::is_zero);
     let (still, moving): (Vec<_>, Vec<_>) = places.iter().partition(|place| is_still(place));
     let first = still.into_iter().take(usize::from(moving.is_empty()));
-    let shown: Vec<_> = moving.iter().copied().chain(first).map(place).collect();
+    let shown = moving.iter().copied().chain(first);
+    let shown: Vec<_> = shown.map(|one| place(robot, one)).collect();
     shown.join(", then ")
 }
 
-fn place(place: &Placement) -> String {
-    format!("xyz {}  rpy {}", numbers(&place.xyz), numbers(&place.rpy))
+fn place(robot: &Robot, place: &Placement) -> String {
+    format!(
+        "xyz {}  rpy {}",
+        numbers(robot, &place.xyz),
+        numbers(robot, &place.rpy)
+    )
 }
 
-fn number(value: &Value) -> String {
-    shortest(value.to_f64(&[]))
+/// A number, or a cell with the names of fields.
+fn number(robot: &Robot, value: &Value) -> String {
+    text(robot, value).unwrap_or_else(|| shortest(value.to_f64(&[])))
 }
 
-fn numbers<'v>(values: impl IntoIterator<Item = &'v Value>) -> String {
-    let numbers: Vec<_> = values.into_iter().map(number).collect();
+fn numbers<'v>(robot: &Robot, values: impl IntoIterator<Item = &'v Value>) -> String {
+    let numbers: Vec<_> = values
+        .into_iter()
+        .map(|value| number(robot, value))
+        .collect();
     format!("[{}]", numbers.join(", "))
 }

@@ -5,6 +5,7 @@ mod calls;
 mod command;
 mod convert;
 mod evaluate;
+mod fields;
 mod formulas;
 mod help;
 mod long_arms;

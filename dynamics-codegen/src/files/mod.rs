@@ -7,6 +7,8 @@
 #[cfg(feature = "files")]
 mod beside;
 #[cfg(feature = "files")]
+mod fields;
+#[cfg(feature = "files")]
 pub(crate) mod json;
 #[cfg(feature = "files")]
 mod load;

@@ -7,7 +7,7 @@ use std::path::Path;
 use dynamics_symbolic::exact::Rational;
 
 use super::request::{Format, MovingBase, Request};
-use super::{beside, json, toml, urdf};
+use super::{beside, fields, json, toml, urdf};
 use crate::description::{Entry, Expr, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
@@ -212,6 +212,7 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     table.fields.extend(beside.fields);
     table.audience = beside.audience;
     table.needed = beside.needed;
+    fields::complete(&mut table, beside.names_are_fields);
     table
 }
 

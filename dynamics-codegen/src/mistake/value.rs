@@ -102,6 +102,16 @@ pub(crate) fn unknown_name(
     })
 }
 
+mistakes! {
+    /// A name that the file's own list of fields does not have.
+    unlisted_name(name: &str => shortened) "unknown name `{name}`: `fields` of the file does not list it";
+}
+
+/// Whether the name may be that of a field: it is none of what is infinite, or of a constant that is written otherwise.
+pub(crate) fn may_be_a_field(name: &str) -> bool {
+    is_free(name) && crate::words::constant_of_std(name).is_none() && name.to_lowercase() != "pi"
+}
+
 /// Whether the name may stand for a number: `inf` stands for none.
 fn is_free(name: &str) -> bool {
     !["nan", "inf", "infinity"].contains(&name.to_lowercase().as_str())

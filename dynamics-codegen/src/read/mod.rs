@@ -12,13 +12,12 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Convention;
 
 use crate::description::{
-    Allow, Asked, Entry, Expr, FileName, Frame, Link, Name, Placement, Positioned, Share, Table,
-    Tool, Vector, Wanted,
+    Allow, Asked, Entry, FileName, Frame, Link, Name, Placement, Positioned, Share, Table, Tool,
+    Vector, Wanted,
 };
 use crate::diagnose::Diagnostics;
 use crate::keys::{CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
 use crate::mistake::{self, expected};
-use crate::place::Place;
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
 use reader::{Item, Read, Reader, put};
@@ -51,7 +50,11 @@ pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) 
 
 /// A value that is written as a text in a file.
 #[cfg(feature = "files")]
-pub(crate) fn written_value(text: &str, place: Place, diagnostics: &Diagnostics) -> Option<Expr> {
+pub(crate) fn written_value(
+    text: &str,
+    place: crate::place::Place,
+    diagnostics: &Diagnostics,
+) -> Option<crate::description::Expr> {
     let mut reader = Reader {
         language: Language::Toml,
         diagnostics,
@@ -111,6 +114,7 @@ impl Reader<'_> {
             "couple" => add(to, Entry::Couple, self.couple(node)),
             "neglect" => add(to, Entry::Neglect, self.share(node)),
             "tests" => add(to, |tests| Entry::Tests(place, tests), self.truth(node)),
+            "fields" => add(to, Entry::Fields, self.fields(node)),
             "allow" => add(to, Entry::Allow, self.allow(node, &Allow::WORDS)),
             "file" => add(to, Entry::File, self.file(node)),
             "chain" => add(to, Entry::Chain, self.chain(node)),
@@ -136,6 +140,16 @@ impl Reader<'_> {
     fn binding(&mut self, key: &Key, node: &Node, entries: &mut Vec<Entry>) -> Read<()> {
         let name = self.rust_name("a name", key)?;
         add(entries, |value| Entry::Let(name, value), self.value(node))
+    }
+
+    /// `["m1", "l1"]`, names of symbolic parameters.
+    fn fields(&mut self, node: &Node) -> Read<Vec<Name>> {
+        let what = expected::thing("an array of names, such as [\"m1\", \"l1\"]");
+        self.list(node, &what, |reader, node| {
+            let name = reader.name_of(node, &what)?;
+            let key = Key::new(name.plain(), node.place);
+            reader.rust_name("a field", &key)
+        })
     }
 
     fn convention(&self, node: &Node) -> Read<Convention> {

@@ -92,6 +92,18 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
     is_good.then_some(model)
 }
 
+/// The names in the values of a table that nothing binds, in the order in which they are read. Mistakes are reported when
+/// the table is read with its fields.
+#[cfg(feature = "files")]
+pub(crate) fn free_names(table: &Table) -> Vec<String> {
+    Diagnostics::without(|diagnostics| {
+        let mut scope = Scope::new(table, diagnostics);
+        let parts = Parts::read(table, &mut scope);
+        drop(parts);
+        scope.into_free_names()
+    })
+}
+
 /// The value of an expression without fields and `let`.
 #[cfg(feature = "files")]
 pub(crate) fn constant(expr: &Expr) -> Option<Value> {
@@ -200,7 +212,11 @@ impl Parts {
                         .frames
                         .extend(frames.map(|frame| frames::frame(frame, table, scope)));
                 }
-                Entry::Chain(_) | Entry::Ignore(_) | Entry::RoundAngles(_) | Entry::Allow(_) => {}
+                Entry::Chain(_)
+                | Entry::Ignore(_)
+                | Entry::RoundAngles(_)
+                | Entry::Fields(_)
+                | Entry::Allow(_) => {}
             }
         }
         frames::report_names(table, scope);

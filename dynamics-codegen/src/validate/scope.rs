@@ -7,7 +7,7 @@ use dynamics_symbolic::robot::Value;
 
 use super::measured::{self, Measured};
 use super::{angle, elementary};
-use crate::audience::AT_THE_END;
+use crate::audience::{AT_THE_END, Audience};
 use crate::description::{
     Allow, Elementary, Entry, Expr, ExprKind, Given, Name, Operator, Row, Table, Vector,
 };
@@ -42,6 +42,12 @@ pub(super) struct Scope<'d> {
     follower: Option<String>,
     /// The names of all joints.
     joints: Vec<String>,
+    /// Names that nothing binds, in the order in which they are read.
+    free: Vec<String>,
+    /// Whether the file lists its fields.
+    lists_fields: bool,
+    /// Whether a name that nothing binds is reported once, and not where it is used again.
+    once: bool,
 }
 
 /// The size of values.
@@ -73,6 +79,9 @@ impl<'d> Scope<'d> {
             variable: None,
             follower: None,
             joints: joints.map(|name| name.plain().to_owned()).collect(),
+            free: Vec::new(),
+            lists_fields: table.lists_fields(),
+            once: table.audience == Audience::Command,
         };
         for name in &table.fields {
             let index = scope.used.len();
@@ -455,11 +464,40 @@ impl<'d> Scope<'d> {
             }
             Some(Binding::Let(value)) => value.clone(),
             None if self.complete && !self.diagnostics.is_full() => {
+                if self.once && self.free.iter().any(|known| known == word) {
+                    return None;
+                }
+                self.free.push(word.to_owned());
                 let mistake = self.unknown(name);
                 self.refused(place, mistake)
             }
-            None => None,
+            None => {
+                self.note_free(word);
+                None
+            }
         }
+    }
+
+    /// Notes a name that may be that of a field.
+    fn note_free(&mut self, name: &str) {
+        // The leader of a follower was meant to be a joint.
+        let is_leader = self.follower.is_some()
+            && words::nearest(
+                name,
+                &self.joints.iter().map(String::as_str).collect::<Vec<_>>(),
+            )
+            .is_some();
+        let is_bound = self.lets.iter().any(|bound| bound == name);
+        let is_known = self.free.iter().any(|known| known == name);
+        if !(is_leader || is_bound || is_known) && mistake::may_be_a_field(name) {
+            self.free.push(name.to_owned());
+        }
+    }
+
+    /// The names that were noted.
+    #[cfg(feature = "files")]
+    pub(super) fn into_free_names(self) -> Vec<String> {
+        self.free
     }
 
     /// The mistake of a name that is not in scope. A field that was meant is used.
@@ -480,6 +518,9 @@ impl<'d> Scope<'d> {
         let meant = words::nearest(name, &[names.as_slice(), &["PI"]].concat());
         if let Some(Binding::Field(index)) = meant.and_then(|meant| self.names.get(meant)) {
             self.used[*index] = true;
+        }
+        if meant.is_none() && self.lists_fields && mistake::may_be_a_field(name) {
+            return mistake::unlisted_name(name);
         }
         mistake::unknown_name(name, meant, &names, self.variable)
     }

@@ -111,7 +111,7 @@ def simulate(
     settings: dict[str, Any],
 ) -> Trajectory:
     """The motion of a robot from rest, or from velocities."""
-    torque = settings.pop("torque")
+    torque, wrench = settings.pop("torque"), settings.pop("tool_wrench")
     unknown = sorted(set(settings) - set(SETTINGS) - {"duration", "samples", "method"})
     if unknown:
         raise TypeError(f"unknown settings {unknown}: expected some of {', '.join(SETTINGS)}")
@@ -127,7 +127,9 @@ def simulate(
         "q": _vector("q", q, len(arm.joint_names)),
         "v": _vector("qd", qd, arm.dof),
     }
-    arrays, stopped = arm.simulate(plan, law, _vector("torque", constant, arm.dof))
+    if wrench is not None and moves:
+        raise ValueError("`tool_wrench` is of a robot whose base stands: this one moves")
+    arrays, stopped = arm.simulate(plan, law, _vector("torque", constant, arm.dof), wrench)
     motion = _trajectory(arrays, arm.joint_names)
     if stopped is None:
         return motion

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 import types
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -142,7 +143,7 @@ class Robot:
     def source(self, lang: str, functions: Iterable[str] | None = None) -> dict[str, str]:
         """Functions as source code: the texts of files by their names.
 
-        `lang` is `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names.
+        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names; Rust is of robots without fields.
         """
         return dict(self._arm.source(lang, list(functions or self.functions)))
 
@@ -172,6 +173,7 @@ class Robot:
         samples: int = 101,
         method: str = "dormand_prince",
         base: ArrayLike | None = None,
+        tool_wrench: Law | None = None,
         **settings: Any,
     ) -> Trajectory:
         """Follows the motion from positions `q` and velocities `qd` under the torques of a law.
@@ -182,6 +184,8 @@ class Robot:
         `dop853`, `radau5`. Methods of a fixed `step`: `explicit_euler`, `craig_euler`, `semi_implicit_euler`,
         `runge_kutta4`, `implicit_midpoint`, `gauss_legendre4`, `gauss_legendre6`. Further settings:
 
+        `tool_wrench`: the force at the tool, `law(t, pose, twist)` to `(fx, fy, fz, nx, ny, nz)` in the axes of `jacobian`;
+        `forward_kinematics` and `jacobian` must be among the functions.
         `friction`: `"sign"`, `"sticking"` (joints stop and stick, as events), or `"regularised"` by a `speed`.
         `stops`: the restitution with which joints rebound at the limits of the table, from 0 to 1.
         `limits_are_errors`: whether the motion ends where a joint passes a limit.
@@ -189,7 +193,13 @@ class Robot:
 
         `SimulationError` where the motion ends early, with all samples before.
         """
-        given = {"torque": torque, "duration": duration, "samples": samples, "method": method}
+        given = {
+            "torque": torque,
+            "duration": duration,
+            "samples": samples,
+            "method": method,
+            "tool_wrench": tool_wrench,
+        }
         return simulate(self._arm, q, qd, base, {**given, **settings})
 
     def identified(
@@ -223,6 +233,21 @@ class Robot:
             expected = ", ".join(self._functions)
             raise ValueError(f"`{name}` was not asked for by `functions`: expected one of {expected}")
         return self._functions[name]
+
+    def page(self) -> str:
+        """The page of the robot: one HTML file that shows it in motion, with its table and its functions.
+
+        `ValueError` of a robot whose base moves.
+        """
+        return self._arm.page()
+
+    def _repr_html_(self) -> str | None:
+        """The page, in a notebook."""
+        try:
+            page = html.escape(self.page())
+        except ValueError:
+            return None
+        return f'<iframe srcdoc="{page}" width="100%" height="640" style="border:0"></iframe>'
 
     def __reduce__(self) -> tuple[Any, ...]:
         values = {name: x for name, x in self.fields.items() if x == x}

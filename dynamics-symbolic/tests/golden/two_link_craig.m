@@ -15,6 +15,8 @@ function value = mass_matrix(arm, q)
 %   M22 = m2 l2^2
 %   with c2 = cos(q2)
 %
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
+%
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
@@ -56,6 +58,8 @@ function value = coriolis_vector(arm, q, qd)
 %   V1 = -2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2
 %   V2 = m2 l1 l2 s2 qd1^2
 %   with s2 = sin(q2)
+%
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
@@ -99,6 +103,8 @@ function value = gravity_vector(arm, q)
 %   G1 = l1 g (m1 + m2) c1 + m2 l2 g c12
 %   G2 = m2 l2 g c12
 %   with c1 = cos(q1), c12 = cos(q1 + q2)
+%
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
@@ -144,6 +150,8 @@ function value = inverse_dynamics(arm, q, qd, qdd)
 %   tau1 = l1 g (m1 + m2) c1 + m2 l2 g c12 - 2 m2 l1 l2 s2 qd1 qd2 - m2 l1 l2 s2 qd2^2 + (l1^2 (m1 + m2) + m2 l2^2 + 2 m2 l1 l2 c2) qdd1 + (m2 l2^2 + m2 l1 l2 c2) qdd2
 %   tau2 = m2 l2 g c12 + m2 l1 l2 s2 qd1^2 + (m2 l2^2 + m2 l1 l2 c2) qdd1 + m2 l2^2 qdd2
 %   with c1 = cos(q1), c12 = cos(q1 + q2), c2 = cos(q2), s2 = sin(q2)
+%
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
@@ -200,6 +208,8 @@ function value = forward_dynamics(arm, q, qd, tau)
 %   Operations: 23 multiplications, 14 additions, 2 divisions, sines and cosines of 2 angles.
 %
 %   Fails with `robot_dynamics:SingularMassMatrix` if M(q) is not positive definite to working precision or not finite, at one state of several.
+%
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
@@ -279,6 +289,8 @@ function value = kinetic_energy(arm, q, qd)
 %   T = (1/2 l1^2 (m1 + m2) + 1/2 m2 l2^2 + m2 l1 l2 c2) qd1^2 + (m2 l2^2 + m2 l1 l2 c2) qd1 qd2 + 1/2 m2 l2^2 qd2^2
 %   with c2 = cos(q2)
 %
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
+%
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
@@ -322,6 +334,8 @@ function value = potential_energy(arm, q)
 %
 %   U = l1 g (m1 + m2) s1 + m2 l2 g s12
 %   with s1 = sin(q1), s12 = sin(q1 + q2)
+%
+%   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
 %   Of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.

@@ -139,6 +139,22 @@ fn file(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String
     )
 }
 
+/// The lines about the argument that has the symbolic parameters, if there are some.
+fn of_fields(robot: &Robot) -> Vec<String> {
+    let names = robot.fields.iter().map(|field| free_name(field, WORDS));
+    let names: Vec<_> = names.collect();
+    match names.is_empty() {
+        true => Vec::new(),
+        false => vec![
+            String::new(),
+            format!(
+                "`arm`: a struct of the symbolic parameters {}.",
+                names.join(", ")
+            ),
+        ],
+    }
+}
+
 /// The text that `help` prints.
 fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String {
     let conventions = [
@@ -149,7 +165,7 @@ fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String
     ];
     let lines = documentation(robot, request, proven, REFUSAL).into_iter();
     let mut text = format!("%{}\n", name.to_uppercase());
-    for line in lines.chain(conventions) {
+    for line in lines.chain(of_fields(robot)).chain(conventions) {
         // A name with a line break would end the comment.
         let line = line.replace(char::is_control, " ");
         text.push_str(format!("%   {line}").trim_end());

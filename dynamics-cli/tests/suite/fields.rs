@@ -1,0 +1,271 @@
+//! Names in the cells of a file that nothing binds.
+
+use super::calls::{errors, file, folder, output};
+
+/// Two rods whose lengths and masses are names, the second one's mass a sum, on a planet of any gravity.
+pub(super) const NAMES: &str = r#"
+convention = "standard"
+gravity = [0, "-g", 0]
+
+[let]
+half = 0.5
+
+[[joint]]
+name = "shoulder"
+type = "revolute"
+a = "l1"
+mass = "m1"
+
+[[joint]]
+name = "elbow"
+type = "revolute"
+a = "half * l2"
+mass = "m2 + load"
+"#;
+
+/// The options that give the names their values.
+const VALUES: [&str; 12] = [
+    "--field", "g=9.81", "--field", "l1=1/2", "--field", "m1=2", "--field", "l2=0.8", "--field",
+    "m2=1", "--field", "load=3",
+];
+
+/// The same robot in numbers.
+fn in_numbers() -> String {
+    let numbers = [
+        ("-g", "-9.81"),
+        ("l1", "0.5"),
+        ("m1", "2"),
+        ("half * l2", "0.4"),
+        ("m2 + load", "4"),
+    ];
+    numbers
+        .into_iter()
+        .fold(NAMES.to_owned(), |text, (name, number)| {
+            text.replace(&format!("\"{name}\""), number)
+        })
+}
+
+/// The names stand first, in the table as they are written, and in formulas.
+#[test]
+fn names_are_shown() {
+    let names = file("names.toml", NAMES);
+    let asked = ["--functions", "mass_matrix,gravity_vector"];
+    let text = output(&[&["show", &names][..], &asked].concat());
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(
+        lines[..3],
+        [
+            "names: 2 joints that move, standard convention, gravity [0, -g, 0] m/s^2",
+            "",
+            "fields: g, l1, m1, l2, m2, load"
+        ]
+    );
+    for line in [
+        "shoulder  revolute           l1         0         0         0        m1  [0, 0, 0]",
+        "M22 = 1/4 l2^2 (m2 + load)",
+    ] {
+        assert!(
+            lines.iter().any(|shown| shown.trim() == line),
+            "{line}: {text}"
+        );
+    }
+    let latex = output(&[&["show", &names, "--format", "latex"][..], &asked].concat());
+    assert!(latex.contains("l_{1}") || latex.contains("l_1"), "{latex}");
+}
+
+/// A name with a value is a number everywhere, and the others stay names.
+#[test]
+fn values_are_folded() {
+    let names = file("folded.toml", NAMES);
+    let numbers = file("in_numbers.toml", in_numbers());
+    let alone = ["--functions", "mass_matrix", "--format", "text"];
+    let some = output(&[&["show", &names, "--field", "l2=2"][..], &alone].concat());
+    assert!(some.contains("M22 = m2 + load\n"), "{some}");
+    let all = output(&[&["show", &names][..], &alone, &VALUES].concat());
+    assert_eq!(all, output(&[&["show", &numbers][..], &alone].concat()));
+    for language in ["c", "rust", "js", "python"] {
+        let written = |path: &str, to: &str, fields: &[&str]| {
+            let out = folder(to);
+            let to = out.to_string_lossy();
+            let call = [
+                "generate", path, "--name", "folded", "--lang", language, "--out", &to,
+            ];
+            let files = output(&[&call[..], fields].concat());
+            let texts = files
+                .lines()
+                .map(|file| std::fs::read_to_string(file).expect("a file"));
+            texts
+                .collect::<String>()
+                .replace("in_numbers.toml", "folded.toml")
+        };
+        assert_eq!(
+            written(&names, "folded_names", &VALUES),
+            written(&numbers, "folded_numbers", &[]),
+            "{language}"
+        );
+    }
+}
+
+/// Text in each language has the names as one argument.
+#[test]
+fn names_are_arguments_in_every_language() {
+    let names = file("arguments.toml", NAMES);
+    let out = folder("arguments");
+    let to = out.to_string_lossy();
+    for (language, file, texts) in [
+        (
+            "c",
+            "arguments.h",
+            [
+                "typedef struct {\n    double g;\n    double l1;\n    double m1;\n    double l2;\n    double m2;\n    \
+                 double load;\n} arguments_fields;",
+                "arguments_gravity_vector(const arguments_fields *arm, const double q[2],",
+            ],
+        ),
+        (
+            "js",
+            "arguments.mjs",
+            [
+                "FIELD_NAMES = [\"g\", \"l1\", \"m1\", \"l2\", \"m2\", \"load\"]",
+                "export function gravity_vector(arm, q)",
+            ],
+        ),
+        (
+            "python",
+            "arguments.py",
+            [
+                "FIELD_NAMES = [\"g\", \"l1\",",
+                "def gravity_vector(arm, q, xp=numpy):",
+            ],
+        ),
+        (
+            "matlab",
+            "gravity_vector.m",
+            [
+                "function value = gravity_vector(arm, q)",
+                "`arm`: a struct of the symbolic parameters g, l1,",
+            ],
+        ),
+        (
+            "rust",
+            "arguments.rs",
+            [
+                "pub struct Arguments {",
+                "pub load: ::core::primitive::f64,",
+            ],
+        ),
+    ] {
+        output(&["generate", &names, "--lang", language, "--out", &to]);
+        let written = std::fs::read_to_string(out.join(file)).expect("a file");
+        for text in texts {
+            assert!(written.contains(text), "{text}: {written}");
+        }
+    }
+}
+
+/// Commands that evaluate ask for each name once.
+#[test]
+fn numbers_are_asked_for() {
+    let names = file("asked.toml", NAMES.replace("m2 + load", "m2 + m1"));
+    for call in [
+        &["check", &names][..],
+        &["evaluate", &names],
+        &["simulate", &names],
+        &["inverse-dynamics", &names, "--to", "1,1"],
+        &["measure", &names],
+        &["page", &names],
+        &["convert", &names],
+    ] {
+        let message = errors(call, 1);
+        let asked: Vec<&str> = message.matches("unknown name `").collect();
+        assert_eq!(asked.len(), 5, "{call:?}: {message}");
+        assert!(
+            message.contains("unknown name `m1`: `--field m1=2`"),
+            "{message}"
+        );
+    }
+    output(
+        &[
+            &["check", &file("all.toml", NAMES), "--samples", "5"][..],
+            &VALUES,
+        ]
+        .concat(),
+    );
+}
+
+/// A list in the file is closed: another name in a cell is a mistake at its place, and so is one that no cell uses.
+#[test]
+fn a_list_of_fields_is_closed() {
+    let list = r#"fields = ["l1", "l2", "m1", "m2", "g", "load"]"#;
+    let closed = |name: &str, text: String| file(name, format!("{list}{text}"));
+    let path = closed("closed.toml", NAMES.to_owned());
+    let shown = output(&["show", &path, "--functions", "mass_matrix"]);
+    assert!(
+        shown.contains("fields: l1, l2, m1, m2, g, load\n"),
+        "{shown}"
+    );
+    let shown = output(&[
+        "show",
+        &path,
+        "--field",
+        "g=1",
+        "--functions",
+        "mass_matrix",
+        "--allow",
+        "odd_gravity",
+    ]);
+    assert!(shown.contains("fields: l1, l2, m1, m2, load\n"), "{shown}");
+    output(&[&["check", &path, "--samples", "5"][..], &VALUES].concat());
+    let message = errors(&["check", &path, "--field", "g=9.81"], 1);
+    assert!(
+        message.contains(
+            "fields have no value: `l1`, `l2`, `m1`, `m2`, `load`. This command needs numbers"
+        ) && message.contains("--field l1=2 --field l2=2"),
+        "{message}"
+    );
+    for (wrong, right, expected) in [
+        (
+            "m2 + laod",
+            "m2 + load",
+            "wrong.toml:18:8: unknown name `laod`: did you mean `load`?",
+        ),
+        (
+            "m2 + tray",
+            "m2 + load",
+            "unknown name `tray`: `fields` of the file does not list it",
+        ),
+        ("m2", "m2 + load", "`load`"),
+    ] {
+        let path = closed("wrong.toml", NAMES.replace(right, wrong));
+        for call in [["show", &path], ["check", &path]] {
+            let message = errors(&call, 1);
+            assert!(message.contains(expected), "{message}");
+        }
+    }
+    let path = file("no_list.toml", format!("fields = 3{NAMES}"));
+    let message = errors(&["show", &path], 1);
+    assert!(message.contains("an array of names"), "{message}");
+}
+
+/// Names that were meant otherwise are told, and none of them becomes a field.
+#[test]
+fn other_names_are_no_fields() {
+    for (name, expected) in [
+        ("pi", "PI"),
+        ("inf", "every number of a table is finite"),
+        ("FRAC_PI_2", "PI/2"),
+    ] {
+        let path = file(
+            "meant.toml",
+            NAMES.replace("\"m1\"", &format!("\"{name}\"")),
+        );
+        let message = errors(&["show", &path], 1);
+        assert!(
+            message.contains(&format!("`{name}`")) && message.contains(expected),
+            "{message}"
+        );
+    }
+    let below = NAMES.replace("half = 0.5", "half = \"2 * third\"\nthird = 0.25");
+    let message = errors(&["show", &file("below.toml", below)], 1);
+    assert!(message.contains("bound further down"), "{message}");
+}
