@@ -28,12 +28,7 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
         .map_or(0, |count| *count as usize)
 }
 
-/// The robot of a file, and what is asked for. The names of `--field` stand for their values.
-pub(crate) fn read(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
-    read_for(path, given, Vec::new())
-}
-
-/// As [`read`], of a robot whose base may move.
+/// The robot of a file on any base, and what is asked for. The names of `--field` stand for their values.
 pub(crate) fn read_on_any_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     read_any(path, with_values(given, path, None, "chain")?, Vec::new())
@@ -45,20 +40,20 @@ pub(crate) fn read_with_names(path: &Path, given: &ArgMatches) -> Result<Model, 
     read_any(path, with_names(given, path)?, Vec::new())
 }
 
-/// As [`read`], of which functions are needed besides.
+/// As [`read_on_any_base`], of an arm whose base must stand, and of which functions are needed besides.
 fn read_for(path: &Path, given: &ArgMatches, needed: Vec<Function>) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     read_with(path, with_values(given, path, None, "chain")?, needed)
 }
 
-/// As [`read`], the names of `--field` being fields of the robot, of which functions are needed besides.
+/// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides.
 pub(crate) fn read_with_fields(
     path: &Path,
     given: &ArgMatches,
     needed: Vec<Function>,
 ) -> Result<Model, Failure> {
     about_links(given, &[path])?;
-    read_with(path, with_fields(given, path)?, needed)
+    read_any(path, with_fields(given, path)?, needed)
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings, on any base. A joint that only
@@ -102,7 +97,7 @@ fn read_with(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model
     let model = read_any(path, beside, needed)?;
     if model.robot.freedoms().has_base() {
         let message = format!(
-            "{}: the base moves, which this command does not know: all do but `page` and `inverse-dynamics`",
+            "{}: the base moves, which this command does not know: all others do",
             path.display()
         );
         return Err(Failure::after(String::new(), message));

@@ -3,29 +3,28 @@
 use std::io::Write as _;
 
 use clap::ArgMatches;
-use dynamics_cli::page::{FUNCTIONS, Page, Start};
-use dynamics_cli::poses::poses;
+use dynamics_cli::page::{FUNCTIONS, Page, Start, shown_poses};
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::Robot;
 
 use crate::beside::fields;
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read, read_with_fields};
-use crate::state::positions;
+use crate::load::{file_of, programs, read_on_any_base, read_with_fields};
+use crate::state::{positions, refuse_pose, roll_pitch_yaw, vector};
 
 /// The page.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let mut robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
-    let poses = poses(&mut robot);
+    let poses = shown_poses(&mut robot);
     let start = start(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
-    read(path, given)?;
+    read_on_any_base(path, given)?;
     let requests = FUNCTIONS.map(Request::from).into_iter();
     let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
     let programs = programs(path, &robot, &requests)?;
     let page = Page::new(&robot, &programs, &poses, &fields(given)?, &start);
-    if let Some(remark) = remark(page.html.len(), page.equations, robot.dof()) {
+    if let Some(remark) = remark(page.html.len(), page.equations, robot.freedoms().joints) {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(page.html)
@@ -53,10 +52,24 @@ fn start(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
         let is_given = given.contains_id(name);
         is_given.then(|| positions(given, name, robot)).transpose()
     };
-    Ok(Start {
+    let freedoms = robot.freedoms();
+    let velocity = given
+        .contains_id("velocity")
+        .then(|| vector(given, "velocity", [freedoms.base, freedoms.joints]));
+    if !freedoms.has_base() {
+        refuse_pose(given)?;
+    }
+    let start = Start {
         from: positions_of("from")?,
         to: positions_of("to")?,
-        duration: given.get_one::<f64>("duration").copied().unwrap_or(3.0),
+        velocity: velocity.transpose()?,
+        pose: roll_pitch_yaw(given)?,
+        ..Start::default()
+    };
+    let duration = given.get_one::<f64>("duration").copied();
+    Ok(Start {
+        duration: duration.unwrap_or(start.duration),
+        ..start
     })
 }
 

@@ -48,20 +48,23 @@ pub(crate) fn vector(
 
 /// The pose of `--pose`: roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other.
 pub(crate) fn pose(given: &ArgMatches) -> Result<Pose<f64>, Failure> {
-    let Some(entries) = given.get_many::<f64>("pose") else {
-        return Ok(Pose::identity());
-    };
-    let entries: Vec<f64> = entries.copied().collect();
-    let [x, y, z, roll, pitch, yaw] = entries[..] else {
-        let message = format!(
-            "`--pose` has {} numbers: expected six, X,Y,Z,ROLL,PITCH,YAW",
-            entries.len()
-        );
-        return Err(Failure::of_the_command_line(message));
-    };
+    let [x, y, z, roll, pitch, yaw] = roll_pitch_yaw(given)?.unwrap_or_default();
     Ok(Pose {
         rotation: Rotation3::from_euler_angles(roll, pitch, yaw).into_inner(),
         position: Vector3::new(x, y, z),
+    })
+}
+
+/// The six numbers of `--pose`.
+pub(crate) fn roll_pitch_yaw(given: &ArgMatches) -> Result<Option<[f64; 6]>, Failure> {
+    let Some(entries) = given.get_many::<f64>("pose") else {
+        return Ok(None);
+    };
+    let entries: Vec<f64> = entries.copied().collect();
+    let found = entries.len();
+    entries.try_into().map(Some).map_err(|_| {
+        let message = format!("`--pose` has {found} numbers: expected six, X,Y,Z,ROLL,PITCH,YAW");
+        Failure::of_the_command_line(message)
     })
 }
 

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use dynamics_cli::page;
-use dynamics_cli::poses::poses;
 use dynamics_cli::rust::source;
 use dynamics_codegen::Model;
 use dynamics_runtime::check::Check;
@@ -53,11 +52,7 @@ impl Arm {
     /// The page of the robot: a file that shows it in motion.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
         let mut robot = self.description.robot.clone();
-        if robot.floating().is_some() {
-            let message = "the base moves, which a page does not show";
-            return Err(PyValueError::new_err(message));
-        }
-        let poses = poses(&mut robot);
+        let poses = page::shown_poses(&mut robot);
         let requests = page::FUNCTIONS.map(Request::from).into_iter();
         let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
         let shown = Arc::new(Description::new(robot, requests));
@@ -74,11 +69,7 @@ impl Arm {
                 format!("field `{name}` has no value: `with_fields({name}=..)` gives it one");
             return Err(PyValueError::new_err(message));
         }
-        let start = page::Start {
-            from: None,
-            to: None,
-            duration: 3.0,
-        };
+        let start = page::Start::default();
         Ok(page::Page::new(&shown.robot, &programs, &poses, &fields, &start).html)
     }
 

@@ -3,6 +3,7 @@
 import { Group } from "three";
 
 import { add, distance, point, scaled, subtract } from "./frames.js";
+import { baseBox, boxCorners } from "./base_box.js";
 import { align, box, center, cone, cylinder, line, massMaterial, material, points, span, sphere } from "./shapes.js";
 
 const AXES = ["#e03131", "#2f9e44", "#1c7ed6"];
@@ -47,7 +48,9 @@ export function solids(room, table, size) {
     return mesh;
   };
 
-  const base = { disc: added(cylinder(dark)), post: added(cylinder(dark)) };
+  const base = table.floating ? null : { disc: added(cylinder(dark)), post: added(cylinder(dark)) };
+  const moving = table.floating && baseBox();
+  if (moving) added(moving.mesh);
   const parts = links.map(({ row }) => {
     const color = material("#888888");
     return {
@@ -78,7 +81,7 @@ export function solids(room, table, size) {
 
   const masses = added(new Group());
   const ball = massMaterial();
-  const balls = [...table.rows, ...table.tips].map(() => added(sphere(ball), masses));
+  const balls = [...table.rows, ...table.tips, ...(table.floating ? [table.floating] : [])].map(() => added(sphere(ball), masses));
   const whole = added(sphere(material("#f08c00")), masses);
 
   /** The rods of a link: from its frame before to its own, along the steps of the table. */
@@ -135,8 +138,9 @@ export function solids(room, table, size) {
     put(at, now) {
       const r = radius(0);
       const stand = at.base.o;
-      center(base.disc, subtract(stand, scaled(at.base.z, 1.75 * r)), at.base.z, 0.9 * r, 1.9 * r);
-      center(base.post, subtract(stand, scaled(at.base.z, 1.1 * r)), at.base.z, 0.6 * r, 1.25 * r);
+      moving?.put(at.base, now.floating);
+      if (base) center(base.disc, subtract(stand, scaled(at.base.z, 1.75 * r)), at.base.z, 0.9 * r, 1.9 * r);
+      if (base) center(base.post, subtract(stand, scaled(at.base.z, 1.1 * r)), at.base.z, 0.6 * r, 1.25 * r);
       // Where the rods of every link end.
       const ends = new Map([[null, stand]]);
       links.forEach(({ row, index }, k) => ends.set(index, put(at, k, ends.get(row.on) ?? stand)));
@@ -169,7 +173,8 @@ export function solids(room, table, size) {
       let [total, moment] = [0, [0, 0, 0]];
       const bodies = now.rows.map((row, i) => ({ ...row, frame: at.rows[i].link }));
       // A body on a base that stands counts nowhere.
-      now.tips.forEach(({ on, body }, k) => bodies.push({ ...(on === null ? null : body), frame: at.tips[k] }));
+      now.tips.forEach(({ on, body }, k) => bodies.push({ ...(on === null && !now.floating ? null : body), frame: at.tips[k] }));
+      if (now.floating) bodies.push({ ...now.floating, frame: at.base });
       balls.forEach((mesh, i) => {
         const body = bodies[i];
         mesh.visible = body.mass > 0;
@@ -200,6 +205,7 @@ export function corners(table, at, size) {
     seen.push(link.o);
     if (!table.isMounted) seen.push(middle.o);
   }
+  if (table.floating) seen.push(...boxCorners(at.base, table.floating));
   for (const { on } of table.tips) if (on !== null) seen.push(point(at.rows[on].link, table.rows[on].com));
   const wide = 0.05 * size;
   return seen.flatMap((p) => [

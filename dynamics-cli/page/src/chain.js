@@ -1,6 +1,8 @@
 // The frames of every row of the table, those that are locked or follow others too.
 
-import { WORLD, distance, placed, screwX, screwZ } from "./frames.js";
+import { equivalentBox } from "./equivalent_box.js";
+import { WORLD, add, distance, length, placed, screwX, screwZ } from "./frames.js";
+import { frameOf } from "./moving_base.js";
 
 /** Position of every row for positions of the joints that move by themselves. */
 export function positions(table, q) {
@@ -12,11 +14,11 @@ export function positions(table, q) {
 }
 
 /**
- * The frames of an arm. Of each row `before`, the frame that the row begins in; `middle`, behind the first
+ * The frames of a robot, whose base is at `pose` if it moves. Of each row `before`, the frame that the row begins in; `middle`, behind the first
  * of its two screws; `frame`, behind both; `link`, the link frame; `origin` and `axis` of the joint.
  */
-export function chain(table, q) {
-  const base = table.base ? placed(WORLD, table.base) : WORLD;
+export function chain(table, q, pose) {
+  const base = pose ? frameOf(pose) : table.base ? placed(WORLD, table.base) : WORLD;
   const at = positions(table, q);
   const rows = [];
   table.rows.forEach((row, i) => {
@@ -44,8 +46,8 @@ export function chain(table, q) {
 
 /** The length of the longest branch stretched out, with the way of all prismatic joints. */
 export function reach(table, slides) {
-  const zero = new Array(table.dof).fill(0);
-  const { base, rows, tips } = chain(table, zero);
+  const zero = new Array(table.joints).fill(0);
+  const { base, rows, tips } = chain(table, zero, null);
   // The way to the end of every link, and where that is.
   const ends = [];
   const endOf = (on) => (on === null ? { way: 0, at: base.o } : ends[on]);
@@ -59,5 +61,9 @@ export function reach(table, slides) {
   const sum = Math.max(0, ...ends.map(({ way }) => way), ...ways) + slides;
   // The bodies of an arm without lengths are somewhere.
   const bodies = table.rows.map((row) => Math.hypot(...row.com));
+  if (table.floating) {
+    const { com } = table.floating;
+    bodies.push(length(add(com, equivalentBox(table.floating).half)));
+  }
   return Math.max(sum, ...bodies) || 1;
 }

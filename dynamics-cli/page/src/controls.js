@@ -1,7 +1,10 @@
 // What can be set: kind of motion, sliders of the joints and of the fields.
 
-import { element, indexed } from "./dom.js";
+import { element } from "./dom.js";
 import { short } from "./format.js";
+import { baseSliders, jointSliders } from "./freedom_sliders.js";
+import { lawsOf } from "./laws.js";
+import { slider } from "./slider.js";
 
 const MODES = { motion: "Motion", free: "Free motion", pose: "Pose" };
 const SAID = {
@@ -9,107 +12,11 @@ const SAID = {
   free: "From the start under given torques; forward dynamics gives the motion.",
   pose: "One state; inverse dynamics gives the torques that it takes.",
 };
-
-/**
- * A labelled slider with a number beside it. Values are SI, `factor` makes them those that are shown. `set` returns why a
- * value is refused, if it is.
- */
-function slider({ label, key, min, max, get, set, factor, unit, about }) {
-  const range = element("input", { type: "range", step: "any", "data-key": key, "aria-label": about });
-  const typed = element("input", { type: "number", step: "any", "aria-label": `${about}, as a number` });
-  const sign = element("span", { class: "unit" });
-  const refused = element("p", { class: "refused", role: "alert" });
-  const row = element("div", { class: "slider" }, element("span", { class: "what" }, label), range, typed, sign, refused);
-  const show = () => {
-    const [value, times] = [get(), factor()];
-    const [low, high] = [Math.min(min(), value), Math.max(max(), value)];
-    Object.assign(range, { min: low * times, max: high * times });
-    range.value = value * times;
-    range.setAttribute("aria-valuetext", `${short(value * times)} ${unit()}`);
-    if (document.activeElement !== typed || refused.textContent) typed.value = short(value * times, 5);
-    sign.textContent = unit();
-  };
-  const take = (text) => {
-    const value = Number(text) / factor();
-    const isNumber = text.trim() !== "" && Number.isFinite(value);
-    const reason = isNumber ? set(value) : "expected a number";
-    refused.textContent = reason ? `${isNumber ? `${text} is refused: ` : ""}${reason}` : "";
-    show();
-  };
-  range.addEventListener("input", () => take(range.value));
-  typed.addEventListener("change", () => take(typed.value));
-  show();
-  return { row, show };
-}
-
-/** The setters of one joint for a kind of motion. */
-function jointSliders(model, joint) {
-  const { state } = model;
-  const row = model.joints[joint];
-  const [low, high] = model.ranges[joint];
-  const position = {
-    min: () => low,
-    max: () => high,
-    factor: () => model.units.factor(row.type),
-    unit: () => model.units.position(row.type),
-  };
-  const of = (name, changed = model.changed) => ({
-    get: () => state[name][joint],
-    set(value) {
-      state[name][joint] = value;
-      changed();
-    },
-  });
-  const speed = row.type === "revolute" ? Math.PI : model.size;
-  const wide = (most) => ({ min: () => -most, max: () => most });
-  const rate = {
-    ...wide(2 * speed),
-    factor: position.factor,
-    unit: () => model.units.velocity(row.type),
-  };
-  const start = {
-    ...position,
-    ...of("q"),
-    label: state.mode === "motion" ? "start" : indexed("q", null),
-    key: `q-${joint}`,
-    about: `${row.name}, position${state.mode === "pose" ? "" : " at the start"}`,
-  };
-  const velocity = {
-    ...rate,
-    ...of("qd"),
-    label: indexed("q̇", null),
-    key: `qd-${joint}`,
-    about: `${row.name}, velocity${state.mode === "pose" ? "" : " at the start"}`,
-  };
-  if (state.mode === "motion") {
-    const end = { ...position, ...of("end"), label: "end", key: `end-${joint}`, about: `${row.name}, position at the end` };
-    return [start, end];
-  }
-  if (state.mode === "pose") {
-    const acceleration = {
-      ...wide(4 * speed),
-      ...of("qdd"),
-      factor: position.factor,
-      unit: () => model.units.acceleration(row.type),
-      label: indexed("q̈", null),
-      key: `qdd-${joint}`,
-      about: `${row.name}, acceleration`,
-    };
-    return [start, velocity, acceleration];
-  }
-  if (state.law !== "constant") return [start, velocity];
-  const most = Math.max(1, ...model.table.rows.map((body) => body.mass)) * 9.81 * model.size;
-  const torque = {
-    ...wide(row.type === "revolute" ? most : most / model.size),
-    ...of("torque"),
-    factor: () => 1,
-    unit: () => model.units.force(row.type),
-    label: indexed("τ", null),
-    key: `tau-${joint}`,
-    about: `${row.name}, ${row.type === "revolute" ? "torque" : "force"}`,
-  };
-  return [start, velocity, torque];
-}
+const SAID_OF_BASE = {
+  motion: "The base is held where it is, and the joints go from start to end, from rest to rest; inverse dynamics gives the torques, and the force and the moment that hold the base.",
+  free: "Base and joints move freely from the start; forward dynamics gives the motion.",
+  pose: "One state; inverse dynamics gives the torques that it takes, and the force and the moment on the base.",
+};
 
 /** A slider of a field. */
 function fieldSlider(model, { name, value, unit }) {
@@ -175,7 +82,8 @@ export function controls(model) {
   });
 
   const profiles = { cycloidal: "cycloidal", quintic: "quintic polynomial", cubic: "cubic polynomial" };
-  const laws = { none: "none: free fall", constant: "constant", gravity: "G + K: the arm floats" };
+  const laws = lawsOf(model.table);
+  const texts = model.table.floating ? SAID_OF_BASE : SAID;
   const hasFriction = model.table.rows.some(
     (row) => row.viscous !== 0 || row.coulomb.some((force) => force !== 0) || row.stribeck,
   );
@@ -186,7 +94,7 @@ export function controls(model) {
       tab.setAttribute("aria-selected", isSelected);
       tab.tabIndex = isSelected ? 0 : -1;
     });
-    said.textContent = SAID[state.mode];
+    said.textContent = texts[state.mode];
     duration.value = state.duration;
     const asked = [];
     if (state.mode !== "pose") {
@@ -218,6 +126,7 @@ export function controls(model) {
     settings.replaceChildren(...asked);
     sliders.length = 0;
     rows.replaceChildren(
+      ...(model.table.floating ? [baseGroup()] : []),
       ...joints.flatMap((row, joint) => {
         const made = jointSliders(model, joint).map(slider);
         sliders.push(...made);
@@ -237,6 +146,14 @@ export function controls(model) {
     limited();
   }
 
+  function baseGroup() {
+    const made = baseSliders(model).map(slider);
+    sliders.push(...made);
+    const name = element("span", { class: "name" }, element("b", {}, "base"));
+    const kind = element("span", { class: "kind" }, "velocities and forces in its own axes");
+    return element("div", { class: "joint base" }, element("div", { class: "head" }, name, kind), made.map((one) => one.row));
+  }
+
   function limited() {
     const { factor, position } = model.units;
     rows.querySelectorAll(".limits").forEach((text, joint) => {
@@ -247,7 +164,7 @@ export function controls(model) {
   }
 
   function mark() {
-    rows.querySelectorAll(".joint").forEach((group, joint) => {
+    rows.querySelectorAll("[data-joint]").forEach((group, joint) => {
       const { selected } = state;
       group.classList.toggle("selected", model.table.rows[selected]?.joint === joint);
       group.style.setProperty("--color", `var(--joint-${joint % 8})`);
@@ -269,7 +186,8 @@ export function controls(model) {
     class: "quiet",
     onclick() {
       const zero = (name) => state[name].fill(0);
-      ["qd", "qdd", "torque"].forEach(zero);
+      ["qdd", "torque"].forEach(zero);
+      ["pose", "qd"].forEach((name) => initial[name].forEach((x, i) => (state[name][i] = x)));
       const { from, to, duration: seconds } = first;
       initial.q.forEach((q, i) => (state.q[i] = from?.[i] ?? q));
       initial.end.forEach((q, i) => (state.end[i] = to?.[i] ?? q));
@@ -281,7 +199,7 @@ export function controls(model) {
     },
   });
   reset.append("Reset");
-  const initial = { q: [...state.q], end: [...state.end] };
+  const initial = { q: [...state.q], end: [...state.end], pose: [...state.pose], qd: [...state.qd] };
   return element(
     "section",
     { class: "panel controls", "aria-label": "Settings" },

@@ -1,11 +1,12 @@
 // Dry friction of the joints, with those of the joints that follow them: a joint slides one way, or sticks.
 
-/** Of each joint, the rows that move with it and by which factor. */
+/** Of each joint, and of the freedoms of the base before them, the rows that move with it and by which factor. */
 function members(table) {
   const all = Array.from({ length: table.dof }, () => []);
+  const ofBase = table.dof - table.joints;
   for (const row of table.rows) {
-    if (row.joint !== null) all[row.joint].push({ row, factor: 1 });
-    else if (row.follows) all[row.follows.joint].push({ row, factor: row.follows.factor });
+    if (row.joint !== null) all[ofBase + row.joint].push({ row, factor: 1 });
+    else if (row.follows) all[ofBase + row.follows.joint].push({ row, factor: row.follows.factor });
   }
   return all;
 }

@@ -1,20 +1,30 @@
 // The functions of the generated module for the present values of the fields.
 
-/** Each function of the module; where the arm has fields, `fields` is their argument. */
-export function bind(module, fields) {
+/** The functions that do not depend on where the base is. */
+const WITHOUT_BASE = ["mass_matrix", "coriolis_vector", "kinetic_energy", "friction_vector", "spring_vector"];
+
+/**
+ * Each function of the module; where the robot has fields, `fields` is their argument. All but those without it take the
+ * pose of the base first, which is left out of calls where `isFloating` is not so.
+ */
+export function bind(module, fields, isFloating) {
   const names = Object.keys(module).filter((name) => /^[a-z]/.test(name));
   const hasFields = module.FIELD_NAMES !== undefined;
-  const bound = (name) => (hasFields ? (...given) => module[name](fields, ...given) : module[name]);
+  const bound = (name) => {
+    const call = hasFields ? (...given) => module[name](fields, ...given) : module[name];
+    return isFloating || WITHOUT_BASE.includes(name) ? call : (_base, ...given) => call(...given);
+  };
   return Object.fromEntries(names.map((name) => [name, bound(name)]));
 }
 
 /** What the page shows of a state: all terms of M qdd + V + G + K + F = tau, a tip by its function, and the energies. */
-export function evaluate(equations, { q, qd, qdd, tau }, { key }) {
-  const gravity = equations.gravity_vector(q);
+export function evaluate(equations, { base, q, qd, qdd, tau }, { key }) {
+  const gravity = equations.gravity_vector(base, q);
   const friction = equations.friction_vector(qd);
   const spring = equations.spring_vector(q);
-  const still = equations.inverse_dynamics(q, qd, q.map(() => 0));
+  const still = equations.inverse_dynamics(base, q, qd, qd.map(() => 0));
   return {
+    base,
     q,
     qd,
     qdd,
@@ -25,8 +35,8 @@ export function evaluate(equations, { q, qd, qdd, tau }, { key }) {
     gravity,
     friction,
     spring,
-    tip: equations[key](q),
+    tip: equations[key](base, q),
     kinetic: equations.kinetic_energy(q, qd),
-    potential: equations.potential_energy(q),
+    potential: equations.potential_energy(base, q),
   };
 }

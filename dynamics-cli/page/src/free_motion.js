@@ -3,7 +3,9 @@
 
 import { factor, trial } from "./dop853.js";
 import { dryFriction } from "./dry_friction.js";
+import { LAWS } from "./laws.js";
 import { NotPositiveDefinite, solved } from "./linear.js";
+import { Chart } from "./moving_base.js";
 
 /** Evaluations of the forward dynamics after which a motion is given up. */
 const MOST_EVALUATIONS = 600_000;
@@ -11,19 +13,10 @@ const MOST_EVALUATIONS = 600_000;
 /** Events without a step between them that are chatter. */
 const MOST_EVENTS = 200;
 
-/** Laws of the torques. */
-export const LAWS = {
-  none: () => (q, qd) => q.map(() => 0),
-  constant: ({ torque }) => () => torque,
-  /** G + K: the arm floats. */
-  gravity: ({ equations }) => (q) => {
-    const spring = equations.spring_vector(q);
-    return equations.gravity_vector(q).map((g, i) => g + spring[i]);
-  },
-};
-
-/** Why a motion cannot go on where M is singular: its number and name say which joint. */
-function singular(table, joint) {
+/** Why a motion cannot go on where M is singular: its number and name say which joint, behind the freedoms of the base. */
+function singular(table, freedom) {
+  const joint = freedom - (table.dof - table.joints);
+  if (joint < 0) return "the mass matrix is singular at the base: no inertia resists its motion";
   const { name } = table.rows.find((row) => row.joint === joint);
   return `the mass matrix is singular at joint ${joint + 1}, \`${name}\`: no inertia resists its motion`;
 }
@@ -31,16 +24,21 @@ function singular(table, joint) {
 /** Why a motion ends early. */
 class Ended extends Error {}
 
-/** The equations of motion as rates of q, qd and the work of torques and friction. */
+/**
+ * The equations of motion as rates of y: positions, velocities, and the work of torques and friction. Those of a base that
+ * moves come first, its position by a chart.
+ */
 class Motion {
-  constructor(equations, table, torque, hasFriction) {
+  constructor(equations, table, base, torque, hasFriction) {
+    this.chart = base && new Chart(base);
+    this.ofBase = table.dof - table.joints;
     this.equations = equations;
     this.torque = torque;
     this.hasFriction = hasFriction;
     this.dry = dryFriction(table);
     this.dof = table.dof;
     this.evaluations = 0;
-    /** Of each joint 1 or -1, the way it slides; 0 where it has no dry friction; null where it sticks. */
+    /** Of each freedom 1 or -1, the way it slides; 0 where it has no dry friction; null where it sticks. */
     this.contacts = new Array(table.dof).fill(0);
     this.sticks = hasFriction && this.dry.isDry.some(Boolean);
   }
@@ -55,19 +53,19 @@ class Motion {
   }
 
   /** Accelerations, friction, and the forces that hold the joints that stick. */
-  solve(q, qd) {
+  solve({ base, q, qd }) {
     if (++this.evaluations > MOST_EVALUATIONS) throw new Ended("it takes too many steps");
-    const tau = this.torque(q, qd);
+    const tau = this.torque(base, q, qd);
     const friction = this.friction(qd);
     if (!this.contacts.includes(null)) {
       const generated = this.equations.friction_vector(qd);
       // The generated function takes its own friction off.
       const applied = tau.map((x, i) => x + (generated[i] - friction[i]));
-      return { tau, friction, qdd: this.equations.forward_dynamics(q, qd, applied), hold: null };
+      return { tau, friction, qdd: this.equations.forward_dynamics(base, q, qd, applied), hold: null };
     }
     const zero = qd.map(() => 0);
     const generated = this.equations.friction_vector(qd);
-    const bias = this.equations.inverse_dynamics(q, qd, zero).map((x, i) => x - generated[i]);
+    const bias = this.equations.inverse_dynamics(base, q, qd, zero).map((x, i) => x - generated[i]);
     const mass = this.equations.mass_matrix(q);
     const free = this.contacts.flatMap((contact, i) => (contact === null ? [] : [i]));
     const right = tau.map((x, i) => x - bias[i] - friction[i]);
@@ -82,39 +80,41 @@ class Motion {
   }
 
   rate = (_t, y) => {
-    const n = this.dof;
-    const [q, qd] = [Array.from(y.subarray(0, n)), Array.from(y.subarray(n, 2 * n))];
-    const { tau, friction, qdd } = this.solve(q, qd);
+    const state = this.state(y);
+    const { base, qd } = state;
+    const { tau, friction, qdd } = this.solve(state);
     const power = qd.reduce((sum, speed, i) => sum + speed * (tau[i] - friction[i]), 0);
-    return Float64Array.from([...qd, ...qdd, power]);
+    if (!this.chart) return Float64Array.from([...qd, ...qdd, power]);
+    return Float64Array.from([...this.chart.rate(y, base, qd), ...qd.slice(this.ofBase), ...qdd, power]);
   };
 
-  split(y) {
+  state(y) {
     const n = this.dof;
-    return [Array.from(y.subarray(0, n)), Array.from(y.subarray(n, 2 * n))];
+    const base = this.chart && this.chart.pose(y);
+    return { base, q: Array.from(y.subarray(this.ofBase, n)), qd: Array.from(y.subarray(n, 2 * n)) };
   }
 
   /** How far the state is from the next event: below zero behind one. */
   margins(y) {
     if (!this.sticks) return [Infinity];
-    const [q, qd] = this.split(y);
-    const hold = this.contacts.includes(null) ? this.solve(q, qd).hold : null;
+    const state = this.state(y);
+    const hold = this.contacts.includes(null) ? this.solve(state).hold : null;
     return this.contacts.map((contact, i) => {
       if (contact === null) return this.dry.breakaway(i, Math.sign(hold[i])) - Math.abs(hold[i]);
-      return contact === 0 ? Infinity : contact * qd[i];
+      return contact === 0 ? Infinity : contact * state.qd[i];
     });
   }
 
   /** Joints at rest stick; then those that friction holds too little are let go, the worst one first. */
   settle(y) {
     if (!this.sticks) return;
-    const [q, qd] = this.split(y);
-    this.contacts = qd.map((speed, i) => {
+    const state = this.state(y);
+    this.contacts = state.qd.map((speed, i) => {
       if (!this.dry.isDry[i]) return 0;
       return speed === 0 ? null : Math.sign(speed);
     });
     while (this.contacts.includes(null)) {
-      const { hold } = this.solve(q, qd);
+      const { hold } = this.solve(state);
       const excess = this.contacts.map((contact, i) => {
         if (contact !== null || hold[i] === 0) return 0;
         return Math.abs(hold[i]) / this.dry.breakaway(i, Math.sign(hold[i]));
@@ -158,6 +158,7 @@ function advance(motion, from, until) {
       const part = untilEvent(motion, t, y, first, size);
       y = trial(motion.rate, t, y, first, part).end;
       t += part;
+      motion.chart?.recenter(y);
       motion.contacts.forEach((contact, i) => {
         // A velocity that has crossed zero is zero.
         if (contact && contact * y[motion.dof + i] <= 0) y[motion.dof + i] = 0;
@@ -166,6 +167,7 @@ function advance(motion, from, until) {
       continue;
     }
     [t, y] = [t + size, end];
+    motion.chart?.recenter(y);
     const wish = size * factor(error, wasRejected);
     // A step that was cut short by a sample says little of how long it could be.
     h = size < h && error < 0.1 ? Math.max(h, wish) : wish;
@@ -175,23 +177,25 @@ function advance(motion, from, until) {
 }
 
 /**
- * The motion from a start, sampled: q, qd, qdd, torques and friction at each time, and the energy that
+ * The motion from a start, sampled: pose of a base that moves, q, qd, qdd, torques and friction at each time, and the energy that
  * torques have brought and friction has taken. Where it cannot go on, `ended` says why.
  */
-export function freeMotion({ equations, table, law, torque, hasFriction, q, qd, duration, samples }) {
-  const motion = new Motion(equations, table, LAWS[law]({ equations, torque }), hasFriction);
-  const found = { t: [], q: [], qd: [], qdd: [], tau: [], work: [], ended: null };
-  let state = { t: 0, y: Float64Array.from([...q, ...qd, 0]), h: duration / samples };
+export function freeMotion({ equations, table, law, torque, hasFriction, base, q, qd, duration, samples }) {
+  const torques = LAWS[law]({ equations, torque, hasFriction });
+  const motion = new Motion(equations, table, base, torques, hasFriction);
+  const found = { t: [], base: [], q: [], qd: [], qdd: [], tau: [], work: [], ended: null };
+  let state = { t: 0, y: Float64Array.from([...(motion.chart?.start ?? []), ...q, ...qd, 0]), h: duration / samples };
   try {
     motion.settle(state.y);
     for (let k = 0; k < samples; k++) {
       const t = (duration * k) / (samples - 1);
       state = advance(motion, state, t);
-      const [at, speed] = motion.split(state.y);
-      const { qdd, tau } = motion.solve(at, speed);
+      const at = motion.state(state.y);
+      const { qdd, tau } = motion.solve(at);
       found.t.push(t);
-      found.q.push(at);
-      found.qd.push(speed);
+      found.base.push(at.base);
+      found.q.push(at.q);
+      found.qd.push(at.qd);
       found.qdd.push(qdd);
       found.tau.push(tau);
       found.work.push(state.y[2 * motion.dof]);

@@ -16,11 +16,13 @@ import { tablePanel } from "./table.js";
 const THEMES = ["auto", "light", "dark"];
 
 /** The line below the name. */
-function summary({ dof, convention, isMounted, gravity }, joints) {
+function summary({ floating, convention, isMounted, gravity }, joints) {
   const types = joints.map(({ type }) => (type === "revolute" ? "R" : "P")).join("");
   const g = gravity.map((x) => short(x)).join(", ");
   const table = isMounted ? "joints of a URDF file" : `${convention} D-H table`;
-  return `${dof} ${dof === 1 ? "joint" : "joints"} (${types}), ${table}, gravity (${g}) m/s²`;
+  const moving = floating ? ["a base that moves"] : [];
+  const count = joints.length === 0 ? [] : [`${joints.length} ${joints.length === 1 ? "joint" : "joints"} (${types})`, table];
+  return [...moving, ...count, `gravity (${g}) m/s²`].join(", ");
 }
 
 function header(model) {

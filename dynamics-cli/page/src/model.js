@@ -3,6 +3,7 @@
 import { chain, reach } from "./chain.js";
 import { bind, evaluate } from "./equations.js";
 import { units } from "./format.js";
+import { FREEDOMS, poseOf } from "./moving_base.js";
 import { refusal } from "./refusal.js";
 import { events } from "./store.js";
 import { freeTrajectory, prescribedTrajectory } from "./trajectory.js";
@@ -21,6 +22,9 @@ function startOf([low, high]) {
   return low <= 0 && high >= 0 ? 0 : (low + high) / 2;
 }
 
+/** Velocities of a base that moves, so that a free fall is more than a fall: a spin, which does not last about one axis. */
+const SPIN = [0, 0, 0, 0.1, 1.5, 0.3];
+
 /** Degrees by which joints go on at first: not all alike, so that curves can be told apart. */
 const STEPS = [60, 40, -50, 30, 70, -40];
 
@@ -37,21 +41,24 @@ function endOf(from, { type, joint }, [low, high]) {
 export function createModel(make, module, first) {
   const { on, tell } = events();
   const values = Object.fromEntries(first.fields.map(({ name, value }) => [name, value]));
-  const equations = bind(module, values);
   const table = make(values);
+  const isFloating = table.floating !== null;
+  const equations = bind(module, values, isFloating);
   const slides = table.rows
     .filter((row) => row.type === "prismatic" && row.joint !== null)
     .reduce((sum, row) => sum + (row.limits ? Math.max(...row.limits.map(Math.abs)) : 0), 0);
   const size = reach(table, slides);
   const joints = table.rows.filter((row) => row.joint !== null);
   const ranges = joints.map((row) => rangeOf(row, size));
-  const zeros = joints.map(() => 0);
+  const freedoms = [...(isFloating ? FREEDOMS : []), ...joints];
+  const zeros = freedoms.map(() => 0);
   const from = first.from ?? ranges.map(startOf);
 
   const state = {
     mode: "motion",
+    pose: [...(first.pose ?? [0, 0, 0, 0, 0, 0])],
     q: [...from],
-    qd: [...zeros],
+    qd: [...(first.velocity ?? (isFloating ? [...SPIN, ...zeros.slice(SPIN.length)] : zeros))],
     qdd: [...zeros],
     end: first.to ?? from.map((q, i) => endOf(q, joints[i], ranges[i])),
     torque: [...zeros],
@@ -65,7 +72,7 @@ export function createModel(make, module, first) {
     speed: 1,
     selected: table.rows.indexOf(joints[0]),
     tip: 0,
-    show: { parameters: "selected", frames: false, axes: false, masses: false, trace: true, names: false },
+    show: { parameters: "selected", frames: false, axes: false, masses: false, trace: true, names: false, isFollowed: true },
   };
 
   const model = {
@@ -78,6 +85,9 @@ export function createModel(make, module, first) {
     table,
     size,
     joints,
+    /** What velocities have entries of: the freedoms of a base that moves, then the joints. */
+    freedoms,
+    ofBase: freedoms.length - joints.length,
     ranges,
     trajectory: null,
     units: units(true),
@@ -86,14 +96,20 @@ export function createModel(make, module, first) {
     now() {
       if (state.mode === "pose") {
         const { q, qd, qdd } = state;
-        return { q, qd, qdd, tau: equations.inverse_dynamics(q, qd, qdd) };
+        const base = model.start();
+        return { base, q, qd, qdd, tau: equations.inverse_dynamics(base, q, qd, qdd) };
       }
       return model.trajectory.at(state.t);
     },
+    /** Where a base that moves is at the start. */
+    start: () => (isFloating ? poseOf(state.pose) : null),
     /** The tip, or the frame, whose way is shown. */
     tip: () => table.tips[state.tip],
     evaluated: () => evaluate(equations, model.now(), model.tip()),
-    frames: () => chain(model.table, model.now().q),
+    frames() {
+      const { base, q } = model.now();
+      return chain(model.table, q, base);
+    },
 
     setTime(t) {
       const duration = model.trajectory?.duration ?? 0;
@@ -163,14 +179,15 @@ export function createModel(make, module, first) {
       const begin = performance.now();
       const { q, qd, end, torque, profile, law, hasFriction, duration } = state;
       const { table: current } = model;
+      const base = model.start();
       const { key } = model.tip();
       model.trajectory =
         state.mode === "motion"
-          ? prescribedTrajectory(equations, { from: [...q], to: [...end], duration, profile, key })
+          ? prescribedTrajectory(equations, { base, from: [...q], to: [...end], duration, profile, key })
           : state.mode === "free"
             ? freeTrajectory(equations, {
                 ...{ table: current, law, hasFriction, duration, key },
-                ...{ q: [...q], qd: [...qd], torque: [...torque] },
+                ...{ base, q: [...q], qd: [...qd], torque: [...torque] },
               })
             : null;
       cost = performance.now() - begin;

@@ -1,8 +1,9 @@
 // The numbers of the state that is shown.
 
-import { datum, element, show } from "./dom.js";
+import { datum, element, indexed, show } from "./dom.js";
 import { plain } from "./format.js";
 import { rollPitchYaw } from "./frames.js";
+import { positionOf } from "./moving_base.js";
 
 /** A table in a box that scrolls by itself. */
 export function scrolled(label, table) {
@@ -11,7 +12,7 @@ export function scrolled(label, table) {
 
 /** The panel of numbers. */
 export function numbers(model) {
-  const { joints, table } = model;
+  const { joints, freedoms, ofBase, table } = model;
   const hasFriction = table.rows.some((row) => row.viscous || row.coulomb.some(Boolean) || row.stribeck);
   const hasSpring = table.rows.some((row) => row.spring);
   const columns = [
@@ -30,7 +31,7 @@ export function numbers(model) {
     data.set(key, made);
     return element("td", {}, made);
   };
-  const types = [...new Set(joints.map((row) => row.type))];
+  const types = [...new Set(freedoms.map((row) => row.type))];
   const unitCells = columns.map(() => element("th", { class: "unit", scope: "col" }));
   const states = element(
     "table",
@@ -45,10 +46,13 @@ export function numbers(model) {
     element(
       "tbody",
       {},
-      joints.map((row, i) => {
-        const name = element("th", { scope: "row" }, element("span", { class: "dot" }), row.name);
-        name.style.setProperty("--color", `var(--joint-${i % 8})`);
-        return element("tr", {}, name, columns.map(({ key }) => cell(`${key}-${i}`)));
+      freedoms.map((row, i) => {
+        const joint = i - ofBase;
+        const name = element("th", { scope: "row" }, element("span", { class: "dot" }), joint < 0 ? ["base ", indexed(row.velocity, row.axis)] : row.name);
+        name.style.setProperty("--color", joint < 0 ? `var(--axis-${row.axis})` : `var(--joint-${joint % 8})`);
+        // A freedom of the base has no coordinate.
+        const cells = columns.map(({ key }) => (key !== "q" ? cell(`${key}-${i}`) : joint < 0 ? element("td") : cell(`q-${joint}`)));
+        return element("tr", {}, name, cells);
       }),
     ),
   );
@@ -59,31 +63,35 @@ export function numbers(model) {
     "table",
     { class: "numbers matrix" },
     element("caption", {}, "Mass matrix ", element("i", {}, "M"), `, ${massUnit}`),
-    element("tbody", {}, joints.map((_, i) => element("tr", {}, joints.map((__, j) => cell(`mass-${i}-${j}`))))),
+    element("tbody", {}, freedoms.map((_, i) => element("tr", {}, freedoms.map((__, j) => cell(`mass-${i}-${j}`))))),
   );
 
   const tipName = element("span", {}, "Tip");
-  const pose = element(
-    "table",
-    { class: "numbers" },
-    element("caption", {}, tipName, " in the world"),
+  /** A frame in the world, as a position and three angles under these keys. */
+  const poseTable = (name, position, angle) =>
     element(
-      "tbody",
-      {},
-      ["x", "y", "z"].map((axis, k) =>
-        element(
-          "tr",
-          {},
-          element("th", { scope: "row" }, element("i", {}, axis)),
-          cell(`tip-${k}-3`),
-          element("td", { class: "unit" }, "m"),
-          element("th", { scope: "row" }, ["roll", "pitch", "yaw"][k]),
-          cell(`rpy-${k}`),
-          element("td", { class: "unit angle" }),
+      "table",
+      { class: "numbers" },
+      element("caption", {}, name, " in the world"),
+      element(
+        "tbody",
+        {},
+        ["x", "y", "z"].map((axis, k) =>
+          element(
+            "tr",
+            {},
+            element("th", { scope: "row" }, element("i", {}, axis)),
+            cell(position(k)),
+            element("td", { class: "unit" }, "m"),
+            element("th", { scope: "row" }, ["roll", "pitch", "yaw"][k]),
+            cell(angle(k)),
+            element("td", { class: "unit angle" }),
+          ),
         ),
       ),
-    ),
-  );
+    );
+  const pose = poseTable(tipName, (k) => `tip-${k}-3`, (k) => `rpy-${k}`);
+  const basePose = ofBase > 0 ? poseTable("Base", (k) => `base-${k}`, (k) => `baserpy-${k}`) : null;
   const rotation = element(
     "details",
     {},
@@ -117,12 +125,13 @@ export function numbers(model) {
     const { units } = model;
     const found = model.evaluated();
     if (table.tips.length > 1) tipName.textContent = model.tip().name;
-    joints.forEach((row, i) => {
-      columns.forEach(({ key, isAngle }) => put(`${key}-${i}`, found[key][i], isAngle ? units.factor(row.type) : 1));
+    columns.forEach(({ key, isAngle }) => {
+      const rows = key === "q" ? joints : freedoms;
+      rows.forEach((row, i) => put(`${key}-${i}`, found[key][i], isAngle ? units.factor(row.type) : 1));
     });
     const diagonal = found.mass.map((line, i) => Math.abs(line[i]));
-    joints.forEach((_, i) =>
-      joints.forEach((__, j) => {
+    freedoms.forEach((_, i) =>
+      freedoms.forEach((__, j) => {
         put(`mass-${i}-${j}`, found.mass[i][j]);
         // How strongly two joints are coupled: |M_ij| / sqrt(M_ii M_jj), at most 1.
         const share = Math.abs(found.mass[i][j]) / Math.sqrt(diagonal[i] * diagonal[j]);
@@ -133,6 +142,11 @@ export function numbers(model) {
     found.tip.forEach((line, i) => line.forEach((value, j) => put(`T-${i}-${j}`, value)));
     [0, 1, 2].forEach((k) => put(`tip-${k}-3`, found.tip[k][3]));
     rollPitchYaw(found.tip).forEach((angle, k) => put(`rpy-${k}`, angle, units.factor("revolute")));
+    if (found.base) {
+      positionOf(found.base).forEach((x, k) => put(`base-${k}`, x));
+      const rows = [0, 3, 6].map((k) => found.base.slice(k, k + 3));
+      rollPitchYaw(rows).forEach((angle, k) => put(`baserpy-${k}`, angle, units.factor("revolute")));
+    }
     put("kinetic", found.kinetic);
     put("potential", found.potential);
     put("total", found.kinetic + found.potential);
@@ -141,9 +155,17 @@ export function numbers(model) {
     columns.forEach(({ unit }, k) => {
       unitCells[k].textContent = types.map((type) => model.units[unit](type)).join(", ");
     });
-    pose.querySelectorAll(".angle").forEach((text) => (text.textContent = model.units.angleUnit));
+    blocks.querySelectorAll(".angle").forEach((text) => (text.textContent = model.units.angleUnit));
     update();
   }
+  const blocks = element(
+    "div",
+    { class: "blocks" },
+    scrolled("Mass matrix", mass),
+    basePose && scrolled("Pose of the base", basePose),
+    scrolled("Pose of the tip", pose),
+    scrolled("Energies", energies),
+  );
   model.on("units", label);
   model.on("time tip", update);
   label();
@@ -151,13 +173,7 @@ export function numbers(model) {
     "section",
     { class: "panel", "aria-label": "Numbers" },
     scrolled("State and forces", states),
-    element(
-      "div",
-      { class: "blocks" },
-      scrolled("Mass matrix", mass),
-      scrolled("Pose of the tip", pose),
-      scrolled("Energies", energies),
-    ),
+    blocks,
     rotation,
   );
 }

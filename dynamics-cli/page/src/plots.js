@@ -4,6 +4,7 @@ import uPlot from "uplot";
 
 import { element, indexed } from "./dom.js";
 import { plain } from "./format.js";
+import { positionOf } from "./moving_base.js";
 import { csv } from "./trajectory.js";
 
 const SYNC = "robot-dynamics";
@@ -16,8 +17,12 @@ export const colorOf = (name) => getComputedStyle(document.documentElement).getP
  * a state that was evaluated.
  */
 function plotsOf(model) {
-  const { joints, units, trajectory } = model;
+  const { joints, ofBase, units, trajectory } = model;
   const { name: tip } = model.tip();
+  const entry = (key, i, factor) => ({
+    values: trajectory[key].map((values) => values[i] * factor),
+    now: (state) => state[key][i] * factor,
+  });
   const ofJoints = (key, title, unit, isAngle) => ({
     key,
     title,
@@ -27,13 +32,12 @@ function plotsOf(model) {
       unit: unit(row.type),
       color: `--joint-${i % 8}`,
       isDashed: i >= 8,
-      values: trajectory[key].map((values) => values[i] * (isAngle ? units.factor(row.type) : 1)),
-      now: (state) => state[key][i] * (isAngle ? units.factor(row.type) : 1),
+      ...entry(key, key === "q" ? i : ofBase + i, isAngle ? units.factor(row.type) : 1),
     })),
   });
   const single = (name, sign, values, unit, color, now) => ({ joint: null, name, sign, values, unit, color, now });
   const axis = (k) => trajectory.tip.map((tip) => tip[k]);
-  return [
+  const plots = [
     ofJoints("q", ["q", "positions"], units.position, true),
     ofJoints("qd", ["q̇", "velocities"], units.velocity, true),
     ofJoints("qdd", ["q̈", "accelerations"], units.acceleration, true),
@@ -50,8 +54,42 @@ function plotsOf(model) {
     {
       key: "tip",
       title: ["p", tip],
-      curves: [0, 1, 2].map((k) => single("xyz"[k], "xyz"[k], axis(k), "m", ["--axis-x", "--axis-y", "--axis-z"][k], ({ tip }) => tip[k][3])),
+      curves: [0, 1, 2].map((k) => single("xyz"[k], "xyz"[k], axis(k), "m", `--axis-${"xyz"[k]}`, ({ tip }) => tip[k][3])),
     },
+  ];
+  return ofBase > 0 ? [...plots.filter(({ curves }) => curves.length > 0), ...plotsOfBase(model, entry)] : plots;
+}
+
+/** The plots of a base that moves: where it is, and velocities and forces in its axes. */
+function plotsOfBase({ freedoms, ofBase, units, trajectory }, entry) {
+  const of = (key, title, sign, unit, isAngle) => ({
+    key: `base-${key}`,
+    title,
+    curves: freedoms.slice(0, ofBase).map((freedom, k) => ({
+      joint: null,
+      name: freedom.name,
+      sign: sign(freedom),
+      unit: unit(freedom.type),
+      color: `--axis-${freedom.axis}`,
+      isDashed: k >= 3,
+      ...entry(key, k, isAngle ? units.factor(freedom.type) : 1),
+    })),
+  });
+  const where = [0, 1, 2].map((k) => ({
+    joint: null,
+    name: "xyz"[k],
+    sign: "xyz"[k],
+    unit: "m",
+    color: `--axis-${"xyz"[k]}`,
+    values: trajectory.base.map((base) => positionOf(base)[k]),
+    now: ({ base }) => positionOf(base)[k],
+  }));
+  const velocity = ({ velocity: sign, axis }) => `${sign}${axis}`;
+  const force = ({ force: sign, axis }) => `${sign}${axis}`;
+  return [
+    { key: "base", title: ["p", "base"], curves: where },
+    of("qd", ["v, ω", "velocities of the base"], velocity, units.velocity, true),
+    of("tau", ["f, n", "force and moment on the base"], force, units.force, false),
   ];
 }
 
@@ -148,7 +186,7 @@ export function plots(model) {
 
   const save = element("button", { type: "button", class: "quiet", "data-key": "csv" }, "Save as CSV");
   save.addEventListener("click", () => {
-    const names = joints.map((row) => row.name);
+    const names = model.freedoms.map((row) => row.name);
     const text = csv(model.trajectory, names);
     const link = element("a", { href: URL.createObjectURL(new Blob([text], { type: "text/csv" })) });
     link.download = `${model.table.name}.csv`;

@@ -45,7 +45,7 @@ function partRefusal(part) {
 
 /** Why a table is none of a robot: null where it is one. What is odd in `first` as well is meant. */
 export function refusal(table, first) {
-  const parts = ({ rows, tool, base, gravity }) => [...rows, tool, base && { inertia: [0, 0, 0, 0, 0, 0], base }, { inertia: [0, 0, 0, 0, 0, 0], gravity }];
+  const parts = ({ rows, tool, base, floating, gravity }) => [...rows, tool, floating, base && { inertia: [0, 0, 0, 0, 0, 0], base }, { inertia: [0, 0, 0, 0, 0, 0], gravity }];
   const known = parts(first);
   for (const [k, part] of parts(table).entries()) {
     const reason = part && partRefusal(part);

@@ -101,7 +101,8 @@ export function room(canvas, up, size) {
     onDraw: (called) => onDraw.push(called),
 
     /** The ground at a height below a place, with light from above it. */
-    ground(place, height, lines) {
+    ground(place, height, lines, isSolid = true) {
+      shadow.visible = isSolid;
       const below = add(place, scaled(up, height - dot(place, up)));
       shadow.position.set(...below);
       sun.target.position.set(...place);
@@ -129,6 +130,14 @@ export function room(canvas, up, size) {
       const away = (1.12 * radius) / Math.sin(narrow);
       camera.position.set(...add(center, scaled(unit(direction), away)));
       controls.target.set(...center);
+      controls.update();
+      ask();
+    },
+
+    /** Goes by a way, with the light. */
+    follow(way) {
+      for (const { position } of [camera, sun, sun.target]) position.set(...add(position.toArray(), way));
+      controls.target.set(...add(controls.target.toArray(), way));
       controls.update();
       ask();
     },

@@ -4,7 +4,7 @@ import { annotations, COLORS } from "./annotations.js";
 import { corners, drawn, solids } from "./arm.js";
 import { chain } from "./chain.js";
 import { element, indexed } from "./dom.js";
-import { add, cross, distance, dot, length, scaled, unit } from "./frames.js";
+import { add, cross, distance, dot, length, scaled, subtract, unit } from "./frames.js";
 import { labels } from "./labels.js";
 import { colorOf } from "./plots.js";
 import { across, room as makeRoom } from "./scene.js";
@@ -18,7 +18,8 @@ function upOf(table) {
 
 /** The direction of all axes of an arm that moves in an upright plane; null of another one. */
 function planeOf(table, up) {
-  const { rows } = chain(table, new Array(table.dof).fill(0));
+  if (table.floating) return null;
+  const { rows } = chain(table, new Array(table.joints).fill(0), null);
   const turning = table.rows.flatMap((row, i) => (row.type === "revolute" && row.joint !== null ? [rows[i].axis] : []));
   if (turning.length === 0) return null;
   const [first] = turning;
@@ -71,24 +72,42 @@ export function stage(model) {
       top: add(up, scaled(front, 1e-3)),
     };
     let looked = "3D";
+    /** The corners of the robot at a pose and at positions; in a view that follows the base, as if that were at `stand`. */
+    function cornersAt(base, q, stand) {
+      const at = chain(model.table, q, base);
+      const way = isFollowed() ? subtract(stand, at.base.o) : [0, 0, 0];
+      return corners(model.table, at, size).map((p) => add(p, way));
+    }
     function look(name) {
       looked = name;
-      const seen = model.trajectory ? model.trajectory.q : [state.q];
-      const every = Math.max(1, Math.floor(seen.length / 12));
-      const poses = seen.filter((_, k) => k % every === 0 || k === seen.length - 1);
+      const seen = model.trajectory ?? { q: [], base: [] };
+      const every = Math.max(1, Math.floor(seen.q.length / 12));
       const stand = model.frames().base.o;
-      const all = [state.q, ...poses]
-        .flatMap((q) => corners(model.table, chain(model.table, q), size))
+      const all = seen.q
+        .flatMap((q, k) => (k % every === 0 || k === seen.q.length - 1 ? cornersAt(seen.base[k], q, stand) : []))
+        .concat(cornersAt(model.start(), state.q, stand))
         // What flies far away is not followed.
         .filter((p) => distance(p, stand) < 1.6 * size);
-      lowest = Math.min(...all.map((p) => dot(p, up)), dot(stand, up) - 0.09 * size);
+      followed = stand;
+      // The ground is below where a base that moves begins.
+      const begin = chain(model.table, state.q, model.start());
+      const low = table.floating ? corners(model.table, begin, size) : all;
+      lowest = Math.min(...low.map((p) => dot(p, up)), dot(begin.base.o, up) - 0.09 * size);
       ground();
       room.look(directions[name], all.length > 0 ? all : [stand]);
     }
     let lowest = 0;
+    /** Where the base was when the view was last moved. */
+    let followed = [0, 0, 0];
+    const isFollowed = () => table.floating !== null && state.mode === "free" && state.show.isFollowed;
+    function follow(base) {
+      if (isFollowed()) room.follow(subtract(base, followed));
+      followed = base;
+    }
     function ground() {
-      const { base } = model.frames();
-      const step = room.ground(base.o, lowest, [colorOf("--grid-strong"), colorOf("--grid")]);
+      const { base } = chain(model.table, state.q, model.start());
+      const isFalling = table.floating !== null && state.mode === "free";
+      const step = room.ground(base.o, lowest, [colorOf("--grid-strong"), colorOf("--grid")], !isFalling);
       scale.textContent = `grid ${step >= 1 ? step : Number(step.toPrecision(3))} m`;
     }
     for (const name of Object.keys(directions)) {
@@ -110,6 +129,7 @@ export function stage(model) {
 
     function put() {
       const at = model.frames();
+      follow(at.base.o);
       arm.put(at, model.table);
       const texts = notes.put(at, model.table, annotated(), model.units);
       const named = state.show.frames
@@ -202,6 +222,7 @@ export function stage(model) {
     shown.append(element("label", { class: "choice" }, element("span", {}, "frame"), tips));
   }
   const checks = { frames: "frames", axes: "axes", masses: "masses", trace: "trace" };
+  if (table.floating) checks.isFollowed = "follow the fall";
   for (const [key, text] of Object.entries(checks)) {
     const check = element("input", { type: "checkbox", checked: state.show[key], "data-key": `show-${key}` });
     check.addEventListener("change", () => model.setShown({ [key]: check.checked }));

@@ -150,11 +150,19 @@ export function tablePanel(model) {
     return element("tr", { class: "placed" }, element("th", { scope: "row" }, name), cells);
   }
 
+  /** The row of a base that moves, with its body. */
+  function movingRow({ mass, com, inertia }) {
+    const cells = [element("td", { colSpan: columns.length + (hasLimits ? 1 : 0) }, "moves freely"), element("td", {}, short(mass))];
+    if (bodies.checked) cells.push(element("td", {}, vector(com)), element("td", {}, vector(inertia)));
+    return element("tr", { class: "placed" }, element("th", { scope: "row" }, "base"), cells);
+  }
+
   function build() {
-    const { base, tool } = model.table;
+    const { base, floating, tool } = model.table;
     header();
     const rows = links.map(rowOf);
     if (base) rows.unshift(placedRow("base", base, ""));
+    if (floating) rows.unshift(movingRow(floating));
     if (tool) rows.push(placedRow("tool", tool, short(tool.mass)));
     for (const { name, on, places, body: fixed } of model.table.tips.filter((tip) => tip.isFrame && tip.places.length === 1)) {
       rows.push(placedRow(`${name} on ${carrier(on)}`, { ...places[0], com: fixed?.com }, fixed ? short(fixed.mass) : ""));

@@ -1,6 +1,7 @@
 // A motion over time, prescribed or free, as the page plays and plots it.
 
 import { freeMotion } from "./free_motion.js";
+import { cubic, FREEDOMS, poseBetween } from "./moving_base.js";
 import { prescribed } from "./profiles.js";
 
 /** Samples each second, and how many there are at least and at most. */
@@ -11,17 +12,20 @@ export function samplesOf(duration) {
   return Math.min(Math.max(Math.round(RATE * duration) + 1, LEAST), MOST);
 }
 
-/** The torques of a prescribed motion: inverse dynamics. */
+/** The torques of a prescribed motion: inverse dynamics. A base that could move is held where it is. */
 export function prescribedTrajectory(equations, given) {
   const samples = samplesOf(given.duration);
+  const { base } = given;
+  const still = base ? FREEDOMS.map(() => 0) : [];
   const at = (t) => {
-    const state = prescribed(given, t);
-    return { ...state, tau: equations.inverse_dynamics(state.q, state.qd, state.qdd) };
+    const { q, ...rates } = prescribed(given, t);
+    const [qd, qdd] = [rates.qd, rates.qdd].map((of) => [...still, ...of]);
+    return { base, q, qd, qdd, tau: equations.inverse_dynamics(base, q, qd, qdd) };
   };
   const t = Array.from({ length: samples }, (_, k) => (given.duration * k) / (samples - 1));
   const states = t.map(at);
   const column = (name) => states.map((state) => state[name]);
-  const found = { t, q: column("q"), qd: column("qd"), qdd: column("qdd"), tau: column("tau") };
+  const found = { t, base: column("base"), q: column("q"), qd: column("qd"), qdd: column("qdd"), tau: column("tau") };
   return measured(equations, { ...found, at, ended: null, duration: given.duration }, given);
 }
 
@@ -41,20 +45,20 @@ export function freeTrajectory(equations, given) {
 }
 
 /** A motion that cannot begin has its start alone; its accelerations are not known. */
-function stay(found, { q, qd }) {
-  const unknown = q.map(() => NaN);
-  for (const [name, value] of Object.entries({ t: 0, q, qd, qdd: unknown, tau: unknown, work: 0 })) {
+function stay(found, { base, q, qd }) {
+  const unknown = qd.map(() => NaN);
+  for (const [name, value] of Object.entries({ t: 0, base, q, qd, qdd: unknown, tau: unknown, work: 0 })) {
     found[name].push(value);
   }
 }
 
 /** With energies and the way of the tip that the function `key` places. */
 function measured(equations, trajectory, { key }) {
-  const { q, qd } = trajectory;
+  const { base, q, qd } = trajectory;
   const kinetic = q.map((at, k) => equations.kinetic_energy(at, qd[k]));
-  const potential = q.map((at) => equations.potential_energy(at));
+  const potential = q.map((at, k) => equations.potential_energy(base[k], at));
   const total = kinetic.map((energy, k) => energy + potential[k]);
-  const tip = q.map((at) => equations[key](at).slice(0, 3).map((row) => row[3]));
+  const tip = q.map((at, k) => equations[key](base[k], at).slice(0, 3).map((row) => row[3]));
   return { ...trajectory, kinetic, potential, total, tip };
 }
 
@@ -62,36 +66,42 @@ function measured(equations, trajectory, { key }) {
 function between(found, t) {
   const { t: times } = found;
   const last = times.length - 1;
-  if (last < 1) return { q: found.q[0], qd: found.qd[0], qdd: found.qdd[0], tau: found.tau[0] };
+  const sample = (at) => Object.fromEntries(["base", "q", "qd", "qdd", "tau"].map((name) => [name, found[name][at]]));
+  if (last < 1) return sample(0);
   const h = times[1] - times[0];
   const k = Math.min(Math.max(Math.floor(t / h), 0), last - 1);
   const u = Math.min(Math.max((t - times[k]) / h, 0), 1);
-  if (u === 0 || u === 1) {
-    const at = k + u;
-    return { q: found.q[at], qd: found.qd[at], qdd: found.qdd[at], tau: found.tau[at] };
-  }
-  const cubic = (values, slopes) =>
-    values[k].map((from, i) => {
-      const way = values[k + 1][i] - from;
-      const [a, b] = [h * slopes[k][i] - way, way - h * slopes[k + 1][i]];
-      return from + u * (way + (1 - u) * (a * (1 - u) + b * u));
-    });
+  if (u === 0 || u === 1) return sample(k + u);
+  const [from, to] = [sample(k), sample(k + 1)];
+  const ofBase = from.qd.length - from.q.length;
+  // Slopes behind those of the base, where positions are meant.
+  const cubics = (values, slopes, behind) =>
+    from[values].map((x, i) => x + cubic(to[values][i] - x, h * from[slopes][behind + i], h * to[slopes][behind + i], u));
   const line = (values) => values[k].map((from, i) => from + u * (values[k + 1][i] - from));
   return {
-    q: cubic(found.q, found.qd),
-    qd: cubic(found.qd, found.qdd),
+    base: from.base && poseBetween([from.base, to.base], [from.qd, to.qd], h, u),
+    q: cubics("q", "qd", ofBase),
+    qd: cubics("qd", "qdd", 0),
     qdd: line(found.qdd),
     tau: line(found.tau),
   };
 }
 
-/** The samples as text, a row for each, which the command `inverse` reads. */
+/**
+ * The samples as text, a row for each, which the command `inverse-dynamics` reads. `names` are those of the freedoms, of
+ * which the last have positions.
+ */
 export function csv(trajectory, names) {
   const vectors = ["q", "qd", "qdd", "tau"];
-  const columns = vectors.flatMap((vector) => names.map((name) => `${vector}_${name}`));
-  const header = ["t", ...columns, "kinetic", "potential", "x", "y", "z"];
+  const [base] = trajectory.base;
+  const behind = (vector) => names.slice(names.length - trajectory[vector][0].length);
+  const columns = vectors.flatMap((vector) => behind(vector).map((name) => `${vector}_${name}`));
+  const rotation = [1, 2, 3].flatMap((i) => [1, 2, 3].map((j) => `r${i}${j}`));
+  const pose = [...rotation, "x", "y", "z"].map((name) => `base.${name}`);
+  const header = ["t", ...(base ? pose : []), ...columns, "kinetic", "potential", "x", "y", "z"];
   const rows = trajectory.t.map((t, k) => [
     t,
+    ...(trajectory.base[k] ?? []),
     ...vectors.flatMap((vector) => trajectory[vector][k]),
     trajectory.kinetic[k],
     trajectory.potential[k],

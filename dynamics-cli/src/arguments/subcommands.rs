@@ -249,14 +249,17 @@ fn page() -> Command {
         .long_about(
             "Write one HTML file that shows the arm in 3D with its table, M, V, G, tau and the pose of its tip at any \
              state, plays prescribed and free motions, and plots them. It needs nothing besides: it works from a disk, \
-             without a network, and on a phone.",
+             without a network, and on a phone. A base that moves is held at a pose, or moves freely: a free fall with a spin \
+             is what free motion shows at first.",
         )
         .arg(functions().help(BESIDES))
         .mut_arg("field", |arg| {
             arg.help("A name in the file's cells that gets a slider, and its value at first; may be given several times")
         })
+        .arg(pose("Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
         .arg(vector("from", "Positions at the start, rad or m; zeros, or the middle of limits without zero, where this is left out"))
         .arg(vector("to", "Positions at the end of the prescribed motion, rad or m"))
+        .arg(vector("velocity", "Velocities at the start of free motion, six of a base that moves first; zeros, and a spin of such a base, where this is left out"))
         .arg(number_between("duration", 1e-3, 1e3, "Time of the motions, s").default_value("3"))
         .arg(out())
         .after_help(

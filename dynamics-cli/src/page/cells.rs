@@ -64,9 +64,14 @@ fn unit_of(cell: &str) -> Option<&'static str> {
 /// The cells of the table with their names.
 fn cells(robot: &Robot) -> impl Iterator<Item = (&'static str, &[Value])> {
     let tool = robot.tool.as_ref();
-    let bodies = tool.into_iter().flat_map(|tool| {
-        let mass = ("mass", core::slice::from_ref(&tool.mass));
-        [mass, ("com", &tool.com), ("inertia", &tool.inertia)]
+    let bodies = tool
+        .map(|tool| (&tool.mass, &tool.com, &tool.inertia))
+        .into_iter();
+    let floating = robot.floating();
+    let bodies = bodies.chain(floating.map(|body| (&body.mass, &body.com, &body.inertia)));
+    let bodies = bodies.flat_map(|(mass, com, inertia)| {
+        let mass = ("mass", core::slice::from_ref(mass));
+        [mass, ("com", com), ("inertia", inertia)]
     });
     let places = robot
         .placement()

@@ -30,7 +30,7 @@ pub(super) fn option(value: Option<String>) -> String {
 
 /// A module as a script that stands in a page, with its exports in a global variable: no other script
 /// could import it from there. A `<` ahead of a slash or an exclamation mark stands in texts and
-/// comments alone, and is written as an escape.
+/// comments alone, and is written as an escape. Nobody reads the indentation, which is some kilobytes.
 pub(super) fn module_with_a_global(module: &str, global: &str) -> String {
     let exported = module.lines().filter_map(|line| {
         let rest = line.strip_prefix("export ")?;
@@ -41,7 +41,8 @@ pub(super) fn module_with_a_global(module: &str, global: &str) -> String {
             .next()
     });
     let exported: Vec<_> = exported.collect();
-    let module = module.replace("</", "<\\/").replace("<!", "<\\!");
+    let lines: Vec<_> = module.lines().map(str::trim_start).collect();
+    let module = lines.join("\n").replace("</", "<\\/").replace("<!", "<\\!");
     format!(
         "{module}\nglobalThis.{global} = {{ {} }};\n",
         exported.join(", ")

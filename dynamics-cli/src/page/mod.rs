@@ -4,12 +4,16 @@
 mod cells;
 mod html;
 mod literal;
+mod start;
 mod table;
 
 use dynamics_symbolic::emit::javascript_module;
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Frame, Robot};
 use dynamics_symbolic::{Function, Proven, Request};
 
+pub use start::Start;
+
+use crate::poses::poses;
 use html::html;
 use literal::module_with_a_global;
 
@@ -25,7 +29,7 @@ pub const FUNCTIONS: [Function; 8] = [
     Function::PotentialEnergy,
 ];
 
-/// The page of a robot whose base stands.
+/// The page of a robot.
 #[derive(Clone, Debug)]
 pub struct Page {
     /// The file.
@@ -34,19 +38,21 @@ pub struct Page {
     pub equations: usize,
 }
 
-/// The motion that the page shows at first.
-#[derive(Clone, Debug)]
-pub struct Start {
-    /// Positions at its start, rad or m; the page's own where there are none.
-    pub from: Option<Vec<f64>>,
-    /// Positions at its end.
-    pub to: Option<Vec<f64>>,
-    /// Its time, s.
-    pub duration: f64,
+/// The poses that a page shows: those of the tip and of frames; of a body without any, that of its own frame.
+pub fn shown_poses(robot: &mut Robot) -> Vec<Request> {
+    if robot.rows.is_empty() && robot.frames.is_empty() {
+        robot.frames.push(Frame {
+            name: "base".to_owned(),
+            on: None,
+            places: Vec::new(),
+            body: None,
+        });
+    }
+    poses(robot)
 }
 
 impl Page {
-    /// The page of the programs of all [`FUNCTIONS`] and of the [`poses`](crate::poses::poses) of the robot. `fields` are
+    /// The page of the programs of all [`FUNCTIONS`] and of its [`shown_poses`]. `fields` are
     /// the robot's, each with the value that it has at first.
     pub fn new(
         robot: &Robot,

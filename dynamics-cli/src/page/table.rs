@@ -25,14 +25,14 @@ pub(super) fn script(
             ("unit", string(unit(robot, i))),
         ])
     });
-    let numbers = |values: &Vec<f64>| array(values.iter().copied().map(number));
     let rows =
         (0..robot.rows.len()).map(|i| writer.row(Some(i), &robot.rows[i], &robot.mounted(i)));
     let rows = rows.chain(writer.place_of_tip());
     let entries = [
         ("name", string(&robot.name)),
         ("version", string(env!("CARGO_PKG_VERSION"))),
-        ("dof", robot.dof().to_string()),
+        ("dof", robot.freedoms().all().to_string()),
+        ("joints", robot.freedoms().joints.to_string()),
         (
             "convention",
             string(match robot.convention {
@@ -50,18 +50,18 @@ pub(super) fn script(
             option(robot.placement().map(|base| writer.placement(base))),
         ),
         (
+            "floating",
+            option(robot.floating().map(|body| writer.body(body))),
+        ),
+        (
             "tool",
             option(robot.tool.as_ref().map(|tool| writer.tool(tool))),
         ),
         ("rows", array(rows.map(|row| format!("\n  {row}")))),
         ("tips", array(tips.iter().map(|tip| writer.tip(*tip)))),
     ];
-    let first = [
-        ("fields", array(fields)),
-        ("from", option(start.from.as_ref().map(numbers))),
-        ("to", option(start.to.as_ref().map(numbers))),
-        ("duration", number(start.duration)),
-    ];
+    let first = [("fields", array(fields))].into_iter();
+    let first = first.chain(start.entries());
     format!(
         "globalThis.robotStart = {};\nglobalThis.robotTable = (arm) => ({});\n",
         object(first),
@@ -176,6 +176,11 @@ impl Writer<'_> {
         object(entries.chain(self.curves(row)))
     }
 
+    /// The joint of a row, as positions count them.
+    fn position_of(&self, row: usize) -> usize {
+        self.0.joint_of(row) - self.0.freedoms().base
+    }
+
     /// What the row's joint is, how it moves and where it stands.
     fn joint(
         &self,
@@ -192,11 +197,11 @@ impl Writer<'_> {
             None => self.0.tip_row(),
         };
         let joint = index.filter(|_| row.is_free());
-        let joint = joint.map(|index| self.0.joint_of(index).to_string());
+        let joint = joint.map(|index| self.position_of(index).to_string());
         let locked = row.locked.as_ref().map(|value| self.cell(value));
         let follows = row.follows.as_ref().map(|coupling| {
             object([
-                ("joint", self.0.joint_of(coupling.leader).to_string()),
+                ("joint", self.position_of(coupling.leader).to_string()),
                 ("factor", self.cell(&coupling.factor)),
                 ("offset", self.cell(&coupling.offset)),
             ])

@@ -259,7 +259,7 @@ fn what_makes_no_sense_is_told() {
         let told = errors(call, 2);
         assert!(told.contains(message), "{told}");
     }
-    let told = errors(&["page", &brick], 1);
+    let told = errors(&["inverse-dynamics", &brick, "--to", "1"], 1);
     assert!(
         told.contains("the base moves, which this command does not know"),
         "{told}"
