@@ -142,7 +142,7 @@ fn cells(robot: &Robot, row: &Row) -> String {
             .trim_end_matches('.')
             .to_owned(),
     };
-    let cell = |value: &Value| text(robot, value).unwrap_or_else(|| of_number(value));
+    let cell = |value: &Value| written(robot, value).unwrap_or_else(|| of_number(value));
     let columns = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
     let columns = columns.map(|value| format!(" {:>9}", cell(value))).concat();
     let (com, further) = (numbers(robot, &row.com), further(robot, row));
@@ -238,9 +238,14 @@ fn place(robot: &Robot, place: &Placement) -> String {
     )
 }
 
+/// A cell with the names of fields, in the letters of a file.
+fn written(robot: &Robot, value: &Value) -> Option<String> {
+    text(robot, value).map(|text| text.replace('\u{3c0}', "PI"))
+}
+
 /// A number, or a cell with the names of fields.
 fn number(robot: &Robot, value: &Value) -> String {
-    text(robot, value).unwrap_or_else(|| shortest(value.to_f64(&[])))
+    written(robot, value).unwrap_or_else(|| shortest(value.to_f64(&[])))
 }
 
 fn numbers<'v>(robot: &Robot, values: impl IntoIterator<Item = &'v Value>) -> String {

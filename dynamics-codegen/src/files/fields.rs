@@ -10,7 +10,10 @@ pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
     match listed(table) {
         Some(names) => {
             let names = names.into_iter();
-            let free: Vec<_> = names.filter(|name| !has_meaning(table, name)).collect();
+            let free = names.filter(|name| !has_meaning(table, name));
+            let free =
+                free.map(|name| Name::new(&*as_identifier(name.plain()), Place::from(&name)));
+            let free: Vec<_> = free.collect();
             table.fields.extend(free);
         }
         None if names_are_fields => {
