@@ -1,5 +1,7 @@
 """Shapes, strides and kinds of arrays: all as numpy has them."""
 
+import sys
+import threading
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -165,6 +167,34 @@ def test_many_threads_of_python_call_one_robot() -> None:
         results = list(pool.map(lambda _: arm.inverse_dynamics(q, qd, qdd), range(64)))
     for tau in results:
         np.testing.assert_array_equal(tau, results[0])
+
+
+@pytest.mark.parametrize(("count", "calls", "gives_back"), [(12, 2_000, False), (20_000, 20, True)])
+def test_other_threads_run_during_large_batches(
+    arm: rd.Robot, count: int, calls: int, gives_back: bool
+) -> None:
+    """The interpreter changes threads by itself after 100 s: before that, only where the lock is given back."""
+    q, qd, tau = states(count)
+    arm.forward_dynamics(q[0], qd[0], tau[0])  # A derivation gives the lock back, too.
+    started, ended = threading.Event(), threading.Event()
+
+    def compute() -> None:
+        started.set()
+        for _ in range(calls):
+            arm.forward_dynamics(q, qd, tau)
+        ended.set()
+
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(100)
+    try:
+        thread = threading.Thread(target=compute)
+        thread.start()
+        started.wait()
+        is_during = not ended.is_set()
+    finally:
+        sys.setswitchinterval(interval)
+    thread.join()
+    assert is_during == gives_back
 
 
 def test_no_states(arm: rd.Robot) -> None:
