@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot, Value};
+use dynamics_runtime::nalgebra::Rotation3;
 use dynamics_symbolic::robot::{JointType, Row};
 
 /// What the size of a page stays below.
@@ -46,11 +47,13 @@ const FUNCTIONS: [&str; 8] = [
     "potential_energy",
 ];
 
-/// An arm whose page is looked at.
+/// A robot whose page is looked at.
 struct Arm {
     name: &'static str,
     file: String,
     options: Vec<&'static str>,
+    /// Whether its base moves.
+    is_floating: bool,
     besides: ReadOptions,
     /// The fields, with the values that they have at first.
     fields: Vec<(&'static str, f64)>,
@@ -66,6 +69,7 @@ impl Arm {
             name,
             file: data(file),
             options: Vec::new(),
+            is_floating: false,
             besides: ReadOptions::new().functions(functions),
             fields: Vec::new(),
             tip,
@@ -144,7 +148,66 @@ fn arms() -> Vec<Arm> {
             )
             .with_fields(&[("load", 1.0)]),
         gripper(),
+        brick(),
+        body(),
+        hyq(),
     ]
+}
+
+/// Robots whose base moves: a brick with a wheel, a single body, and a quadruped.
+fn brick() -> Arm {
+    let wheel = "\n[[joint]]\nname = \"wheel\"\ntype = \"revolute\"\nat = { xyz = [0.1, 0, 0.2], rpy = [0.4, 0, 0] }\n\
+                 mass = 0.5\ncom = [0.05, 0, 0]\ninertia = { xx = 1e-3, yy = 1e-3, zz = 2e-3 }\nfriction = { viscous = 1e-3 }\n";
+    thrown("brick", wheel, "forward_kinematics", "forward_kinematics")
+}
+
+fn body() -> Arm {
+    let frame = "joint = []\n[frame.corner]\non = \"base\"\nxyz = [0.2, 0.1, 0]\n";
+    thrown(
+        "body",
+        frame,
+        "forward_kinematics(corner)",
+        "forward_kinematics_corner",
+    )
+}
+
+/// A brick of 2 kg with more behind it.
+fn thrown(name: &'static str, more: &str, function: &str, method: &'static str) -> Arm {
+    let base = "base = { floating = true, mass = 2, com = [0, 0.01, 0.02], inertia = { xx = 0.02, yy = 0.03, zz = 0.04 } }";
+    let text = format!("convention = \"modified\"\ngravity = [0, 0, -10]\n{base}\n{more}");
+    let path = folder().join(name).with_extension("toml");
+    std::fs::write(&path, text).expect("a file");
+    let functions = FUNCTIONS.into_iter().chain([function]);
+    Arm {
+        name,
+        file: path.to_string_lossy().into_owned(),
+        options: Vec::new(),
+        is_floating: true,
+        besides: ReadOptions::new().functions(functions),
+        fields: Vec::new(),
+        tip: method,
+    }
+}
+
+fn hyq() -> Arm {
+    let foot = "forward_kinematics_lf_foot";
+    let file = "urdf/trees/hyq_no_sensors.urdf";
+    let mut hyq = Arm::new("hyq", file).with_frame("forward_kinematics(lf_foot)", foot);
+    hyq.options = vec![
+        "--base",
+        "floating",
+        "--gravity",
+        "0,0,-9.81",
+        "--allow",
+        "unphysical_inertia",
+        "--functions",
+        "forward_kinematics(lf_foot)",
+    ];
+    let entries =
+        "base = \"floating\"\ngravity = [0, 0, \"-9.81\"]\nallow = [\"unphysical_inertia\"]";
+    hyq.besides = hyq.besides.entries(entries);
+    hyq.is_floating = true;
+    hyq
 }
 
 /// One of its fingers follows the other one.
@@ -166,6 +229,8 @@ fn a_page_is_one_file() {
         "generic_chain_n12",
         "robots/generic_chain_n12.json",
     ));
+    // A single body, without any frame.
+    arms.push(thrown("bare", "joint = []", "mass_matrix", ""));
     for arm in arms {
         let text = std::fs::read_to_string(arm.page()).expect("a page");
         println!("{}: {} bytes", arm.name, text.len());
@@ -279,15 +344,50 @@ fn share(joint: usize, state: usize) -> f64 {
     0.5 + 0.45 * ((3 * joint + 5 * state + 1) as f64).sin()
 }
 
-/// Entries of M, V, G, tau, of the tip and of energies at a state. `tip` is the method of its pose.
-fn expected(arm: &RuntimeRobot, tip: &str, q: &[f64], qd: &[f64], qdd: &[f64]) -> Numbers {
-    let evaluate = |function: &str, arguments: &[&[f64]]| -> Vec<f64> {
-        match arm.evaluate(function, arguments).expect("a value") {
+/// A state of a robot: where its base is, if that moves, positions of the joints, velocities and accelerations.
+struct State {
+    base: Option<[f64; 12]>,
+    q: Vec<f64>,
+    qd: Vec<f64>,
+    qdd: Vec<f64>,
+}
+
+impl State {
+    /// The value of a function.
+    fn value(&self, arm: &RuntimeRobot, function: &str) -> Vec<f64> {
+        let names = arm.arguments(function).expect("a function");
+        let arguments = names.map(|(name, _)| match name {
+            "base" => self.base.as_ref().expect("a base that moves").as_slice(),
+            "q" => &self.q,
+            "qd" => &self.qd,
+            _ => &self.qdd,
+        });
+        let arguments: Vec<_> = arguments.collect();
+        match arm.evaluate(function, &arguments).expect("a value") {
             Value::Number(x) => vec![x],
             Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),
             value => panic!("{value:?}"),
         }
-    };
+    }
+}
+
+/// The twelve numbers of a pose: the rotation by rows, then the position.
+fn base_of([x, y, z, roll, pitch, yaw]: [f64; 6]) -> [f64; 12] {
+    let rotation = Rotation3::from_euler_angles(roll, pitch, yaw).into_inner();
+    let entries = rotation.transpose();
+    let entries = entries.iter().copied().chain([x, y, z]);
+    let entries: Vec<f64> = entries.collect();
+    entries.try_into().expect("twelve numbers")
+}
+
+/// Six numbers of a pose that differ from state to state.
+fn pose(state: usize) -> [f64; 6] {
+    core::array::from_fn(|k| 1.6 * (share(k, state + 3) - 0.5))
+}
+
+/// Entries of M, V, G, tau, of the tip and of energies at a state. `tip` is the method of its pose.
+fn expected(arm: &RuntimeRobot, tip: &str, state: &State) -> Numbers {
+    let evaluate = |function: &str| state.value(arm, function);
     let matrix = |name: &str, rows: usize, values: Vec<f64>| -> Numbers {
         let columns = values.len() / rows;
         let named = values.iter().enumerate();
@@ -295,25 +395,25 @@ fn expected(arm: &RuntimeRobot, tip: &str, q: &[f64], qd: &[f64], qdd: &[f64]) -
             .map(|(k, x)| (format!("{name}-{}-{}", k / columns, k % columns), *x))
             .collect()
     };
-    let mut found = matrix("mass", arm.dof(), evaluate("mass_matrix", &[q]));
-    found.extend(indexed("coriolis", &evaluate("coriolis_vector", &[q, qd])));
-    found.extend(indexed("gravity", &evaluate("gravity_vector", &[q])));
+    let mut found = matrix("mass", state.qd.len(), evaluate("mass_matrix"));
+    found.extend(indexed("coriolis", &evaluate("coriolis_vector")));
+    found.extend(indexed("gravity", &evaluate("gravity_vector")));
     for (name, values) in [
-        ("friction", evaluate("friction_vector", &[qd])),
-        ("spring", evaluate("spring_vector", &[q])),
+        ("friction", evaluate("friction_vector")),
+        ("spring", evaluate("spring_vector")),
     ] {
         // The page shows the columns that are not zero at all states.
         if values.iter().any(|x| *x != 0.0) {
             found.extend(indexed(name, &values));
         }
     }
-    found.extend(indexed("tau", &evaluate("inverse_dynamics", &[q, qd, qdd])));
-    let tip = evaluate(tip, &[q]);
+    found.extend(indexed("tau", &evaluate("inverse_dynamics")));
+    let tip = evaluate(tip);
     found.extend((0..3).map(|k| (format!("tip-{k}-3"), tip[4 * k + 3])));
     found.extend(matrix("T", 4, tip));
     let (kinetic, potential) = (
-        evaluate("kinetic_energy", &[q, qd])[0],
-        evaluate("potential_energy", &[q])[0],
+        evaluate("kinetic_energy")[0],
+        evaluate("potential_energy")[0],
     );
     found.push(("kinetic".to_owned(), kinetic));
     found.push(("potential".to_owned(), potential));
@@ -324,9 +424,10 @@ fn expected(arm: &RuntimeRobot, tip: &str, q: &[f64], qd: &[f64], qdd: &[f64]) -
 fn states(arm: &Arm) -> String {
     let mut robot = arm.robot();
     let rows: Vec<Row> = robot.robot().joints().cloned().collect();
+    let of_base = if arm.is_floating { 6 } else { 0 };
     let states = (0..3).map(|state| {
         let each = |scale: f64, seed: usize| -> Vec<f64> {
-            let shares = (0..rows.len()).map(|joint| share(joint, state + seed));
+            let shares = (0..of_base + rows.len()).map(|joint| share(joint, state + seed));
             shares.map(|share| scale * (share - 0.5)).collect()
         };
         let joints = rows.iter().enumerate();
@@ -340,7 +441,11 @@ fn states(arm: &Arm) -> String {
             robot.set_field(name, value).expect("a field");
             set.push((format!("field-{name}"), value));
         }
-        let expected = expected(&robot, arm.tip, &q, &qd, &qdd);
+        let pose = arm.is_floating.then(|| pose(state));
+        set.extend(pose.iter().flat_map(|pose| indexed("pose", pose)));
+        let base = pose.map(base_of);
+        let mut expected = expected(&robot, arm.tip, &State { base, q, qd, qdd });
+        expected.extend(base.iter().flat_map(|base| indexed("base", &base[9..])));
         let entries = [
             ("set", numbers(&set)),
             ("expected", numbers(&expected)),
@@ -351,18 +456,17 @@ fn states(arm: &Arm) -> String {
     format!("[{}]", states.collect::<Vec<_>>().join(", "))
 }
 
-/// Rows of a table that the command has written, from an arm of so many joints: the time, and numbers by the names of a
-/// page.
-fn rows(csv: &str, dof: usize, groups: &[&str]) -> Vec<(f64, Numbers)> {
+/// Rows of a table that the command has written: the time, and numbers by the names of a page, of which each group has so
+/// many.
+fn rows(csv: &str, groups: &[(&str, usize)]) -> Vec<(f64, Numbers)> {
     let rows = csv.lines().skip(1).map(|line| {
-        let cells: Vec<f64> = line
-            .split(',')
-            .map(|x| x.parse().expect("a number"))
-            .collect();
-        let named = groups.iter().enumerate();
-        let found =
-            named.flat_map(|(k, group)| indexed(group, &cells[1 + k * dof..1 + (k + 1) * dof]));
-        (cells[0], found.collect())
+        let mut cells = line.split(',').map(|x| x.parse().expect("a number"));
+        let t = cells.next().expect("the time");
+        let found = groups.iter().flat_map(|(group, count)| {
+            let values: Vec<f64> = cells.by_ref().take(*count).collect();
+            indexed(group, &values)
+        });
+        (t, found.collect())
     });
     rows.collect()
 }
@@ -372,8 +476,49 @@ fn list(values: &[f64]) -> String {
     values.join(",")
 }
 
+/// A motion of 2 s by the cycloidal profile, on a base that is held: inverse dynamics gives the torques.
+fn held(robot: &RuntimeRobot, base: [f64; 12], from: &[f64], to: &[f64]) -> Vec<(f64, Numbers)> {
+    use std::f64::consts::TAU;
+    let row = |k: usize| {
+        let u = k as f64 / 4.0;
+        let way = u - (TAU * u).sin() / TAU;
+        let rates = [1.0 - (TAU * u).cos(), TAU * (TAU * u).sin()];
+        let ways = from.iter().zip(to).map(|(from, to)| to - from);
+        let q = from.iter().zip(ways.clone());
+        let q = q.map(|(from, all)| from + all * way).collect();
+        let behind_base = |rate: f64| -> Vec<f64> {
+            let joints = ways.clone().map(|way| way * rate);
+            std::iter::repeat_n(0.0, 6).chain(joints).collect()
+        };
+        let state = State {
+            base: Some(base),
+            q,
+            qd: behind_base(rates[0] / 2.0),
+            qdd: behind_base(rates[1] / 4.0),
+        };
+        let tau = state.value(robot, "inverse_dynamics");
+        let named = [
+            ("q", &state.q),
+            ("qd", &state.qd),
+            ("qdd", &state.qdd),
+            ("tau", &tau),
+        ];
+        let found = named.map(|(name, values)| indexed(name, values));
+        (
+            2.0 * u,
+            [
+                found.concat(),
+                indexed("rotation", &base[..9]),
+                indexed("base", &base[9..]),
+            ]
+            .concat(),
+        )
+    };
+    (0..5).map(row).collect()
+}
+
 /// A prescribed motion and a free one, with what the commands `inverse` and `simulate` say of them. Those
-/// know no fields: the arm has numbers in their places.
+/// know no fields: the arm has numbers in their places. On a base that moves, the free one begins with a spin and a throw.
 fn motions(arm: &Arm) -> String {
     let mut text = std::fs::read_to_string(&arm.file).expect("a file");
     let mut file = arm.file.clone();
@@ -422,35 +567,55 @@ fn motions(arm: &Arm) -> String {
     let duration = ("duration".to_owned(), 2.0);
     let [from_list, to_list] = [&from, &to].map(|values| list(values));
     let call = |subcommand: &'static str, more: &[&str]| {
-        let shared = [
-            subcommand,
-            &file,
-            "--duration",
-            "2",
-            "--samples",
-            "5",
-            "--from",
-            &from_list,
-        ];
-        let all: Vec<_> = shared
-            .iter()
-            .chain(&arm.options)
-            .chain(more)
-            .copied()
-            .collect();
+        let mut all = vec![subcommand, &file, "--duration", "2", "--samples", "5"];
+        // A body without joints has no positions.
+        if !from.is_empty() {
+            all.extend(["--from", &from_list]);
+        }
+        all.extend(arm.options.iter().chain(more));
         output(&all)
     };
-    let inverse = rows(
-        &call("inverse", &["--to", &to_list]),
-        from.len(),
-        &["q", "qd", "qdd", "tau"],
-    );
-    let simulated = call("simulate", &["--tolerance", "1e-12"]);
-    let free = rows(&simulated, from.len(), &["q", "qd"]);
-    let start = |name: &str, values: &[f64]| [indexed("q", &from), indexed(name, values)].concat();
-    let still = vec![0.0; from.len()];
+    let n = from.len();
+    let pose = pose(1);
+    let (inverse, free, velocity) = if arm.is_floating {
+        let joints = (0..n).map(|joint| share(joint, 6) - 0.5);
+        let velocity: Vec<f64> = [0.5, -0.4, 3.0, 0.3, 2.5, -0.7]
+            .into_iter()
+            .chain(joints)
+            .collect();
+        let [pose_list, velocity_list] = [&pose[..], &velocity].map(list);
+        let more = [
+            "--tolerance",
+            "1e-12",
+            "--pose",
+            &pose_list,
+            "--velocity",
+            &velocity_list,
+        ];
+        let groups = [("rotation", 9), ("base", 3), ("q", n), ("qd", 6 + n)];
+        let free = rows(&call("simulate", &more), &groups);
+        (held(&robot, base_of(pose), &from, &to), free, velocity)
+    } else {
+        let inverse = call("inverse", &["--to", &to_list]);
+        let simulated = call("simulate", &["--tolerance", "1e-12"]);
+        let groups = ["q", "qd", "qdd", "tau"].map(|group| (group, n));
+        (
+            rows(&inverse, &groups),
+            rows(&simulated, &groups[..2]),
+            vec![0.0; n],
+        )
+    };
+    let at = if arm.is_floating {
+        indexed("pose", &pose)
+    } else {
+        Vec::new()
+    };
+    let start = |name: &str, values: &[f64]| {
+        let of_joints = indexed("q", &from);
+        [at.clone(), of_joints, indexed(name, values)].concat()
+    };
     let prescribed = [start("end", &to), vec![duration.clone()]].concat();
-    let dropped = [start("qd", &still), vec![duration]].concat();
+    let dropped = [start("qd", &velocity), vec![duration]].concat();
     format!(
         "[{}, {}]",
         motion("motion", prescribed, inverse, 1e-11),
@@ -471,7 +636,7 @@ fn is_there(program: &str) -> bool {
 /// those of Rust and of the commands `inverse` and `simulate`, a phone shows all of it, and no error is
 /// told.
 #[test]
-#[ignore = "needs Chromium and node, and takes half a minute: .ci/run runs it"]
+#[ignore = "needs Chromium and node, and takes two minutes: .ci/run runs it"]
 fn pages_do_what_they_should_in_a_browser() {
     if !is_there("chromium") || !is_there("node") {
         return;
@@ -485,6 +650,7 @@ fn pages_do_what_they_should_in_a_browser() {
             // Pictures take their time: two arms show what there is to see, one of them with slides.
             ("moves", ["puma560", "cell"].contains(&arm.name).to_string()),
             ("refuses", (arm.name == "two_link").to_string()),
+            ("ofBase", if arm.is_floating { "6" } else { "0" }.to_owned()),
             // Two fixed joints lead to it, 0.107 m and 0.1034 m long.
             (
                 "tip",

@@ -93,7 +93,7 @@ export function baseSliders(model) {
   const { state, size } = model;
   const of = given(model);
   const pose = PLACES.map(({ name, type }, k) => ({
-    ...between(type === "revolute" ? Math.PI : 2 * size),
+    ...between(type === "revolute" ? Math.PI : Math.max(2 * size, 1)),
     ...place(of, type),
     ...entry(of, "pose", k),
     label: name,
@@ -105,7 +105,7 @@ export function baseSliders(model) {
   const weight = 9.81 * rows.reduce((sum, { mass }) => sum + mass, floating.mass);
   const each = model.freedoms.slice(0, model.ofBase).map(({ name, axis, velocity, force, type }, k) => {
     const signs = { velocity: indexed(velocity, axis), acceleration: indexed(`${velocity}${DOT}`, axis), force: indexed(force, axis) };
-    const most = type === "revolute" ? { speed: Math.PI, force: weight * size } : { speed: 2 * size, force: 2 * weight };
+    const most = type === "revolute" ? { speed: Math.PI, force: weight * size } : { speed: Math.max(2 * size, 2), force: 2 * weight };
     return rates(model, k, { signs, name, most });
   });
   // All velocities, then all of what comes behind them.

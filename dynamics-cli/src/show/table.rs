@@ -28,20 +28,7 @@ pub(super) fn table(robot: &Robot) -> String {
     let names = joints.chain(robot.frames.iter().map(|frame| &frame.name));
     let widest = names.map(|name| name.chars().count()).max();
     let width = widest.unwrap_or(0).max(5) + 2;
-    if is_placed {
-        text.push_str(
-            "xyz and rpy are in the frame of the link that carries the joint, com and inertia (xx, yy, zz, xy, yz, xz, \
-             about the\ncentre of mass) in that of the link behind it. `robot-dynamics convert` writes a \
-             Denavit-Hartenberg table.\n\n",
-        );
-    } else {
-        let on = carrier(robot, "on", width);
-        let _ = writeln!(
-            text,
-            "{:<width$}{:<11}{on}{:>10}{:>10}{:>10}{:>10}{:>10}  com",
-            "joint", "type", "a", "alpha", "d", "theta", "mass"
-        );
-    }
+    text.push_str(&heading(robot, is_placed, width));
     if let Some(base) = robot.placement() {
         let _ = writeln!(text, "{:<width$}{}", "base", place(robot, base));
     }
@@ -87,6 +74,21 @@ fn tip(robot: &Robot, width: usize) -> Option<String> {
         places(robot, tip),
     );
     (!is_known).then(|| format!("{:<width$}{:<11}{on}{tip}\n", "tip", "fixed"))
+}
+
+/// The line above the columns of a table, or what the numbers of a URDF file are.
+fn heading(robot: &Robot, is_placed: bool, width: usize) -> String {
+    if is_placed {
+        return "xyz and rpy are in the frame of the link that carries the joint, com and inertia (xx, yy, zz, xy, yz, xz, \
+                about the\ncentre of mass) in that of the link behind it. `robot-dynamics convert` writes a \
+                Denavit-Hartenberg table.\n\n"
+            .to_owned();
+    }
+    let on = carrier(robot, "on", width);
+    format!(
+        "{:<width$}{:<11}{on}{:>10}{:>10}{:>10}{:>10}{:>10}  com\n",
+        "joint", "type", "a", "alpha", "d", "theta", "mass"
+    )
 }
 
 /// The names in the cells that have no value.

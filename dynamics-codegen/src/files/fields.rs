@@ -7,7 +7,7 @@ use crate::words;
 /// Adds the names that the file lists, but for those that have a value; if it lists none, and they are to be fields, the
 /// names that nothing binds.
 pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
-    match listed(table) {
+    match table.listed_fields().map(<[Name]>::to_vec) {
         Some(names) => {
             let names = names.into_iter();
             let free = names.filter(|name| !has_meaning(table, name));
@@ -27,15 +27,6 @@ pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
         }
         None => {}
     }
-}
-
-/// The names that the file lists.
-fn listed(table: &Table) -> Option<Vec<Name>> {
-    let mut entries = table.entries.iter();
-    entries.find_map(|entry| match entry {
-        Entry::Fields(names) => Some(names.clone().unwrap_or_default()),
-        _ => None,
-    })
 }
 
 /// Whether the name is that of a field or has a value already.
