@@ -73,10 +73,13 @@ pub struct Table {
 }
 
 impl Table {
-    /// Whether it lists its symbolic parameters itself.
-    pub(crate) fn lists_fields(&self) -> bool {
+    /// The symbolic parameters that it lists itself, where it does; none of a list that could not be read.
+    pub(crate) fn listed_fields(&self) -> Option<&[Name]> {
         let mut entries = self.entries.iter();
-        entries.any(|entry| matches!(entry, Entry::Fields(_)))
+        entries.find_map(|entry| match entry {
+            Entry::Fields(names) => Some(names.as_deref().unwrap_or_default()),
+            _ => None,
+        })
     }
 
     /// The joints, where they could be read.

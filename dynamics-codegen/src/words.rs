@@ -19,12 +19,20 @@ pub(crate) fn is_keyword(ident: &Ident) -> bool {
 
 /// Whether a word of a file can be the name of something in Rust.
 pub(crate) fn is_name(word: &str) -> bool {
+    has_letters_of_name(word) && !KEYWORDS.contains(&word)
+}
+
+/// Whether a word of a file can be a name in Rust, behind `r#` if it is a keyword.
+pub(crate) fn is_raw_name(word: &str) -> bool {
+    has_letters_of_name(word) && !["_", "crate", "self", "super", "Self"].contains(&word)
+}
+
+fn has_letters_of_name(word: &str) -> bool {
     let mut letters = word.chars();
     letters
         .next()
         .is_some_and(|first| first.is_alphabetic() || first == '_')
         && letters.all(|c| c.is_alphabetic() || c.is_ascii_digit() || c == '_')
-        && !KEYWORDS.contains(&word)
 }
 
 /// The Rust reference, "Keywords": strict and reserved.

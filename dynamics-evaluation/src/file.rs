@@ -165,6 +165,29 @@ impl ReadOptions {
 
     /// Names in cells that nothing binds become fields, too, in the order in which they are read; unless the file closes the
     /// list by `fields = ["m1", "l1"]`, where another name is a mistake.
+    ///
+    /// ```
+    /// # mod robot_dynamics {
+    /// # pub use dynamics_evaluation as evaluation;
+    /// # }
+    /// use robot_dynamics::evaluation::{ReadOptions, RuntimeRobot};
+    ///
+    /// let table = r#"
+    ///     convention = "modified"
+    ///     gravity = [0, "-g", 0]
+    ///     [[joint]]
+    ///     name = "pivot"
+    ///     type = "revolute"
+    ///     mass = "m"
+    ///     com = ["l", 0, 0]
+    /// "#;
+    /// let options = ReadOptions::new().functions(["gravity_vector"]).names_are_fields();
+    /// let mut arm = RuntimeRobot::from_toml(table, &options)?;
+    /// assert_eq!(arm.field_names(), ["g", "m", "l"]);
+    /// arm.set_fields(&[10.0, 3.0, 0.5])?;
+    /// assert_eq!(arm.gravity_vector(&[0.0])?[0], 15.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn names_are_fields(mut self) -> Self {
         self.names_are_fields = true;
         self

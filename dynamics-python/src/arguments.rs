@@ -93,6 +93,12 @@ impl<'a, 'py> Given<'a, 'py> {
         self.argument.name
     }
 
+    /// Whether the numbers are doubles.
+    pub(crate) fn is_double(&self) -> bool {
+        let kind = self.array.dtype();
+        kind.kind() == b'f' && kind.itemsize() == 8
+    }
+
     pub(crate) fn array(&self) -> &Bound<'py, PyUntypedArray> {
         &self.array
     }

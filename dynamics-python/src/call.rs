@@ -211,12 +211,7 @@ fn is_nan(value: &Bound<'_, PyAny>) -> PyResult<bool> {
 
 /// Whether numpy would have the result in single precision.
 fn is_single(py: Python<'_>, given: &[Given<'_, '_>]) -> PyResult<bool> {
-    let is_double = |one: &Given<'_, '_>| {
-        let kind = one.array().dtype();
-        use numpy::PyArrayDescrMethods;
-        kind.kind() == b'f' && kind.itemsize() == 8
-    };
-    if given.is_empty() || given.iter().any(is_double) {
+    if given.is_empty() || given.iter().any(Given::is_double) {
         return Ok(false);
     }
     let arrays = PyTuple::new(py, given.iter().map(Given::array))?;

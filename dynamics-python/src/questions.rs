@@ -26,11 +26,6 @@ type Compared = (String, f64, f64);
 impl Arm {
     /// The expansion of the macro, which derives the functions anew.
     fn rust(&self, py: Python<'_>, functions: &[String]) -> PyResult<(String, String)> {
-        if !self.fields.is_empty() {
-            let message =
-                "`lang` is \"rust\", and the robot has fields: the macro makes a struct of them";
-            return Err(PyValueError::new_err(message));
-        }
         let requests = functions.iter().map(|name| {
             let place = self.description.place(name)?;
             Ok(self.description.request(place).clone())

@@ -3,11 +3,12 @@
 use dynamics_evaluation::Arrangement;
 use numpy::ndarray::{ArrayView, IxDyn};
 use numpy::{
-    PyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods, ToPyArray,
+    PyArray, PyArray1, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray,
+    PyUntypedArrayMethods, ToPyArray,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PySlice, PyTuple};
 
 use crate::arguments::tuple;
 use crate::function::Ready;
@@ -60,11 +61,12 @@ impl<'py> Out<'py> {
         let Ok(out) = out.cast_into::<PyUntypedArray>() else {
             return Err(PyTypeError::new_err("`out` is no array of numpy"));
         };
-        let kind = out.dtype().to_string();
-        let expected = if is_single { "float32" } else { "float64" };
-        if kind != expected {
+        let kind = out.dtype();
+        let bytes = if is_single { 4 } else { 8 };
+        if kind.kind() != b'f' || kind.itemsize() != bytes {
             return Err(PyTypeError::new_err(format!(
-                "`out` is an array of {kind}: expected {expected}"
+                "`out` is an array of {kind}: expected float{}",
+                8 * bytes
             )));
         }
         let shape = [lead, axes].concat();
@@ -138,8 +140,10 @@ impl<'py> Results<'py> {
             true => rows.call_method1("astype", ("float32",))?,
             false => rows,
         };
-        let mut first = 0;
-        parts(py, &ready.arrangement, lead, &rows, &mut first)
+        match &ready.arrangement {
+            Arrangement::Array(axes) => plain(rows, &[lead, axes].concat()),
+            tuple => parts(py, tuple, lead, &rows, &mut 0),
+        }
     }
 }
 
@@ -151,25 +155,20 @@ fn parts<'py>(
     rows: &Bound<'py, PyAny>,
     first: &mut usize,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let Arrangement::Tuple(all) = arrangement else {
-        let Arrangement::Array(axes) = arrangement else {
-            unreachable!("an array or a tuple")
-        };
-        return plain(rows.clone(), &[lead, axes].concat());
-    };
-    let values = all.iter().map(|one| match one {
-        Arrangement::Tuple(_) => parts(py, one, lead, rows, first),
+    match arrangement {
         Arrangement::Array(axes) => {
-            let count: usize = axes.iter().product();
-            let range =
-                pyo3::types::PySlice::new(py, *first as isize, (*first + count) as isize, 1);
+            let count = axes.iter().product::<usize>();
+            let range = PySlice::new(py, *first as isize, (*first + count) as isize, 1);
             *first += count;
             let part = rows.get_item((py.Ellipsis(), range))?;
             let shape = [lead, axes].concat();
             let part = part.call_method1("reshape", (PyTuple::new(py, &shape)?,))?;
             plain(part.call_method0("copy")?, &shape)
         }
-    });
-    let values: Vec<_> = values.collect::<PyResult<_>>()?;
-    Ok(PyTuple::new(py, values)?.into_any())
+        Arrangement::Tuple(all) => {
+            let values = all.iter().map(|one| parts(py, one, lead, rows, first));
+            let values: Vec<_> = values.collect::<PyResult<_>>()?;
+            Ok(PyTuple::new(py, values)?.into_any())
+        }
+    }
 }

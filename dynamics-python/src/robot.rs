@@ -64,7 +64,7 @@ fn without_values(description: &Description) -> Arc<[f64]> {
 impl Arm {
     /// Reads the text of a file of that name, with entries in TOML and options beside it.
     #[new]
-    #[pyo3(signature = (path, text, entries, functions=None, chain=None, ignore=Vec::new(), round_angles=None, fields=Vec::new()))]
+    #[pyo3(signature = (path, text, entries, functions=None, chain=None, ignore=Vec::new(), round_angles=None, fields=None))]
     #[allow(clippy::too_many_arguments)] // They are the options of `ReadOptions`.
     fn new(
         py: Python<'_>,
@@ -75,12 +75,13 @@ impl Arm {
         chain: Option<Vec<String>>,
         ignore: Vec<String>,
         round_angles: Option<f64>,
-        fields: Vec<String>,
+        fields: Option<Vec<String>>,
     ) -> PyResult<Self> {
-        let mut options = ReadOptions::new()
-            .entries(entries)
-            .ignore(ignore)
-            .fields(fields);
+        let options = ReadOptions::new().entries(entries).ignore(ignore);
+        let mut options = match fields {
+            Some(names) => options.fields(names),
+            None => options.names_are_fields(),
+        };
         if let Some(names) = functions {
             options = options.functions(names);
         }

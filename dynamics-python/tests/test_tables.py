@@ -58,6 +58,13 @@ def test_a_float_is_its_shortest_decimal() -> None:
         rd.Robot.from_table(convention="modified", joint=[{**row, "mass": float("nan")}])
 
 
+def test_names_that_nothing_binds_are_fields() -> None:
+    arm = rd.Robot.from_file(FILES / "two_link.toml")
+    assert set(arm.fields) == {"m1", "m2", "l1", "l2", "g"}
+    with pytest.raises(rd.TableError, match="l1"):
+        rd.Robot.from_file(FILES / "two_link.toml", fields=["m1", "m2", "l2", "g"])
+
+
 def test_fields_take_no_new_derivation() -> None:
     arm = rd.Robot.from_file(FILES / "two_link.toml", fields=["m1", "m2", "l1", "l2", "g"])
     with pytest.raises(ValueError, match="field `m1` has no value"):

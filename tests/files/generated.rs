@@ -13,6 +13,16 @@ mod two_rods {
 }
 use two_rods::TwoRods;
 
+/// Written by the same tests from a table with names in its cells.
+#[allow(
+    unreachable_pub,
+    reason = "the module that the file is included in is private"
+)]
+mod named_rods {
+    include!("generated/named_rods.rs");
+}
+use named_rods::NamedRods;
+
 robot_dynamics! {
     /// Two rods that hang from each other.
     struct Expected;
@@ -49,4 +59,31 @@ fn the_generated_file_is_what_the_macro_expands_to() {
             .forward_dynamics(q, qd, tau)
             .expect("accelerations")
     );
+}
+
+robot_dynamics! {
+    /// The table of the names.
+    struct ExpectedNames { g: f64, l1: f64, m1: f64, l2: f64, m2: f64, load: f64 }
+    convention: standard,
+    gravity: [0, -g, 0],
+    joints: [
+        shoulder: revolute { a: l1, mass: m1 },
+        elbow: revolute { a: 0.5 * l2, mass: m2 + load },
+    ],
+    functions: [mass_matrix, gravity_vector],
+}
+
+#[test]
+fn names_in_a_file_are_fields_as_in_a_call() {
+    let (g, l1, m1, l2, m2, load) = (9.81, 0.5, 2.0, 0.8, 1.0, 3.0);
+    #[rustfmt::skip]
+    let (found, expected) = (
+        NamedRods { g, l1, m1, l2, m2, load },
+        ExpectedNames { g, l1, m1, l2, m2, load },
+    );
+    check_against_rnea(&found).assert_ok();
+    assert_eq!(found.table(), expected.table());
+    let q = Vector2::new(0.3, -1.2);
+    assert_eq!(found.mass_matrix(&q), expected.mass_matrix(&q));
+    assert_eq!(found.gravity_vector(&q), expected.gravity_vector(&q));
 }

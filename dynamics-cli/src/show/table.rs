@@ -28,20 +28,7 @@ pub(super) fn table(robot: &Robot) -> String {
     let names = joints.chain(robot.frames.iter().map(|frame| &frame.name));
     let widest = names.map(|name| name.chars().count()).max();
     let width = widest.unwrap_or(0).max(5) + 2;
-    if is_placed {
-        text.push_str(
-            "xyz and rpy are in the frame of the link that carries the joint, com and inertia (xx, yy, zz, xy, yz, xz, \
-             about the\ncentre of mass) in that of the link behind it. `robot-dynamics convert` writes a \
-             Denavit-Hartenberg table.\n\n",
-        );
-    } else {
-        let on = carrier(robot, "on", width);
-        let _ = writeln!(
-            text,
-            "{:<width$}{:<11}{on}{:>10}{:>10}{:>10}{:>10}{:>10}  com",
-            "joint", "type", "a", "alpha", "d", "theta", "mass"
-        );
-    }
+    text.push_str(&heading(robot, is_placed, width));
     if let Some(base) = robot.placement() {
         let _ = writeln!(text, "{:<width$}{}", "base", place(robot, base));
     }
@@ -87,6 +74,21 @@ fn tip(robot: &Robot, width: usize) -> Option<String> {
         places(robot, tip),
     );
     (!is_known).then(|| format!("{:<width$}{:<11}{on}{tip}\n", "tip", "fixed"))
+}
+
+/// The line above the columns of a table, or what the numbers of a URDF file are.
+fn heading(robot: &Robot, is_placed: bool, width: usize) -> String {
+    if is_placed {
+        return "xyz and rpy are in the frame of the link that carries the joint, com and inertia (xx, yy, zz, xy, yz, xz, \
+                about the\ncentre of mass) in that of the link behind it. `robot-dynamics convert` writes a \
+                Denavit-Hartenberg table.\n\n"
+            .to_owned();
+    }
+    let on = carrier(robot, "on", width);
+    format!(
+        "{:<width$}{:<11}{on}{:>10}{:>10}{:>10}{:>10}{:>10}  com\n",
+        "joint", "type", "a", "alpha", "d", "theta", "mass"
+    )
 }
 
 /// The names in the cells that have no value.
@@ -142,7 +144,7 @@ fn cells(robot: &Robot, row: &Row) -> String {
             .trim_end_matches('.')
             .to_owned(),
     };
-    let cell = |value: &Value| text(robot, value).unwrap_or_else(|| of_number(value));
+    let cell = |value: &Value| written(robot, value).unwrap_or_else(|| of_number(value));
     let columns = [&row.a, &row.alpha, &row.d, &row.theta, &row.mass];
     let columns = columns.map(|value| format!(" {:>9}", cell(value))).concat();
     let (com, further) = (numbers(robot, &row.com), further(robot, row));
@@ -238,9 +240,14 @@ fn place(robot: &Robot, place: &Placement) -> String {
     )
 }
 
+/// A cell with the names of fields, in the letters of a file.
+fn written(robot: &Robot, value: &Value) -> Option<String> {
+    text(robot, value).map(|text| text.replace('\u{3c0}', "PI"))
+}
+
 /// A number, or a cell with the names of fields.
 fn number(robot: &Robot, value: &Value) -> String {
-    text(robot, value).unwrap_or_else(|| shortest(value.to_f64(&[])))
+    written(robot, value).unwrap_or_else(|| shortest(value.to_f64(&[])))
 }
 
 fn numbers<'v>(robot: &Robot, values: impl IntoIterator<Item = &'v Value>) -> String {

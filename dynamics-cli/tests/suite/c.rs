@@ -240,3 +240,68 @@ fn sines_of_the_c_library() {
         assert!(message.contains("is about `--lang c`"), "{message}");
     }
 }
+
+/// Fields are a struct of floats, and the sine of an angle made of them is that of Rust.
+#[test]
+fn fields_of_single_precision() {
+    let tilted = ARM
+        .replace("alpha = -0.4", "alpha = \"2 * tilt\"")
+        .replace("mass = 1\n", "mass = \"load\"\n");
+    let path = file("tilted.toml", tilted);
+    let out = folder("tilted");
+    let to = out.to_string_lossy();
+    let scalar = ["--lang", "c", "--scalar", "float"];
+    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
+    let header = std::fs::read_to_string(out.join("tilted.h")).expect("a header");
+    assert!(
+        header.contains("    float load;\n    float tilt;\n} tilted_fields;"),
+        "{header}"
+    );
+    if !has_gcc() {
+        return;
+    }
+    let options = ReadOptions::new().names_are_fields();
+    let mut arm = RuntimeRobot::from_file(&path, &options).expect("an arm");
+    let state: [f32; 9] = [0.3, 0.2, -1.1, 0.5, -0.7, 1.3, 2.0, -1.0, 0.25];
+    let fields: [f32; 2] = [1.7, 0.35];
+    arm.set_fields(&fields.map(f64::from)).expect("two fields");
+    let parts = [&state[..3], &state[3..6], &state[6..]];
+    let expected = arm.evaluate_in("inverse_dynamics", &parts).expect("values");
+    let expected: Vec<_> = expected
+        .iter()
+        .map(|x| format!("{:08x}", x.to_bits()))
+        .collect();
+    let texts: Vec<_> = parts.iter().map(|part| literal(part)).collect();
+    let call = format!(
+        "const tilted_fields arm = {{1.7f, 0.35f}}; tilted_inverse_dynamics(&arm, {}, x);",
+        texts.join(", ")
+    );
+    let found = compiled(&out, "tilted", &main_of("tilted", &[(call, 3)]), &[]);
+    assert_eq!(found.trim(), expected.join(" "));
+}
+
+/// A robot on a base that moves compiles in single precision, as C++ too.
+#[test]
+fn a_base_that_moves_in_single_precision() {
+    let path = file("single_brick.toml", super::moving_base::BRICK);
+    let out = folder("single_brick");
+    let to = out.to_string_lossy();
+    output(&[
+        "generate", &path, "--lang", "c", "--scalar", "float", "--out", &to,
+    ]);
+    let header = std::fs::read_to_string(out.join("single_brick.h")).expect("a header");
+    assert!(
+        header.contains("const float base[12]") && !header.contains("double"),
+        "{header}"
+    );
+    for (compiler, language) in [("gcc", "c"), ("g++", "c++")] {
+        if Command::new(compiler).arg("--version").output().is_ok() {
+            let mut command = Command::new(compiler);
+            command
+                .current_dir(&out)
+                .args(["-x", language])
+                .args(&FLAGS[1..]);
+            succeed(command.args(["-c", "single_brick.c", "-o", "single_brick.o"]));
+        }
+    }
+}

@@ -145,6 +145,24 @@ fn frames_and_functions_without_arguments() {
     assert!(text.contains("wrench_torques(q, wrench)"), "{text}");
 }
 
+/// A tree without a tip has the pose of each end.
+#[test]
+fn ends_of_a_tree() {
+    let branch = "[[joint]]\nname = \"ankle\"\ntype = \"revolute\"\non = \"pivot\"\na = 0.5\nmass = 1\ncom = [0.25, 0, 0]\n";
+    let tree = file("evaluate_tree.toml", format!("{PENDULUM}{branch}"));
+    let asked = ["--functions", "mass_matrix"];
+    let text = output(&[&["evaluate", &tree, "--at", "PI,0,PI/2"][..], &asked].concat());
+    for (function, place) in [
+        ("forward_kinematics_knee", "xyz [-1, "),
+        ("forward_kinematics_ankle", "xyz [-0.5, "),
+    ] {
+        let line = section(&text, function).pop().expect("a place");
+        assert!(line.trim_start().starts_with(place), "{text}");
+    }
+    let mass_matrix = numbers::<3, 3>(&text, "mass_matrix");
+    assert_eq!((mass_matrix[1][2], mass_matrix[2][1]), (0.0, 0.0));
+}
+
 /// On a base that moves positions are those of the joints, and velocities begin with six of the base.
 #[test]
 fn a_base_that_moves() {

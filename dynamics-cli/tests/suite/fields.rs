@@ -269,3 +269,45 @@ fn other_names_are_no_fields() {
     let message = errors(&["show", &file("below.toml", below)], 1);
     assert!(message.contains("bound further down"), "{message}");
 }
+
+/// The page shows the names in the table, with a slider for each.
+#[test]
+fn names_are_on_the_page() {
+    let names = file("paged.toml", NAMES);
+    let page = output(&[&["page", &names][..], &VALUES].concat());
+    for text in ["arm.load", "m2 + load", "0.5 l2"] {
+        assert!(page.contains(text), "{text}");
+    }
+    let message = errors(&[&["page", &names][..], &VALUES[2..]].concat(), 1);
+    assert!(
+        message.contains("unknown name `g`: `--field g=2`"),
+        "{message}"
+    );
+}
+
+/// Tables in JSON have names too, and a keyword of Rust may be one.
+#[test]
+fn names_in_json_and_keywords() {
+    let text = r#"{"convention": "modified", "gravity": [0, 0, "-g"], "functions": ["mass_matrix"], "joints": [
+        {"name": "p", "type": "revolute", "mass": "type", "com": ["l", 0, 0]}]}"#;
+    let json = file("names.json", text);
+    let shown = output(&["show", &json]);
+    assert!(
+        shown.contains("fields: g, type, l\n") && shown.contains("M11 = type l^2"),
+        "{shown}"
+    );
+    let out = folder("keywords");
+    output(&[
+        "generate",
+        &json,
+        "--lang",
+        "rust",
+        "--out",
+        &out.to_string_lossy(),
+    ]);
+    let rust = std::fs::read_to_string(out.join("names.rs")).expect("a file");
+    assert!(
+        rust.contains("pub r#type: ::core::primitive::f64"),
+        "{rust}"
+    );
+}

@@ -7,10 +7,13 @@ use crate::words;
 /// Adds the names that the file lists, but for those that have a value; if it lists none, and they are to be fields, the
 /// names that nothing binds.
 pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
-    match listed(table) {
+    match table.listed_fields().map(<[Name]>::to_vec) {
         Some(names) => {
             let names = names.into_iter();
-            let free: Vec<_> = names.filter(|name| !has_meaning(table, name)).collect();
+            let free = names.filter(|name| !has_meaning(table, name));
+            let free =
+                free.map(|name| Name::new(&*as_identifier(name.plain()), Place::from(&name)));
+            let free: Vec<_> = free.collect();
             table.fields.extend(free);
         }
         None if names_are_fields => {
@@ -24,15 +27,6 @@ pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
         }
         None => {}
     }
-}
-
-/// The names that the file lists.
-fn listed(table: &Table) -> Option<Vec<Name>> {
-    let mut entries = table.entries.iter();
-    entries.find_map(|entry| match entry {
-        Entry::Fields(names) => Some(names.clone().unwrap_or_default()),
-        _ => None,
-    })
 }
 
 /// Whether the name is that of a field or has a value already.

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::Mistake;
 use crate::audience::Audience;
 use crate::limits::MOST_LISTED;
-use crate::words::{either, shortened};
+use crate::words::{self, either, is_raw_name, shortened};
 
 mistakes! {
     /// Something that is no part of a value, such as a path or a method call.
@@ -109,7 +109,10 @@ mistakes! {
 
 /// Whether the name may be that of a field: it is none of what is infinite, or of a constant that is written otherwise.
 pub(crate) fn may_be_a_field(name: &str) -> bool {
-    is_free(name) && crate::words::constant_of_std(name).is_none() && name.to_lowercase() != "pi"
+    is_free(name)
+        && is_raw_name(name)
+        && words::constant_of_std(name).is_none()
+        && name.to_lowercase() != "pi"
 }
 
 /// Whether the name may stand for a number: `inf` stands for none.

@@ -138,7 +138,7 @@ impl Reader<'_> {
     }
 
     fn binding(&mut self, key: &Key, node: &Node, entries: &mut Vec<Entry>) -> Read<()> {
-        let name = self.rust_name("a name", key)?;
+        let name = self.name_of_value("a name", key)?;
         add(entries, |value| Entry::Let(name, value), self.value(node))
     }
 
@@ -148,7 +148,7 @@ impl Reader<'_> {
         self.list(node, &what, |reader, node| {
             let name = reader.name_of(node, &what)?;
             let key = Key::new(name.plain(), node.place);
-            reader.rust_name("a field", &key)
+            reader.name_of_value("a field", &key)
         })
     }
 

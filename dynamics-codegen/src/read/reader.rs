@@ -188,6 +188,15 @@ impl<'d> Reader<'d> {
         }
     }
 
+    /// A name of a value, which may be a keyword of Rust in a file.
+    pub(super) fn name_of_value(&self, what: &str, key: &Key) -> Read<Name> {
+        if words::is_raw_name(&key.word) {
+            self.name(&key.word, key.place)
+        } else {
+            self.rust_name(what, key)
+        }
+    }
+
     pub(super) fn name(&self, word: &str, place: Place) -> Read<Name> {
         if word.chars().any(char::is_control) {
             return Err(self.error(place, mistake::file::control_in_name(word)));

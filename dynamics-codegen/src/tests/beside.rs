@@ -234,3 +234,71 @@ fn a_position_of_the_rest_that_is_no_number_is_told_once() {
         "{message}"
     );
 }
+
+/// A pendulum whose mass and length are names.
+const NAMES: &str = "convention = 'modified'\ngravity = [0, -9.81, 0]\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\nmass = 'm'\n\
+                     com = ['2 * l', 0, 0]\n";
+
+/// The fields of the text, where names are fields, or the messages about it.
+fn fields(text: &str, entries: &str) -> Result<Vec<String>, Vec<String>> {
+    let entries = table("names", entries, Format::Toml, &Request::default()).expect("entries");
+    let entries = Table {
+        names_are_fields: true,
+        ..entries
+    };
+    let model = model_beside("names", text, Format::Toml, entries);
+    let messages = |errors: Vec<Error>| errors.into_iter().map(|error| error.message).collect();
+    model.map(|model| model.robot.fields).map_err(messages)
+}
+
+/// Names that nothing binds are fields in the order in which they are read; a list gives the order, and is closed.
+#[test]
+fn names_that_nothing_binds_are_fields() {
+    let owned = |names: &[&str]| {
+        names
+            .iter()
+            .map(|name| (*name).to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(fields(NAMES, ""), Ok(owned(&["m", "l"])));
+    assert_eq!(fields(NAMES, "let.m = 3"), Ok(owned(&["l"])));
+    let listed = |list: &str| format!("fields = {list}\n{NAMES}");
+    assert_eq!(fields(&listed("['l', 'm']"), ""), Ok(owned(&["l", "m"])));
+    assert_eq!(
+        fields(&listed("['l', 'm']"), "let.l = 1"),
+        Ok(owned(&["m"]))
+    );
+    assert_eq!(
+        fields(&listed("['l']"), ""),
+        Err(owned(&[
+            "unknown name `m`: `fields` of the file does not list it"
+        ]))
+    );
+    assert_eq!(
+        fields(&listed("['l', 'm', 'load']"), ""),
+        Err(owned(&["no value uses the field `load`"]))
+    );
+    // What is said beside the file is meant for names of the file.
+    let beside = fields(NAMES, "let.m = '2 * mass'").expect_err("a mistake");
+    assert!(beside[0].contains("unknown name `mass`"), "{beside:?}");
+}
+
+/// The struct of a call has the fields, whatever the file lists.
+#[test]
+fn a_call_with_a_file_that_lists_fields() {
+    let path = std::env::temp_dir().join(format!("listed_{}.toml", std::process::id()));
+    std::fs::write(&path, format!("fields = ['l', 'm']\n{NAMES}")).expect("a file");
+    let call = |structure: &str| {
+        let call = format!("{structure} file: \"{}\"", path.display());
+        super::read(call.parse().expect("the source lexes"))
+    };
+    let (model, _) = call("struct Arm { m: f64, l: f64 }");
+    let (none, messages) = call("struct Arm { m: f64 }");
+    std::fs::remove_file(&path).expect("the file");
+    assert_eq!(model.expect("a robot").robot.fields, ["m", "l"]);
+    assert!(
+        none.is_none() && messages[0].contains("unknown name `l`"),
+        "{messages:?}"
+    );
+    assert!(!messages[0].contains("does not list it"), "{messages:?}");
+}

@@ -44,8 +44,8 @@ pub(super) struct Scope<'d> {
     joints: Vec<String>,
     /// Names that nothing binds, in the order in which they are read.
     free: Vec<String>,
-    /// Whether the file lists its fields.
-    lists_fields: bool,
+    /// The fields that the file lists, where it does.
+    listed: Option<Vec<String>>,
     /// Whether a name that nothing binds is reported once, and not where it is used again.
     once: bool,
 }
@@ -80,7 +80,9 @@ impl<'d> Scope<'d> {
             follower: None,
             joints: joints.map(|name| name.plain().to_owned()).collect(),
             free: Vec::new(),
-            lists_fields: table.lists_fields(),
+            listed: table
+                .listed_fields()
+                .map(|names| names.iter().map(|name| name.plain().to_owned()).collect()),
             once: table.audience == Audience::Command,
         };
         for name in &table.fields {
@@ -519,7 +521,9 @@ impl<'d> Scope<'d> {
         if let Some(Binding::Field(index)) = meant.and_then(|meant| self.names.get(meant)) {
             self.used[*index] = true;
         }
-        if meant.is_none() && self.lists_fields && mistake::may_be_a_field(name) {
+        let is_unlisted = |listed: &Vec<String>| listed.iter().all(|known| known != name);
+        let is_unlisted = self.listed.as_ref().is_some_and(is_unlisted);
+        if meant.is_none() && is_unlisted && mistake::may_be_a_field(name) {
             return mistake::unlisted_name(name);
         }
         mistake::unknown_name(name, meant, &names, self.variable)

@@ -8,6 +8,7 @@
 mod build;
 
 use core::cell::RefCell;
+use core::sync::atomic::{AtomicU64, Ordering};
 
 use dynamics_runtime::{Scalar, SingularMassMatrix};
 use dynamics_symbolic::function::Argument;
@@ -22,15 +23,39 @@ const INDICES: usize = 1 << 16;
 type Numbers = [f64; INDICES];
 
 thread_local! {
-    /// Room for the numbers of a call, which no call leaves anything in.
-    static ROOM: RefCell<Box<Numbers>> = RefCell::new(room());
+    /// Room for the numbers of a call.
+    static ROOM: RefCell<Room> = RefCell::new(Room::new());
 }
 
-/// Zeros that take no memory before they are written.
-fn room() -> Box<Numbers> {
-    let zeros = vec![0.0; INDICES].into_boxed_slice();
-    zeros.try_into().expect("as many zeros as indices")
+/// Room for the numbers of a call. Its shared numbers stay there for a next call of the same function.
+struct Room {
+    numbers: Box<Numbers>,
+    /// The mark of the shared numbers.
+    mark: u64,
 }
+
+impl Room {
+    /// Zeros, which take no memory before they are written.
+    fn new() -> Self {
+        let zeros = vec![0.0; INDICES].into_boxed_slice();
+        Room {
+            numbers: zeros.try_into().expect("as many zeros as indices"),
+            mark: 0,
+        }
+    }
+
+    /// The room with these shared numbers at its beginning, which no call writes to.
+    fn with_shared(&mut self, prepared: &Prepared) -> &mut Numbers {
+        if self.mark != prepared.mark {
+            self.numbers[..prepared.shared.len()].copy_from_slice(&prepared.shared);
+            self.mark = prepared.mark;
+        }
+        &mut self.numbers
+    }
+}
+
+/// The marks that were given to shared numbers, so that different ones have different marks.
+static MARKS: AtomicU64 = AtomicU64::new(0);
 
 /// x y + c
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,6 +104,7 @@ pub(crate) struct Prepared {
     shared: Vec<f64>,
     /// What is read of a state: the number of the argument first.
     sources: Vec<(usize, Source<f64>, Of)>,
+    mark: u64,
 }
 
 impl Single {
@@ -102,6 +128,7 @@ impl Single {
             sources: sources
                 .collect::<Option<_>>()
                 .expect("a program reads arguments of its function"),
+            mark: MARKS.fetch_add(1, Ordering::Relaxed) + 1,
         }
     }
 
@@ -133,7 +160,8 @@ impl Single {
         values: &[u16],
         results: &mut [f64],
     ) -> Result<(), SingularMassMatrix> {
-        ROOM.with_borrow_mut(|numbers| {
+        ROOM.with_borrow_mut(|room| {
+            let numbers = room.with_shared(prepared);
             self.carry_out(numbers, prepared, arguments);
             for test in &self.tests {
                 test.result(|index| numbers[index])?;
@@ -147,7 +175,6 @@ impl Single {
 
     fn carry_out(&self, numbers: &mut Numbers, prepared: &Prepared, arguments: &[&[f64]]) {
         let mut next = prepared.shared.len();
-        numbers[..next].copy_from_slice(&prepared.shared);
         for (argument, source, of) in &prepared.sources {
             let x = source.value(arguments[*argument][source.entry]);
             match of {

@@ -35,7 +35,7 @@ class Arm:
         chain: list[str] | None = None,
         ignore: list[str] = ...,
         round_angles: float | None = None,
-        fields: list[str] = ...,
+        fields: list[str] | None = None,
     ) -> Arm: ...
     def with_fields(self, values: list[tuple[str, float]]) -> Arm: ...
     def identified(

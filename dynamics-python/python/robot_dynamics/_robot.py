@@ -31,7 +31,8 @@ class Robot:
     decimal, and a string is an expression such as `"PI/2"` or `"deg(90)"`. Further keywords:
 
     `functions`: the names of the functions, `default` for those that a table without names has.
-    `fields`: names that cells may use without a value; a mapping gives values, too.
+    `fields`: the names that cells may use without a value, or a mapping that gives values, too. Where it is left out, all
+    names that nothing binds are fields.
     `chain`, `ignore`, `round_angles`: of URDF files; the first and the last link of the arm, joints that are left out,
     and the distance from a quarter turn, rad, within which an angle is taken for it.
 
@@ -143,7 +144,7 @@ class Robot:
     def source(self, lang: str, functions: Iterable[str] | None = None) -> dict[str, str]:
         """Functions as source code: the texts of files by their names.
 
-        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names; Rust is of robots without fields.
+        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names.
         """
         return dict(self._arm.source(lang, list(functions or self.functions)))
 
@@ -279,7 +280,7 @@ class _Source:
     """The text of a robot, and what is said beside it."""
 
     def __init__(self, path: str, text: str, entries: dict[str, Any]) -> None:
-        fields = entries.pop("fields", ())
+        fields = entries.pop("fields", None)
         self.values: dict[str, float] = dict(fields) if isinstance(fields, Mapping) else {}
         names: Iterable[Any] = entries.pop("functions", None) or ()
         functions = list(names)
@@ -293,7 +294,7 @@ class _Source:
             "chain": _words(entries.pop("chain", None)),
             "ignore": _words(entries.pop("ignore", None)) or [],
             "round_angles": entries.pop("round_angles", None),
-            "fields": list(fields),
+            "fields": None if fields is None else list(fields),
         }
         self.options["entries"] = _toml.document(_in_files(entries))
 
