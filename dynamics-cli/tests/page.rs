@@ -282,6 +282,10 @@ fn what_cannot_be_is_refused() {
         2,
         "expected a number from 1e-3 to 1000",
     );
+    let pose = with(&["--pose", "0,0,1,0,0,0"]);
+    refused(&pose, 2, "`--pose` is of a robot whose base moves");
+    let velocity = with(&["--velocity", "1"]);
+    refused(&velocity, 2, "`--velocity` has 1 number: expected 2");
     let negative = ["m1=3", "m2=-1", "l1=2", "l2=1", "g=9.81"];
     let negative = negative.iter().flat_map(|field| ["--field", field]);
     refused(

@@ -34,8 +34,8 @@ export function lawsOf({ floating }) {
   if (!floating) return { none, constant: "constant", gravity: "G + K: the arm floats" };
   return {
     none,
-    steady: "of joints alone: they keep their velocities",
-    constant: "constant, with a force and a moment on the base",
-    gravity: "G + K, with a force on the base: the robot floats",
+    steady: "of joints: they keep their velocities",
+    constant: "constant, on the base too",
+    gravity: "G + K, on the base too: the robot floats",
   };
 }

@@ -88,8 +88,8 @@ function plotsOfBase({ freedoms, ofBase, units, trajectory }, entry) {
   const force = ({ force: sign, axis }) => `${sign}${axis}`;
   return [
     { key: "base", title: ["p", "base"], curves: where },
-    of("qd", ["v, ω", "velocities of the base"], velocity, units.velocity, true),
-    of("tau", ["f, n", "force and moment on the base"], force, units.force, false),
+    of("qd", ["v, ω", "of the base"], velocity, units.velocity, true),
+    of("tau", ["f, n", "acting on the base"], force, units.force, false),
   ];
 }
 

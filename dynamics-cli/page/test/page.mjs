@@ -292,6 +292,11 @@ await withBrowser(program, async (browser) => {
     await page.close();
     const phone = await open(browser, file, { ...PHONE, scheme: "dark", isReduced: true });
     await readable(phone, given);
+    for (const mode of given.ofBase > 0 ? ["pose", "free"] : []) {
+      await phone.click(`mode-${mode}`);
+      await computed(phone);
+      await readable(phone, given);
+    }
     check(`${name}, dark`, (await darkness(phone)) > 0.8, "it is light");
     // From the system's colors to light ones.
     await phone.click("theme");
