@@ -157,7 +157,7 @@ fn arms() -> Vec<Arm> {
 /// Robots whose base moves: a brick with a wheel, a single body, and a quadruped.
 fn brick() -> Arm {
     let wheel = "\n[[joint]]\nname = \"wheel\"\ntype = \"revolute\"\nat = { xyz = [0.1, 0, 0.2], rpy = [0.4, 0, 0] }\n\
-                 mass = 0.5\ncom = [0.05, 0, 0]\ninertia = { xx = 1e-3, yy = 1e-3, zz = 2e-3 }\nfriction = { viscous = 1e-3 }\n";
+                 mass = 0.5\ncom = [0.05, 0, 0]\ninertia = { xx = 1e-3, yy = 1e-3, zz = 2e-3 }\nfriction = { viscous = 1e-3, coulomb = 0.05 }\n";
     thrown("brick", wheel, "forward_kinematics", "forward_kinematics")
 }
 

@@ -238,7 +238,7 @@ class Robot:
     def page(self) -> str:
         """The page of the robot: one HTML file that shows it in motion, with its table and its functions.
 
-        `ValueError` of a robot whose base moves.
+        `ValueError` where a field has no value.
         """
         return self._arm.page()
 
