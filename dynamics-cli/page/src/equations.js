@@ -1,5 +1,7 @@
 // The functions of the generated module for the present values of the fields.
 
+import { momentum } from "./momentum.js";
+
 /** The functions that do not depend on where the base is. */
 const WITHOUT_BASE = ["mass_matrix", "coriolis_vector", "kinetic_energy", "friction_vector", "spring_vector"];
 
@@ -22,6 +24,7 @@ export function evaluate(equations, { base, q, qd, qdd, tau }, { key }) {
   const gravity = equations.gravity_vector(base, q);
   const friction = equations.friction_vector(qd);
   const spring = equations.spring_vector(q);
+  const mass = equations.mass_matrix(q);
   const still = equations.inverse_dynamics(base, q, qd, qd.map(() => 0));
   return {
     base,
@@ -29,7 +32,8 @@ export function evaluate(equations, { base, q, qd, qdd, tau }, { key }) {
     qd,
     qdd,
     tau,
-    mass: equations.mass_matrix(q),
+    mass,
+    momentum: base && momentum(base, mass, qd),
     // V = tau(q, qd, 0) - G - K - F: a function of its own would be longer than all of these.
     coriolis: still.map((sum, i) => sum - gravity[i] - spring[i] - friction[i]),
     gravity,

@@ -120,6 +120,30 @@ export function numbers(model) {
     ),
   );
 
+  /** Momentum of a robot whose base moves. */
+  const momenta = () =>
+    element(
+      "table",
+      { class: "numbers" },
+      element("caption", {}, "Momentum in the world; ", element("i", {}, "L"), " about the centre of mass"),
+      element(
+        "tbody",
+        {},
+        ["x", "y", "z"].map((axis, k) =>
+          element(
+            "tr",
+            {},
+            element("th", { scope: "row" }, indexed("p", axis)),
+            cell(`linear-${k}`),
+            element("td", { class: "unit" }, "kg m/s"),
+            element("th", { scope: "row" }, indexed("L", axis)),
+            cell(`angular-${k}`),
+            element("td", { class: "unit" }, "kg m²/s"),
+          ),
+        ),
+      ),
+    );
+
   const put = (key, value, factor = 1) => show(data.get(key), value, plain(value * factor));
   function update() {
     const { units } = model;
@@ -144,6 +168,7 @@ export function numbers(model) {
     rollPitchYaw(found.tip).forEach((angle, k) => put(`rpy-${k}`, angle, units.factor("revolute")));
     if (found.base) {
       positionOf(found.base).forEach((x, k) => put(`base-${k}`, x));
+      for (const kind of ["linear", "angular"]) found.momentum[kind].forEach((x, k) => put(`${kind}-${k}`, x));
       const rows = [0, 3, 6].map((k) => found.base.slice(k, k + 3));
       rollPitchYaw(rows).forEach((angle, k) => put(`baserpy-${k}`, angle, units.factor("revolute")));
     }
@@ -165,6 +190,7 @@ export function numbers(model) {
     basePose && scrolled("Pose of the base", basePose),
     scrolled("Pose of the tip", pose),
     scrolled("Energies", energies),
+    ofBase > 0 ? scrolled("Momentum", momenta()) : null,
   );
   model.on("units", label);
   model.on("time tip", update);

@@ -126,7 +126,17 @@ async function fall(page, { name, moving }) {
   }
   await page.set("time", 0);
   const start = await page.picture(".view");
+  const before = await allShown(page);
   await page.set("time", 0.5);
+  // Gravity alone changes momentum: p by m g t, L about the centre of mass not at all.
+  const after = await allShown(page);
+  const [pull, scale] = await page.evaluate("[robotPage.table.gravity.map((g) => 0.5 * g * robotPage.evaluated().mass[0][0]), robotPage.evaluated().mass[4][4]]");
+  for (const k of [0, 1, 2]) {
+    const gained = after[`linear-${k}`] - before[`linear-${k}`];
+    check(`${name}, momentum`, Math.abs(gained - pull[k]) < 1e-9 * Math.hypot(...pull), `${gained} instead of ${pull[k]}`);
+    const changed = after[`angular-${k}`] - before[`angular-${k}`];
+    check(`${name}, angular momentum`, Math.abs(changed) < 1e-9 * scale, `it changes by ${changed}`);
+  }
   const later = await page.picture(".view");
   check(`${name}, picture`, start !== later, "the fall is not seen");
   await page.click("show-isFollowed");
