@@ -11,11 +11,18 @@ found = {}
 for line in Path(sys.argv[1]).read_text().splitlines():
     kind, tree, function, candidate, number = line.split()
     found.setdefault((kind, tree, function, candidate), []).append(float(number))
-median = lambda *key: statistics.median(found[key])
-print("| tree | function | ns | error | batch, ns | Pinocchio, ns | error | ratio |")
-print("|---|---|--:|--:|--:|--:|--:|--:|")
+CANDIDATES = {"generated": "ns", "generated,batch": "batch, ns", "generated,f32": "f32 batch, ns", "Pinocchio": "Pinocchio, ns"}
+measured = {key[3] for key in found}
+columns = [candidate for candidate in CANDIDATES if candidate in measured]
+heads = [head for candidate in columns for head in (CANDIDATES[candidate], "error")]
+print("| robot | function |", " | ".join(heads), "| ratio |")
+print("|---|---|" + "--:|" * (len(heads) + 1))
 for tree, function in dict.fromkeys(key[1:3] for key in found):
-    time, theirs = (median("time", tree, function, of) for of in ("generated", "Pinocchio"))
-    batch = median("time", tree, function, "generated,batch")
-    errors = [median("error", tree, function, of) for of in ("generated", "Pinocchio")]
-    print(f"| {tree} | {function} | {time:.0f} | {errors[0]:.0e} | {batch:.1f} | {theirs:.0f} | {errors[1]:.0e} | {time / theirs:.2f} |")
+    median = lambda kind, of: statistics.median(found[kind, tree, function, of])
+    cells = []
+    for candidate in columns:
+        is_there = ("time", tree, function, candidate) in found
+        cells += [f"{median('time', candidate):.3g}", f"{median('error', candidate):.0e}"] if is_there else ["", ""]
+    has_both = ("time", tree, function, "Pinocchio") in found
+    ratio = f"{median('time', 'generated') / median('time', 'Pinocchio'):.2f}" if has_both else ""
+    print(f"| {tree} | {function} |", " | ".join(cells), f"| {ratio} |")

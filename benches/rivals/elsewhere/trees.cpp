@@ -37,10 +37,11 @@ struct Tree {
   Model model;
   Vector viscous;
 
-  Tree(std::ifstream &file, int n) : viscous(n) {
-    for (int i = 0; i < n; i++) {
+  // The first joint of a base that moves has no friction.
+  Tree(std::ifstream &file, int n, bool floats) : viscous(Vector::Zero(n + (floats ? 6 : 0))) {
+    for (int i = floats ? -1 : 0; i < n; i++) {
       JointIndex parent;
-      std::string type, name = "joint" + std::to_string(i);
+      std::string type, name = "joint" + std::to_string(i + 1);
       file >> parent >> type;
       auto axis = read<3, 1>(file);
       auto rotation = read<3, 3>(file);
@@ -48,13 +49,15 @@ struct Tree {
       double mass = read<1, 1>(file)(0);
       auto centre = read<3, 1>(file);
       auto tensor = read<3, 3>(file);
-      file >> viscous[i];
+      double friction = read<1, 1>(file)(0);
+      if (i >= 0) viscous[i + (floats ? 6 : 0)] = friction;
       SE3 place(rotation, origin);
       auto add = [&](auto joint) { return model.addJoint(parent, joint, place, name); };
       JointIndex added = type == "JointModelRX"   ? add(JointModelRX())
                          : type == "JointModelRY" ? add(JointModelRY())
                          : type == "JointModelRZ" ? add(JointModelRZ())
                          : type == "JointModelPY" ? add(JointModelPY())
+                         : type == "JointModelFreeFlyer" ? add(JointModelFreeFlyer())
                                                   : add(JointModelPrismaticUnaligned(axis));
       model.appendBodyToJoint(added, Inertia(mass, centre, tensor));
     }
@@ -85,9 +88,22 @@ template <class F> double nanoseconds(std::vector<State> &states, F evaluate) {
   return times[SAMPLES / 2] / rounds / states.size();
 }
 
+// Where a base stands: a rotation by rows and a position, to a position and a quaternion.
+Vector placed(const Vector &pose) {
+  Eigen::Matrix3d rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.data());
+  Eigen::Quaterniond turn(rotation);
+  Vector placed(7);
+  placed << pose.tail(3), turn.coeffs();
+  return placed;
+}
+
 // The joints of another program stand in the order of its file, Pinocchio's in that of their names.
-void measure(const std::string &name, Tree &tree, const std::vector<int> &order, std::ifstream &file) {
-  int n = order.size();
+void measure(const std::string &name, Tree &tree, const std::vector<int> &joints, bool floats, std::ifstream &file) {
+  // The numbers of a base that moves come first.
+  std::vector<int> order;
+  for (int i = 0; i < (floats ? 6 : 0); i++) order.push_back(i);
+  for (int joint : joints) order.push_back(joint + (floats ? 6 : 0));
+  int n = order.size(), dof = joints.size();
   Data data(tree.model);
   Eigen::MatrixXd m(n, n);
   Vector out(n);
@@ -114,8 +130,12 @@ void measure(const std::string &name, Tree &tree, const std::vector<int> &order,
       for (int i = 0; i < n; i++) sorted[order[i]] = given[i];
       return sorted;
     };
-    Vector q = read(file, n), v = read(file, n), x = read(file, n);
-    State state{sorted(q), sorted(v), sorted(x)};
+    Vector base = floats ? placed(read(file, 12)) : Vector(0);
+    Vector given = read(file, dof), q(base.size() + dof);
+    q.head(base.size()) = base;
+    for (int i = 0; i < dof; i++) q[base.size() + joints[i]] = given[i];
+    Vector v = read(file, n), x = read(file, n);
+    State state{q, sorted(v), sorted(x)};
     Vector tau = sorted(read(file, n)), matrix = read(file, n * n), qdd = sorted(read(file, n));
     auto relative = [](double error, double largest) { return error / largest; };
     rnea_(state);
@@ -141,12 +161,13 @@ void measure(const std::string &name, Tree &tree, const std::vector<int> &order,
 int main(int, char **argv) {
   std::ifstream trees(argv[1]), states(argv[2]);
   std::string word, name, again;
-  for (int n; trees >> word >> name >> n;) {
+  bool floats;
+  for (int n; trees >> word >> name >> n >> floats;) {
     std::vector<int> order(n);
     for (int &place : order) trees >> place;
-    Tree tree(trees, n);
+    Tree tree(trees, n, floats);
     states >> again >> n;
     if (again != name) return std::fprintf(stderr, "%s instead of %s\n", again.c_str(), name.c_str()), 1;
-    measure(name, tree, order, states);
+    measure(name, tree, order, floats, states);
   }
 }

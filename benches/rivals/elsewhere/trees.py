@@ -1,8 +1,8 @@
-"""Trees of URDF files as numbers for trees.cpp: `tree NAME N`, the place among Pinocchio's joints of each joint of the
-file, then for each joint its parent, type, axis, placement (rotation by rows, origin), mass, centre, tensor by rows,
+"""Trees of URDF files as numbers for trees.cpp: `tree NAME N BASE`, N joints on a base that moves or, if BASE is 0, stands;
+the place among Pinocchio's joints of each joint of the file, for a base that moves a line for its body, then for each joint its parent, type, axis, placement (rotation by rows, origin), mass, centre, tensor by rows,
 viscous friction.
 
-Usage: trees.py FILE.. > trees.txt
+Usage: trees.py [--floating] FILE.. > trees.txt
 """
 
 import re
@@ -33,10 +33,13 @@ def in_file(path):
     return found
 
 
-for path in sys.argv[1:]:
-    model = pinocchio.buildModelFromUrdf(path)
-    print("tree", Path(path).stem, model.njoints - 1)
-    print(*(model.getJointId(name) - 1 for name in in_file(path)))
+floats = sys.argv[1] == "--floating"
+for path in sys.argv[1 + floats :]:
+    root = [pinocchio.JointModelFreeFlyer()] if floats else []
+    model = pinocchio.buildModelFromUrdf(path, *root)
+    first = 1 + floats
+    print("tree", Path(path).stem, model.njoints - first, int(floats))
+    print(*(model.getJointId(name) - first for name in in_file(path)))
     for i in range(1, model.njoints):
         joint, place, body = model.joints[i], model.jointPlacements[i], model.inertias[i]
         axis = list(joint.extract().axis) if "Unaligned" in joint.shortname() else [0, 0, 0]

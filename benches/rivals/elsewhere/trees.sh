@@ -15,6 +15,7 @@ python=$folder/venv/bin/python
 prefix=$(echo "$folder"/venv/lib/python3*/site-packages/cmeel.prefix)
 data=../../../tests/data/urdf/trees
 "$python" trees.py "$data"/{hyq_no_sensors,anymal_erd,panda_free}.urdf >"$folder/trees.txt"
+"$python" trees.py --floating "$data"/{hyq_no_sensors,anymal_erd}.urdf >"$folder/legged.txt"
 program=$folder/measure-trees
 if [ trees.cpp -nt "$program" ]; then
   ZIG_GLOBAL_CACHE_DIR=$folder/zig "$python" -m ziglang c++ -std=c++17 -O3 -march=native -DNDEBUG -w -fno-sanitize=undefined \
