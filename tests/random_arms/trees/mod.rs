@@ -197,7 +197,7 @@ fn on_base<'a, T>(
     function: &str,
     arguments: &[&'a [T]],
 ) -> Vec<&'a [T]> {
-    let mut names = robot.arguments(function).expect("a function").into_iter();
+    let mut names = robot.arguments(function).expect("a function");
     let takes_base = names.next().is_some_and(|(name, _)| name == "base");
     let first = takes_base.then_some(base);
     first.into_iter().chain(arguments.iter().copied()).collect()
