@@ -15,6 +15,7 @@ CANDIDATES = {"generated": "ns", "generated,batch": "batch, ns", "generated,f32"
 measured = {key[3] for key in found}
 columns = [candidate for candidate in CANDIDATES if candidate in measured]
 heads = [head for candidate in columns for head in (CANDIDATES[candidate], "error")]
+digits = lambda x: f"{x:.0f}" if x >= 100 else f"{x:.3g}"
 print("| robot | function |", " | ".join(heads), "| ratio |")
 print("|---|---|" + "--:|" * (len(heads) + 1))
 for tree, function in dict.fromkeys(key[1:3] for key in found):
@@ -22,7 +23,7 @@ for tree, function in dict.fromkeys(key[1:3] for key in found):
     cells = []
     for candidate in columns:
         is_there = ("time", tree, function, candidate) in found
-        cells += [f"{median('time', candidate):.3g}", f"{median('error', candidate):.0e}"] if is_there else ["", ""]
+        cells += [digits(median('time', candidate)), f"{median('error', candidate):.0e}"] if is_there else ["", ""]
     has_both = ("time", tree, function, "Pinocchio") in found
     ratio = f"{median('time', 'generated') / median('time', 'Pinocchio'):.2f}" if has_both else ""
     print(f"| {tree} | {function} |", " | ".join(cells), f"| {ratio} |")
