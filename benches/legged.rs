@@ -9,6 +9,7 @@ use std::hint::black_box;
 use measuring::Effort;
 use robot_dynamics::nalgebra::{Rotation3, SMatrix, SVector, Vector3};
 use robot_dynamics::{DoubleDouble, Pose, Scalar, robot_dynamics};
+use testkit::five::largest_error;
 
 robot_dynamics! {
     /// Four legs of three joints on a trunk.
@@ -145,19 +146,6 @@ impl<T: Scalar> Columns<T> {
     }
 }
 
-/// The largest error of any state, relative to the largest entry of its value.
-fn error(found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
-    let of_state = |(found, exact): (&Vec<f64>, &Vec<f64>)| {
-        let largest = exact.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-        let errors = found
-            .iter()
-            .zip(exact)
-            .map(|(x, exact)| (x - exact).abs() / largest);
-        errors.fold(0.0, |worst, x| if x <= worst { worst } else { x })
-    };
-    found.iter().zip(exact).map(of_state).fold(0.0, f64::max)
-}
-
 fn print(name: &str, function: &str, candidate: &str, error: f64, time: f64) {
     println!("error {name} {function} {candidate} {error:e}");
     println!("time {name} {function} {candidate} {time:.2}");
@@ -202,8 +190,8 @@ macro_rules! measure {
         let times = Effort::FULL.in_turns([&mut { calls }, &mut batch]);
         let [single, in_batch] = times.map(|time| time / STATES as f64);
         let function = stringify!($function);
-        print($name, function, "generated", error(&found, &exact), single);
-        print($name, function, "generated,batch", error(&columns.values($matrices), &exact), in_batch);
+        print($name, function, "generated", largest_error(&found, &exact), single);
+        print($name, function, "generated,batch", largest_error(&columns.values($matrices), &exact), in_batch);
     })*};
 }
 
@@ -215,7 +203,7 @@ macro_rules! measure_single {
         let mut batch = || { let $c = &mut columns; $batch };
         batch();
         let [time] = Effort::FULL.in_turns([&mut batch]);
-        let found = error(&columns.values($matrices), &exact);
+        let found = largest_error(&columns.values($matrices), &exact);
         print($name, stringify!($function), "generated,f32", found, time / MANY as f64);
     })*};
 }

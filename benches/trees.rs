@@ -7,7 +7,7 @@
 use measuring::Effort;
 use robot_dynamics::{DoubleDouble, robot_dynamics};
 use testkit::columns::Columns;
-use testkit::five::{Five, NAMES, calls, states, values};
+use testkit::five::{Five, NAMES, calls, largest_error, states, values};
 
 robot_dynamics! {
     /// Four legs on a trunk that stands still.
@@ -51,7 +51,7 @@ fn print_lines<A: Five<N>, const N: usize>(name: &str, arm: &A) {
             all(&mut columns)
         }]);
         for (candidate, k) in [("generated", 0), ("generated,batch", 1)] {
-            let (function, error) = (NAMES[function], error(&found[k], &exact));
+            let (function, error) = (NAMES[function], largest_error(&found[k], &exact));
             println!("error {name} {function} {candidate} {error:e}");
             println!(
                 "time {name} {function} {candidate} {:.2}",
@@ -59,21 +59,6 @@ fn print_lines<A: Five<N>, const N: usize>(name: &str, arm: &A) {
             );
         }
     }
-}
-
-/// The largest error of any state, relative to the largest entry of its value.
-fn error(found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
-    let of_state = |(found, exact): (&Vec<f64>, &Vec<f64>)| {
-        let largest = exact
-            .iter()
-            .fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let errors = found
-            .iter()
-            .zip(exact)
-            .map(|(x, exact)| (x - exact).abs() / largest);
-        errors.fold(0.0, |worst, x| if x <= worst { worst } else { x })
-    };
-    found.iter().zip(exact).map(of_state).fold(0.0, f64::max)
 }
 
 /// A line `TREE N`, then for each state its numbers, tau, M and qdd.

@@ -6,7 +6,7 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::exact::SplitMix64;
 
 use crate::failure::Failure;
-use crate::measure::poses_of;
+use crate::state::poses_of;
 
 /// Compares the functions of two arms of as many joints at random states; whether no difference is too large.
 pub(crate) fn compare(

@@ -5,12 +5,12 @@ use std::time::Instant;
 
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::nalgebra::{Rotation3, Vector3};
-use dynamics_runtime::{DoubleDouble, Pose};
+use dynamics_runtime::DoubleDouble;
 
 use crate::failure::Failure;
 use crate::load::{arm, file_of, read_on_any_base, requests};
 use crate::progress::Progress;
+use crate::state::poses_of;
 
 /// States at which functions are evaluated.
 const STATES: usize = 256;
@@ -131,15 +131,4 @@ fn entries(argument: &str, count: usize, seed: usize) -> Vec<f64> {
     (0..count)
         .map(|i| range * ((17 * seed + 5 * i) as f64 * 0.37).sin())
         .collect()
-}
-
-/// Poses of a base, twelve numbers each, for as many rotation vectors: the position has the same numbers in another order.
-pub(crate) fn poses_of(turns: &[f64]) -> Vec<f64> {
-    let pose = |turn: &[f64]| {
-        let (x, y, z) = (turn[0], turn[1], turn[2]);
-        let position = Vector3::new(z, x, y);
-        let rotation = Rotation3::new(Vector3::new(x, y, z)).into_inner();
-        <[f64; 12]>::from(Pose { rotation, position }.entries())
-    };
-    turns.chunks_exact(3).flat_map(pose).collect()
 }

@@ -68,6 +68,17 @@ pub(crate) fn roll_pitch_yaw(given: &ArgMatches) -> Result<Option<[f64; 6]>, Fai
     })
 }
 
+/// Poses of a base, twelve numbers each, for as many rotation vectors: the position has the same numbers in another order.
+pub(crate) fn poses_of(turns: &[f64]) -> Vec<f64> {
+    let pose = |turn: &[f64]| {
+        let (x, y, z) = (turn[0], turn[1], turn[2]);
+        let position = Vector3::new(z, x, y);
+        let rotation = Rotation3::new(Vector3::new(x, y, z)).into_inner();
+        <[f64; 12]>::from(Pose { rotation, position }.entries())
+    };
+    turns.chunks_exact(3).flat_map(pose).collect()
+}
+
 /// Refuses the pose of a base that stands.
 pub(crate) fn refuse_pose(given: &ArgMatches) -> Result<(), Failure> {
     if given.contains_id("pose") {

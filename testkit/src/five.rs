@@ -95,3 +95,20 @@ pub fn values<A: Five<N>, T: Scalar, const N: usize>(
     all.map(|value| value.into_iter().map(double).collect())
         .collect()
 }
+
+/// The largest error of any state, relative to the largest entry of its value; NaN where one is not a number.
+pub fn largest_error(found: &[Vec<f64>], exact: &[Vec<f64>]) -> f64 {
+    let of_state = |(found, exact): (&Vec<f64>, &Vec<f64>)| {
+        let largest = exact.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let errors = found
+            .iter()
+            .zip(exact)
+            .map(|(x, exact)| (x - exact).abs() / largest);
+        errors.fold(0.0, |worst, x| if x <= worst { worst } else { x })
+    };
+    found
+        .iter()
+        .zip(exact)
+        .map(of_state)
+        .fold(0.0, |worst, x| if x <= worst { worst } else { x })
+}
