@@ -17,8 +17,8 @@ mod signature;
 
 pub use documentation::quantities;
 pub use languages::{
-    CNumbers, CSource, c_source, c_source_in, description, javascript_module, matlab_files,
-    python_module, snake_case,
+    CNumbers, CSource, CasadiSource, c_source, c_source_in, casadi_requests, casadi_source,
+    description, javascript_module, matlab_files, python_module, snake_case,
 };
 pub use signature::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,

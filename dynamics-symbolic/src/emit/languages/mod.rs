@@ -1,4 +1,4 @@
-//! Programs as C99, JavaScript, Python and MATLAB: the same lines as the Rust method.
+//! Programs as C99, JavaScript, Python, MATLAB and functions of CasADi: the same lines as the Rust method.
 //!
 //! Products and sums are rounded one by one: where a compiler does not fuse them by itself, values are those of a Rust
 //! build without fused instructions, but for sines and exponentials, which are those of the language's library.
@@ -6,12 +6,14 @@
 mod arrangement;
 mod body;
 mod c;
+mod casadi;
 mod comments;
 mod javascript;
 mod matlab;
 mod python;
 
 pub use c::{CNumbers, CSource, c_source, c_source_in};
+pub use casadi::{CasadiSource, casadi_requests, casadi_source};
 pub use comments::description;
 pub use javascript::javascript_module;
 pub use matlab::matlab_files;

@@ -17,18 +17,18 @@ pub enum CNumbers {
 }
 
 /// How functions of one kind of numbers are written.
-pub(super) struct Precision {
-    pub(super) language: Language,
+pub(in super::super) struct Precision {
+    pub(in super::super) language: Language,
     /// The type.
     pub(super) word: &'static str,
     /// The lines that stand at the top of a source.
-    pub(super) functions: &'static str,
+    pub(in super::super) functions: &'static str,
     /// The last line of the title of a header.
     pub(super) convention: &'static str,
 }
 
 impl CNumbers {
-    pub(super) fn precision(self) -> &'static Precision {
+    pub(in super::super) fn precision(self) -> &'static Precision {
         match self {
             CNumbers::Double => &DOUBLE,
             CNumbers::Float => &FLOAT,
