@@ -1,0 +1,184 @@
+//! The equations in one joint.
+
+use super::Real;
+
+/// The position of a joint that turns.
+#[derive(Clone, Copy, Debug)]
+pub struct Turn<T> {
+    /// Its sine.
+    pub sine: T,
+    /// Its cosine.
+    pub cosine: T,
+    /// The angle, from -pi to pi.
+    pub angle: T,
+    /// Whether another angle would do as well, or nearly.
+    pub is_singular: bool,
+}
+
+/// The position of a joint that slides.
+#[derive(Clone, Copy, Debug)]
+pub struct Slide<T> {
+    /// The position.
+    pub position: T,
+    /// Whether another one is nearly the same.
+    pub is_singular: bool,
+}
+
+/// At most two solutions.
+#[derive(Clone, Copy, Debug)]
+pub struct Roots<R> {
+    both: [R; 2],
+    count: usize,
+}
+
+impl<R> Roots<R> {
+    /// The solutions.
+    #[inline]
+    pub fn as_slice(&self) -> &[R] {
+        &self.both[..self.count]
+    }
+}
+
+/// Numbers below this part of those that they are differences of may be nothing but rounding.
+const ROUNDINGS: f64 = 16.0;
+
+#[inline]
+fn roundings<T: Real>(size: T) -> T {
+    T::from_f64(ROUNDINGS) * T::epsilon() * size
+}
+
+impl<T: Real> Turn<T> {
+    #[inline]
+    fn new(sine: T, cosine: T, is_singular: bool) -> Self {
+        // -0 would give -pi for the cosine -1.
+        let sine = sine + T::from_f64(0.0);
+        Turn {
+            sine,
+            cosine,
+            angle: sine.atan2(cosine),
+            is_singular,
+        }
+    }
+
+    /// No turn, if any will do.
+    #[inline]
+    fn any() -> Self {
+        Turn {
+            sine: T::from_f64(0.0),
+            cosine: T::from_f64(1.0),
+            angle: T::from_f64(0.0),
+            is_singular: true,
+        }
+    }
+}
+
+/// The turn with this cosine and sine times `length`, the square of a distance from the axis; zero if that vanishes beside
+/// `size`, the square of the whole distance.
+#[inline]
+pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Turn<T> {
+    let squares = cosine * cosine + sine * sine;
+    let least = roundings(T::from_f64(1.0));
+    if !(length > least * least * size && squares > T::from_f64(0.0)) {
+        return Turn::any();
+    }
+    let is_singular = length <= T::APART * T::APART * size;
+    let scale = T::from_f64(1.0) / squares.sqrt();
+    Turn::new(sine * scale, cosine * scale, is_singular)
+}
+
+/// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`.
+#[inline]
+pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<Turn<T>> {
+    let square = a * a + b * b;
+    let size = size + square;
+    let least = roundings(T::from_f64(1.0));
+    if square <= least * least * size {
+        // Both sides vanish, or none does.
+        let count = usize::from(c * c <= least * least * size);
+        let both = [Turn::any(); 2];
+        return Roots { both, count };
+    }
+    let radius = square.sqrt();
+    let magnitude = if c.is_positive() { c } else { -c };
+    let discriminant = (radius - magnitude) * (radius + magnitude);
+    by_discriminant([a, b, c], square, radius, discriminant, size)
+}
+
+/// As [`turns`] with a^2 + b^2 - c^2, which has no rounding of larger numbers.
+#[inline]
+pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Turn<T>> {
+    let square = a * a + b * b;
+    let radius = square.sqrt();
+    let least = roundings(radius);
+    let is_nothing = discriminant <= least * least && discriminant >= -roundings(square);
+    let discriminant = if is_nothing {
+        T::from_f64(0.0)
+    } else {
+        discriminant
+    };
+    by_discriminant([a, b, c], square, radius, discriminant, square)
+}
+
+#[inline]
+fn by_discriminant<T: Real>(
+    [a, b, c]: [T; 3],
+    square: T,
+    radius: T,
+    discriminant: T,
+    size: T,
+) -> Roots<Turn<T>> {
+    let zero = T::from_f64(0.0);
+    if discriminant.is_positive() {
+        let root = discriminant.sqrt();
+        let is_singular = root + root <= T::APART * radius;
+        let scale = T::from_f64(1.0) / square;
+        let (along, across) = ([a * c, b * c], [b * root, a * root]);
+        let first = Turn::new(
+            (along[1] + across[1]) * scale,
+            (along[0] - across[0]) * scale,
+            is_singular,
+        );
+        let second = Turn::new(
+            (along[1] - across[1]) * scale,
+            (along[0] + across[0]) * scale,
+            is_singular,
+        );
+        let both = [first, second];
+        return Roots { both, count: 2 };
+    }
+    let is_one = discriminant >= -roundings(size);
+    let scale = if c < zero { -radius } else { radius };
+    let one = Turn::new(b / scale, a / scale, true);
+    Roots {
+        both: [one; 2],
+        count: usize::from(is_one),
+    }
+}
+
+/// d = b + root and b - root of the discriminant, a difference of numbers as large as `size`.
+#[inline]
+pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Slide<T>> {
+    let is_some = discriminant >= -roundings(size);
+    let is_two = discriminant.is_positive();
+    let root = if is_two {
+        discriminant.sqrt()
+    } else {
+        T::from_f64(0.0)
+    };
+    let twice = root + root;
+    let is_singular = twice * twice <= T::APART * T::APART * size;
+    let slide = |position| Slide {
+        position,
+        is_singular,
+    };
+    Roots {
+        both: [slide(b + root), slide(b - root)],
+        count: usize::from(is_some) + usize::from(is_some && is_two),
+    }
+}
+
+/// Whether a vector vanishes beside distances with the sum of squares `size`.
+#[inline]
+pub fn is_reached<T: Real>([x, y, z]: [T; 3], size: T) -> bool {
+    x * x + y * y + z * z <= T::REACHED * T::REACHED * size
+}

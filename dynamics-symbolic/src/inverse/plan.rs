@@ -1,0 +1,92 @@
+//! The way from the pose of a frame to the positions of the joints.
+
+use crate::program::Program;
+
+/// One joint after the other, each from an equation in which it is the only unknown.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The steps, in the order in which they are taken.
+    pub steps: Vec<Step>,
+    /// Coefficients of all steps, those of one after those of the other. It reads the pose, and sines and cosines or positions
+    /// of joints from earlier steps.
+    pub program: Program,
+    /// How many joints move.
+    pub joints: usize,
+    /// What is read of the pose.
+    pub target: Target,
+}
+
+/// What an arm reaches of a pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// All of it.
+    Pose,
+    /// The position of its origin.
+    Position,
+    /// The position, and the angle about the axis that all joints have in common.
+    PositionAndAngle,
+}
+
+/// A step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// The number of the joint among those that move; `None` of a condition.
+    pub joint: Option<usize>,
+    /// Its equation.
+    pub rule: Rule,
+}
+
+/// The equation of a step, by its coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// `cosine`, `sine`, `length`, `size`: the angle whose cosine and sine are these over `length`. If that vanishes beside
+    /// `size`, any angle will do.
+    Turn,
+    /// `a`, `b`, `c`, `size`: a cos q + b sin q = c. `size` is as large as the squares of the numbers that c is the sum of.
+    Turns,
+    /// `a`, `b`, `c`, `discriminant`: as `Turns`, with a^2 + b^2 - c^2 in a form without cancellation.
+    ExactTurns,
+    /// `d`: the position itself.
+    Slide,
+    /// `b`, `discriminant`, `size`: d = b + root or b - root of the discriminant, a difference of numbers as large as `size`.
+    Slides,
+    /// `x`, `y`, `z`, `size`: the pose is out of reach unless the sum of the squares of the first three vanishes beside `size`.
+    Condition,
+}
+
+impl Rule {
+    /// How many coefficients it has.
+    pub const fn coefficients(self) -> usize {
+        match self {
+            Rule::Slide => 1,
+            Rule::Slides => 3,
+            Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::Condition => 4,
+        }
+    }
+
+    /// How many positions solve it at most.
+    pub const fn solutions(self) -> usize {
+        match self {
+            Rule::Turns | Rule::ExactTurns | Rule::Slides => 2,
+            Rule::Turn | Rule::Slide | Rule::Condition => 1,
+        }
+    }
+}
+
+impl Plan {
+    /// The most solutions.
+    pub fn branches(&self) -> usize {
+        self.steps.iter().map(|step| step.rule.solutions()).product()
+    }
+
+    /// Of each step the index of its first coefficient among the outputs of the program.
+    pub fn first_outputs(&self) -> Vec<usize> {
+        let mut next = 0;
+        let first = |step: &Step| {
+            let first = next;
+            next += step.rule.coefficients();
+            first
+        };
+        self.steps.iter().map(first).collect()
+    }
+}

@@ -1,0 +1,163 @@
+//! The proof of a plan of inverse kinematics: each of its branches leads to the pose from which it starts.
+//!
+//! The pose is that of the textbook definition at random joints in the prime field. Roots are those of the field, each with both
+//! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the definition is asked
+//! for the pose at the joints that were found.
+
+use super::assignment::{Assignment, Number};
+use super::definition::Definition;
+use crate::exact::SplitMix64;
+use crate::inverse::{Plan, Rule, Step, Target};
+use crate::robot::Robot;
+
+/// At so many joints the branches are tried. The root of a random number is in the field for every second one, and a branch
+/// has three at most.
+const MOST_DRAWS: u64 = 400;
+
+/// A solution of one step.
+#[derive(Clone, Copy)]
+struct Solution {
+    sin_cos: (Number, Number),
+    q: Number,
+}
+
+/// The branches of a plan at one pose.
+struct Branches<'p> {
+    robot: &'p Robot,
+    plan: &'p Plan,
+    frame: Option<usize>,
+    pose: [Number; 12],
+    constants: Vec<Option<Number>>,
+    first_outputs: Vec<usize>,
+    /// Whether each branch has been seen to lead to its pose.
+    are_right: Vec<bool>,
+    is_wrong: bool,
+}
+
+/// Whether every branch of a plan, for a frame or for the tip, leads to the pose from which it starts.
+pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
+    let mut fixed = Assignment::new(robot, 0);
+    Definition::read(&mut fixed, robot);
+    fixed.note_program(&plan.program);
+    let digest = fixed.digest();
+    let mut are_right = vec![false; plan.branches()];
+    for draw in 0..MOST_DRAWS {
+        let mut point = Assignment::new(robot, SplitMix64::number(digest, draw));
+        let definition = Definition::new(&mut point, robot);
+        let Some(pose) = definition.pose_of(frame) else {
+            return false;
+        };
+        if point.is_unfaithful() {
+            return false;
+        }
+        point.set_pose(pose);
+        let mut branches = Branches {
+            robot,
+            plan,
+            frame,
+            pose,
+            constants: plan.program.constants.evaluate(&mut point),
+            first_outputs: plan.first_outputs(),
+            are_right,
+            is_wrong: false,
+        };
+        branches.follow(&mut point, 0, 0);
+        if branches.is_wrong {
+            return false;
+        }
+        are_right = branches.are_right;
+        if !are_right.contains(&false) {
+            return true;
+        }
+    }
+    false
+}
+
+impl Branches<'_> {
+    /// Takes the steps from this one on, in the branch of that number among those that the steps before make.
+    fn follow(&mut self, point: &mut Assignment, step: usize, branch: usize) {
+        let Some(&Step { joint, rule }) = self.plan.steps.get(step) else {
+            self.compare(point, branch);
+            return;
+        };
+        let outputs = self
+            .plan
+            .program
+            .evaluate_with(self.constants.clone(), point);
+        let first = self.first_outputs[step];
+        let coefficients = &outputs[first..first + rule.coefficients()];
+        let coefficients: Option<Vec<Number>> = coefficients.iter().copied().collect();
+        let Some(coefficients) = coefficients else {
+            return;
+        };
+        let solutions = solutions(rule, &coefficients);
+        if rule == Rule::Condition {
+            match coefficients[..3].iter().all(|x| x.is_zero()) {
+                true => self.follow(point, step + 1, branch),
+                false => self.is_wrong = true,
+            }
+            return;
+        }
+        for (k, solution) in solutions.into_iter().flatten().enumerate() {
+            let (s, c) = solution.sin_cos;
+            if s * s + c * c != Number::ONE {
+                self.is_wrong = true;
+                return;
+            }
+            if let Some(joint) = joint {
+                point.move_joint(joint, solution.sin_cos, solution.q);
+            }
+            self.follow(point, step + 1, branch * rule.solutions() + k);
+        }
+    }
+
+    /// Whether the joints of a branch lead to the pose, as far as it is read.
+    fn compare(&mut self, point: &mut Assignment, branch: usize) {
+        let definition = Definition::new(point, self.robot);
+        let from = match self.plan.target {
+            Target::Position => 9,
+            Target::Pose | Target::PositionAndAngle => 0,
+        };
+        let reached = definition.pose_of(self.frame);
+        let is_right = reached.is_some_and(|reached| reached[from..] == self.pose[from..]);
+        self.are_right[branch] |= is_right;
+        self.is_wrong |= !is_right;
+    }
+}
+
+/// The solutions of a step; none if a root is not in the field.
+fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
+    let turn = |(s, c): (Number, Number)| Solution {
+        sin_cos: (s, c),
+        q: Number::ZERO,
+    };
+    let slide = |q: Number| Solution {
+        sin_cos: (Number::ZERO, Number::ONE),
+        q,
+    };
+    match (rule, coefficients) {
+        (Rule::Turn, [cosine, sine, length, _]) => {
+            let by = length.inverse()?;
+            Some(vec![turn((*sine * by, *cosine * by))])
+        }
+        (Rule::Turns | Rule::ExactTurns, [a, b, c, last]) => {
+            let square = *a * *a + *b * *b;
+            let discriminant = match rule {
+                Rule::ExactTurns => *last,
+                _ => square - *c * *c,
+            };
+            let (root, by) = (discriminant.square_root()?, square.inverse()?);
+            let with = |root: Number| {
+                let (s, c) = (*b * *c + *a * root, *a * *c - *b * root);
+                turn((s * by, c * by))
+            };
+            Some(vec![with(root), with(-root)])
+        }
+        (Rule::Slide, [d]) => Some(vec![slide(*d)]),
+        (Rule::Slides, [b, discriminant, _]) => {
+            let root = discriminant.square_root()?;
+            Some(vec![slide(*b + root), slide(*b - root)])
+        }
+        _ => None,
+    }
+}
