@@ -57,8 +57,9 @@ fn survey<const N: usize, A: Inverse<N>>(arm: &A, count: usize) {
         let pose = arm.pose(&q);
         let solutions = arm.solutions(&pose);
         total += solutions.len();
-        let singular = arm.jacobian(&q).svd(false, false).singular_values;
-        let least = singular[N.min(6) - 1];
+        let singular = robot_dynamics::nalgebra::DMatrix::from_iterator(6, N, arm.jacobian(&q).iter().copied());
+        let singular = if N <= 3 { singular.rows(0, 3).into_owned() } else { singular };
+        let least = singular.svd(false, false).singular_values[N.min(6).min(if N <= 3 { 3 } else { 6 }) - 1];
         let distance = |other: &SVector<f64, N>| {
             (0..N).map(|i| {
                 let d = (other[i] - q[i]).abs();
@@ -74,6 +75,7 @@ fn survey<const N: usize, A: Inverse<N>>(arm: &A, count: usize) {
             let reached = arm.pose(&s.q);
             let d = (reached - pose).abs();
             let residual = if N <= 3 && A::NAME != "RrrPlanar" { d.fixed_view::<3, 1>(0, 3).max() } else { d.max() };
+            if residual > 1e-14 && A::NAME == "Puma560" { println!("{residual:e} {} {d:.1e} {:?} {}", s.q.transpose(), q.transpose(), s.is_singular); }
             worst_residual = worst_residual.max(residual);
         }
     }

@@ -6,5 +6,7 @@ mod roots;
 mod solutions;
 
 pub use real::Real;
-pub use roots::{Roots, Slide, Turn, is_reached, slides, turn, turns, turns_by};
+pub use roots::{
+    Roots, Slide, Turn, is_reached, slide, slides, turn, turns, turns_at_distance, turns_by,
+};
 pub use solutions::{Solution, Solutions};

@@ -101,7 +101,44 @@ pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<Turn<T>> {
     let radius = square.sqrt();
     let magnitude = if c.is_positive() { c } else { -c };
     let discriminant = (radius - magnitude) * (radius + magnitude);
-    by_discriminant([a, b, c], square, radius, discriminant, size)
+    by_discriminant([a, b, c], [square, radius], discriminant, size, |turn| turn)
+}
+
+/// |y - Rz(q) x|^2 + rest = found, which is a cos q + b sin q = (known - found) / 2.
+///
+/// If y and x are nearly equally long, `known` is much larger than `found`, and so is its rounding. The difference of the two
+/// vectors is as exact as they are: one step of Newton's method takes q to where its square is right.
+#[inline]
+#[allow(clippy::too_many_arguments)]
+pub fn turns_at_distance<T: Real>(
+    a: T,
+    b: T,
+    known: T,
+    found: T,
+    x0: T,
+    x1: T,
+    y0: T,
+    y1: T,
+    rest: T,
+) -> Roots<Turn<T>> {
+    let square = a * a + b * b;
+    let size = (known + found) * (known + found) + square;
+    let least = roundings(T::from_f64(1.0));
+    let c = (known - found) * T::from_f64(0.5);
+    if square <= least * least * size {
+        return turns(a, b, c, size);
+    }
+    let radius = square.sqrt();
+    let magnitude = if c.is_positive() { c } else { -c };
+    let discriminant = (radius - magnitude) * (radius + magnitude);
+    by_discriminant([a, b, c], [square, radius], discriminant, size, |(s, c)| {
+        let (u, v) = (c * x0 - s * x1, s * x0 + c * x1);
+        let (du, dv) = (u - y0, v - y1);
+        let miss = (found - rest) - (du * du + dv * dv);
+        // The square changes by twice the product of y and the turned x.
+        let step = miss / ((u * y1 - v * y0) * T::from_f64(-2.0));
+        (s + c * step, c - s * step)
+    })
 }
 
 /// As [`turns`] with a^2 + b^2 - c^2, which has no rounding of larger numbers.
@@ -116,34 +153,29 @@ pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Turn<T>> {
     } else {
         discriminant
     };
-    by_discriminant([a, b, c], square, radius, discriminant, square)
+    by_discriminant([a, b, c], [square, radius], discriminant, square, |turn| turn)
 }
 
+/// The two turns, each sine and cosine corrected by `refine` unless they cannot be told apart.
 #[inline]
 fn by_discriminant<T: Real>(
     [a, b, c]: [T; 3],
-    square: T,
-    radius: T,
+    [square, radius]: [T; 2],
     discriminant: T,
     size: T,
+    refine: impl Fn((T, T)) -> (T, T),
 ) -> Roots<Turn<T>> {
     let zero = T::from_f64(0.0);
     if discriminant.is_positive() {
         let root = discriminant.sqrt();
         let is_singular = root + root <= T::APART * radius;
         let scale = T::from_f64(1.0) / square;
-        let (along, across) = ([a * c, b * c], [b * root, a * root]);
-        let first = Turn::new(
-            (along[1] + across[1]) * scale,
-            (along[0] - across[0]) * scale,
-            is_singular,
-        );
-        let second = Turn::new(
-            (along[1] - across[1]) * scale,
-            (along[0] + across[0]) * scale,
-            is_singular,
-        );
-        let both = [first, second];
+        let turn = |root: T| {
+            let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
+            let (s, c) = if is_singular { (s, c) } else { refine((s, c)) };
+            Turn::new(s, c, is_singular)
+        };
+        let both = [turn(root), turn(-root)];
         return Roots { both, count: 2 };
     }
     let is_one = discriminant >= -roundings(size);
@@ -152,6 +184,15 @@ fn by_discriminant<T: Real>(
     Roots {
         both: [one; 2],
         count: usize::from(is_one),
+    }
+}
+
+/// A position that was found by itself.
+#[inline]
+pub fn slide<T: Real>(position: T) -> Slide<T> {
+    Slide {
+        position,
+        is_singular: false,
     }
 }
 
@@ -179,6 +220,6 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Slide<T>> {
 
 /// Whether a vector vanishes beside distances with the sum of squares `size`.
 #[inline]
-pub fn is_reached<T: Real>([x, y, z]: [T; 3], size: T) -> bool {
+pub fn is_reached<T: Real>(x: T, y: T, z: T, size: T) -> bool {
     x * x + y * y + z * z <= T::REACHED * T::REACHED * size
 }

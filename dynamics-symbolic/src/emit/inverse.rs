@@ -172,12 +172,13 @@ impl Method<'_> {
         let path = self.path;
         let first = self.plan.first_outputs()[step];
         let outputs = &self.plan.program.outputs[first..first + rule.coefficients()];
-        let [a, b, c, d] = core::array::from_fn(|k| {
-            outputs.get(k).map(|output| self.writer.output(*output))
-        });
+        let coefficients: Vec<_> = outputs
+            .iter()
+            .map(|output| self.writer.output(*output))
+            .collect();
         let rest = self.from(step + 1);
         let Some(joint) = joint else {
-            let condition = quote!(#path::closed_form::is_reached([#a, #b, #c], #d));
+            let condition = quote!(#path::closed_form::is_reached(#(#coefficients),*));
             return quote!(#lines if #condition { #rest });
         };
         let found = self.found(joint);
@@ -186,13 +187,21 @@ impl Method<'_> {
         let each = |roots: TokenStream| {
             quote!(#lines for #found in #roots.as_slice() { #bound #rest })
         };
-        match rule {
-            Rule::Turn => one(quote!(#path::closed_form::turn(#a, #b, #c, #d))),
-            Rule::Slide => one(quote!(#path::closed_form::Slide { position: #a, is_singular: false })),
-            Rule::Turns => each(quote!(#path::closed_form::turns(#a, #b, #c, #d))),
-            Rule::ExactTurns => each(quote!(#path::closed_form::turns_by(#a, #b, #c, #d))),
-            Rule::Slides => each(quote!(#path::closed_form::slides(#a, #b, #c))),
-            Rule::Condition => unreachable!("it is of no joint"),
+        let solve = ident(match rule {
+            Rule::Turn => "turn",
+            Rule::Slide => "slide",
+            Rule::Turns => "turns",
+            Rule::Distance => "turns_at_distance",
+            Rule::ExactTurns => "turns_by",
+            Rule::Slides => "slides",
+            Rule::Condition => "is_reached",
+        });
+        let solve = Ident::new(&solve.to_string(), proc_macro2::Span::call_site());
+        let solved = quote!(#path::closed_form::#solve(#(#coefficients),*));
+        if rule.solutions() == 1 {
+            one(solved)
+        } else {
+            each(solved)
         }
     }
 

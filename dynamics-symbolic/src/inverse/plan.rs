@@ -44,6 +44,9 @@ pub enum Rule {
     Turn,
     /// `a`, `b`, `c`, `size`: a cos q + b sin q = c. `size` is as large as the squares of the numbers that c is the sum of.
     Turns,
+    /// `a`, `b`, `known`, `found`, `x0`, `x1`, `y0`, `y1`, `rest`: |y - Rz(q) x|^2 + rest = found, which is
+    /// a cos q + b sin q = (known - found) / 2.
+    Distance,
     /// `a`, `b`, `c`, `discriminant`: as `Turns`, with a^2 + b^2 - c^2 in a form without cancellation.
     ExactTurns,
     /// `d`: the position itself.
@@ -60,6 +63,7 @@ impl Rule {
         match self {
             Rule::Slide => 1,
             Rule::Slides => 3,
+            Rule::Distance => 9,
             Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::Condition => 4,
         }
     }
@@ -67,7 +71,7 @@ impl Rule {
     /// How many positions solve it at most.
     pub const fn solutions(self) -> usize {
         match self {
-            Rule::Turns | Rule::ExactTurns | Rule::Slides => 2,
+            Rule::Turns | Rule::Distance | Rule::ExactTurns | Rule::Slides => 2,
             Rule::Turn | Rule::Slide | Rule::Condition => 1,
         }
     }

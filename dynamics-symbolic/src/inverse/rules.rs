@@ -30,11 +30,13 @@ impl<'g> Equation<'g> {
     fn of(view: &View<'g>, joint: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
             let opposite = match rule {
-                Rule::Turn | Rule::Turns | Rule::ExactTurns => Some(1),
-                Rule::Slide | Rule::Slides => Some(0),
-                Rule::Condition => None,
+                Rule::Turn | Rule::Turns | Rule::ExactTurns => &[1][..],
+                // A reflection in the x axis.
+                Rule::Distance => &[1, 5, 7],
+                Rule::Slide | Rule::Slides => &[0],
+                Rule::Condition => &[],
             };
-            if let Some(k) = opposite {
+            for &k in opposite {
                 coefficients[k] = -coefficients[k];
             }
         }
@@ -256,20 +258,30 @@ fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let (near, p) = (flat(near), flat(pair.near));
     let apart = view.target.point(pair.far) - o;
     let apart = axis.map_or(apart, |axis| apart - axis * apart.dot(axis));
-    let [a, b] = rotated(near, p);
+    by_distance(view, t, (near, p), apart.dot(apart))
+}
+
+/// |y - Z x|^2 = found for joint t: a cos q + b sin q = (|x|^2 + |y|^2 - found) / 2 in the plane.
+fn by_distance<'g>(
+    view: &View<'g>,
+    t: usize,
+    (y, x): (Vector<'g>, Vector<'g>),
+    found: Expr<'g>,
+) -> Option<Equation<'g>> {
+    let [a, b] = rotated(y, x);
     if a.is_zero() && b.is_zero() {
         return None;
     }
-    let (known, found) = (p.dot(p) + near.dot(near), apart.dot(apart));
-    let c = (known - found) * view.graph.half() - near[2] * p[2];
-    let size = known + found;
-    // a cos + b sin = c with c = (|p|^2 + |o|^2 - |L p - o|^2) / 2 - o_z p_z
-    let coefficients = vec![a, b, c, size * size];
+    let along = y[2] - x[2];
+    let rest = along * along;
+    let beside = |v: Vector<'g>| v[0] * v[0] + v[1] * v[1];
+    let known = beside(x) + beside(y) + rest;
+    let coefficients = vec![a, b, known, found, x[0], x[1], y[0], y[1], rest];
     view.allows(&coefficients)
-        .then(|| Equation::of(view, t, Rule::Turns, coefficients))
+        .then(|| Equation::of(view, t, Rule::Distance, coefficients))
 }
 
-/// |Z^-1 L p - o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.
+/// |L p - Z o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.
 fn front_distance<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
     if view.joints.first()?.joint_type != JointType::Revolute {
@@ -281,17 +293,8 @@ fn front_distance<'g>(view: &View<'g>) -> Option<Equation<'g>> {
         };
         let pair = point_from(view, 0, end)?;
         let v = view.target.point(pair.far);
-        let (a, b) = (o[0] * v[0] + o[1] * v[1], o[0] * v[1] - o[1] * v[0]);
-        if a.is_zero() && b.is_zero() {
-            return None;
-        }
         let apart = pair.near - o;
-        let (known, found) = (o.dot(o) - apart.dot(apart), v.dot(v));
-        let c = (known + found) * view.graph.half() - o[2] * v[2];
-        let size = o.dot(o) + apart.dot(apart) + found;
-        let coefficients = vec![a, b, c, size * size];
-        view.allows(&coefficients)
-            .then(|| Equation::of(view, 0, Rule::Turns, coefficients))
+        by_distance(view, 0, (v, o), apart.dot(apart))
     })
 }
 

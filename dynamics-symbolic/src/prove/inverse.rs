@@ -4,7 +4,7 @@
 //! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the definition is asked
 //! for the pose at the joints that were found.
 
-use super::assignment::{Assignment, Number};
+use super::assignment::{Assignment, HALF, Number};
 use super::definition::Definition;
 use crate::exact::SplitMix64;
 use crate::inverse::{Plan, Rule, Step, Target};
@@ -127,10 +127,6 @@ impl Branches<'_> {
 
 /// The solutions of a step; none if a root is not in the field.
 fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
-    let turn = |(s, c): (Number, Number)| Solution {
-        sin_cos: (s, c),
-        q: Number::ZERO,
-    };
     let slide = |q: Number| Solution {
         sin_cos: (Number::ZERO, Number::ONE),
         q,
@@ -140,18 +136,15 @@ fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
             let by = length.inverse()?;
             Some(vec![turn((*sine * by, *cosine * by))])
         }
-        (Rule::Turns | Rule::ExactTurns, [a, b, c, last]) => {
-            let square = *a * *a + *b * *b;
-            let discriminant = match rule {
-                Rule::ExactTurns => *last,
-                _ => square - *c * *c,
-            };
-            let (root, by) = (discriminant.square_root()?, square.inverse()?);
-            let with = |root: Number| {
-                let (s, c) = (*b * *c + *a * root, *a * *c - *b * root);
-                turn((s * by, c * by))
-            };
-            Some(vec![with(root), with(-root)])
+        (Rule::Turns, [a, b, c, _]) => turns([*a, *b, *c], None),
+        (Rule::ExactTurns, [a, b, c, discriminant]) => turns([*a, *b, *c], Some(*discriminant)),
+        (Rule::Distance, [a, b, known, found, vectors @ ..]) => {
+            let turns = turns([*a, *b, HALF * (*known - *found)], None)?;
+            let is_right = |turn: &Solution| is_at_distance(turn.sin_cos, vectors, *found);
+            // A turn off the circle, which is refused, for a distance that the turn does not have.
+            let refused = turn((Number::ZERO, Number::ZERO));
+            let checked = turns.into_iter().map(|turn| if is_right(&turn) { turn } else { refused });
+            Some(checked.collect())
         }
         (Rule::Slide, [d]) => Some(vec![slide(*d)]),
         (Rule::Slides, [b, discriminant, _]) => {
@@ -160,4 +153,30 @@ fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
         }
         _ => None,
     }
+}
+
+/// The turn by that sine and cosine.
+fn turn((s, c): (Number, Number)) -> Solution {
+    Solution {
+        sin_cos: (s, c),
+        q: Number::ZERO,
+    }
+}
+
+/// a cos q + b sin q = c, with a^2 + b^2 - c^2 as the discriminant unless one is given.
+fn turns([a, b, c]: [Number; 3], discriminant: Option<Number>) -> Option<Vec<Solution>> {
+    let square = a * a + b * b;
+    let discriminant = discriminant.unwrap_or(square - c * c);
+    let (root, by) = (discriminant.square_root()?, square.inverse()?);
+    let with = |root: Number| turn(((b * c + a * root) * by, (a * c - b * root) * by));
+    Some(vec![with(root), with(-root)])
+}
+
+/// |y - Rz(q) x|^2 + rest = found
+fn is_at_distance((s, c): (Number, Number), vectors: &[Number], found: Number) -> bool {
+    let &[x0, x1, y0, y1, rest] = vectors else {
+        return false;
+    };
+    let (u, v) = (c * x0 - s * x1 - y0, s * x0 + c * x1 - y1);
+    u * u + v * v + rest == found
 }
