@@ -1,16 +1,18 @@
 //! The numbers that closed forms run on.
 
+use super::angle;
 use crate::Scalar;
 
-/// `f64` and `f32`, which have an arc tangent and can be compared.
+/// `f64` and `f32`, which can be compared, and whose angles are known from sines and cosines.
 pub trait Real: Scalar + PartialOrd + sealed::Sealed {
     /// Angles, rad, that are closer than this cannot be told apart: 1e-7, in single precision 1e-3.
     const APART: Self;
     /// A pose counts as reached that is missed by this part of the distances in it: 1e-9, in single precision 1e-4.
     const REACHED: Self;
 
-    /// The angle from -pi to pi of the point with these coordinates: that of `self`, the sine, and the cosine.
-    fn atan2(self, cosine: Self) -> Self;
+    /// Replaces sines by the angles from -pi to pi that they and the cosines belong to.
+    #[doc(hidden)]
+    fn angles(sines: &mut [Self], cosines: &[Self]);
 
     /// Whether the number is finite.
     fn is_finite(self) -> bool;
@@ -23,17 +25,13 @@ mod sealed {
 }
 
 macro_rules! impl_real {
-    ($float:ident, $atan2:ident, $apart:literal, $reached:literal) => {
+    ($float:ident, $angles:path, $apart:literal, $reached:literal) => {
         impl Real for $float {
             const APART: Self = $apart;
             const REACHED: Self = $reached;
 
-            #[inline]
-            fn atan2(self, cosine: Self) -> Self {
-                #[cfg(feature = "std")]
-                return <$float>::atan2(self, cosine);
-                #[cfg(not(feature = "std"))]
-                libm::$atan2(self, cosine)
+            fn angles(sines: &mut [Self], cosines: &[Self]) {
+                $angles(sines, cosines);
             }
 
             #[inline]
@@ -44,5 +42,5 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f64, atan2, 1e-7, 1e-9);
-impl_real!(f32, atan2f, 1e-3, 1e-4);
+impl_real!(f64, angle::angles, 1e-7, 1e-9);
+impl_real!(f32, angle::angles_f32, 1e-3, 1e-4);

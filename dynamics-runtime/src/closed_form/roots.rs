@@ -2,25 +2,14 @@
 
 use super::Real;
 
-/// The position of a joint that turns.
+/// The position of a joint: the sine and the cosine of an angle, or a displacement.
 #[derive(Clone, Copy, Debug)]
-pub struct Turn<T> {
-    /// Its sine.
+pub struct Found<T> {
+    /// The sine, or the displacement itself.
     pub sine: T,
-    /// Its cosine.
+    /// The cosine; of a displacement zero.
     pub cosine: T,
-    /// The angle, from -pi to pi.
-    pub angle: T,
-    /// Whether another angle would do as well, or nearly.
-    pub is_singular: bool,
-}
-
-/// The position of a joint that slides.
-#[derive(Clone, Copy, Debug)]
-pub struct Slide<T> {
-    /// The position.
-    pub position: T,
-    /// Whether another one is nearly the same.
+    /// Whether another position would do as well, or nearly.
     pub is_singular: bool,
 }
 
@@ -47,15 +36,12 @@ fn roundings<T: Real>(size: T) -> T {
     T::from_f64(ROUNDINGS) * T::epsilon() * size
 }
 
-impl<T: Real> Turn<T> {
+impl<T: Real> Found<T> {
     #[inline]
-    fn new(sine: T, cosine: T, is_singular: bool) -> Self {
-        // -0 would give -pi for the cosine -1.
-        let sine = sine + T::from_f64(0.0);
-        Turn {
+    fn turn(sine: T, cosine: T, is_singular: bool) -> Self {
+        Found {
             sine,
             cosine,
-            angle: sine.atan2(cosine),
             is_singular,
         }
     }
@@ -63,39 +49,39 @@ impl<T: Real> Turn<T> {
     /// No turn, if any will do.
     #[inline]
     fn any() -> Self {
-        Turn {
-            sine: T::from_f64(0.0),
-            cosine: T::from_f64(1.0),
-            angle: T::from_f64(0.0),
-            is_singular: true,
-        }
+        Found::turn(T::from_f64(0.0), T::from_f64(1.0), true)
+    }
+
+    #[inline]
+    fn slide(position: T, is_singular: bool) -> Self {
+        Found::turn(position, T::from_f64(0.0), is_singular)
     }
 }
 
 /// The turn with this cosine and sine times `length`, the square of a distance from the axis; zero if that vanishes beside
 /// `size`, the square of the whole distance.
 #[inline]
-pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Turn<T> {
+pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Found<T> {
     let squares = cosine * cosine + sine * sine;
     let least = roundings(T::from_f64(1.0));
     if !(length > least * least * size && squares > T::from_f64(0.0)) {
-        return Turn::any();
+        return Found::any();
     }
     let is_singular = length <= T::APART * T::APART * size;
     let scale = T::from_f64(1.0) / squares.sqrt();
-    Turn::new(sine * scale, cosine * scale, is_singular)
+    Found::turn(sine * scale, cosine * scale, is_singular)
 }
 
 /// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`.
 #[inline]
-pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<Turn<T>> {
+pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<Found<T>> {
     let square = a * a + b * b;
     let size = size + square;
     let least = roundings(T::from_f64(1.0));
     if square <= least * least * size {
         // Both sides vanish, or none does.
         let count = usize::from(c * c <= least * least * size);
-        let both = [Turn::any(); 2];
+        let both = [Found::any(); 2];
         return Roots { both, count };
     }
     let radius = square.sqrt();
@@ -120,7 +106,7 @@ pub fn turns_at_distance<T: Real>(
     y0: T,
     y1: T,
     rest: T,
-) -> Roots<Turn<T>> {
+) -> Roots<Found<T>> {
     let square = a * a + b * b;
     let size = (known + found) * (known + found) + square;
     let least = roundings(T::from_f64(1.0));
@@ -143,7 +129,7 @@ pub fn turns_at_distance<T: Real>(
 
 /// As [`turns`] with a^2 + b^2 - c^2, which has no rounding of larger numbers.
 #[inline]
-pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Turn<T>> {
+pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Found<T>> {
     let square = a * a + b * b;
     let radius = square.sqrt();
     let least = roundings(radius);
@@ -164,7 +150,7 @@ fn by_discriminant<T: Real>(
     discriminant: T,
     size: T,
     refine: impl Fn((T, T)) -> (T, T),
-) -> Roots<Turn<T>> {
+) -> Roots<Found<T>> {
     let zero = T::from_f64(0.0);
     if discriminant.is_positive() {
         let root = discriminant.sqrt();
@@ -173,14 +159,14 @@ fn by_discriminant<T: Real>(
         let turn = |root: T| {
             let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
             let (s, c) = if is_singular { (s, c) } else { refine((s, c)) };
-            Turn::new(s, c, is_singular)
+            Found::turn(s, c, is_singular)
         };
         let both = [turn(root), turn(-root)];
         return Roots { both, count: 2 };
     }
     let is_one = discriminant >= -roundings(size);
     let scale = if c < zero { -radius } else { radius };
-    let one = Turn::new(b / scale, a / scale, true);
+    let one = Found::turn(b / scale, a / scale, true);
     Roots {
         both: [one; 2],
         count: usize::from(is_one),
@@ -189,16 +175,13 @@ fn by_discriminant<T: Real>(
 
 /// A position that was found by itself.
 #[inline]
-pub fn slide<T: Real>(position: T) -> Slide<T> {
-    Slide {
-        position,
-        is_singular: false,
-    }
+pub fn slide<T: Real>(position: T) -> Found<T> {
+    Found::slide(position, false)
 }
 
 /// d = b + root and b - root of the discriminant, a difference of numbers as large as `size`.
 #[inline]
-pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Slide<T>> {
+pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Found<T>> {
     let is_some = discriminant >= -roundings(size);
     let is_two = discriminant.is_positive();
     let root = if is_two {
@@ -208,10 +191,7 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Slide<T>> {
     };
     let twice = root + root;
     let is_singular = twice * twice <= T::APART * T::APART * size;
-    let slide = |position| Slide {
-        position,
-        is_singular,
-    };
+    let slide = |position| Found::slide(position, is_singular);
     Roots {
         both: [slide(b + root), slide(b - root)],
         count: usize::from(is_some) + usize::from(is_some && is_two),

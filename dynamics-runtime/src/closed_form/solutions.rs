@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::Real;
+use super::{Found, Real};
 
 /// The most solutions of an arm that has a closed form.
 const MOST: usize = 8;
@@ -37,6 +37,63 @@ pub struct Solutions<T: Real, const N: usize> {
     limits: [Option<[T; 2]>; N],
 }
 
+/// The solutions as they are found, angles by their sines and cosines.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Branches<T: Real, const N: usize> {
+    sines: [[T; N]; MOST],
+    cosines: [[T; N]; MOST],
+    are_singular: [bool; MOST],
+    count: usize,
+}
+
+impl<T: Real, const N: usize> Default for Branches<T, N> {
+    #[inline]
+    fn default() -> Self {
+        let zeros = [[T::from_f64(0.0); N]; MOST];
+        Branches {
+            sines: zeros,
+            cosines: zeros,
+            are_singular: [false; MOST],
+            count: 0,
+        }
+    }
+}
+
+impl<T: Real, const N: usize> Branches<T, N> {
+    /// Adds one.
+    #[inline]
+    pub fn push(&mut self, joints: [Found<T>; N]) {
+        if self.count < MOST {
+            let (sines, cosines) = (&mut self.sines[self.count], &mut self.cosines[self.count]);
+            for (i, joint) in joints.iter().enumerate() {
+                (sines[i], cosines[i]) = (joint.sine, joint.cosine);
+                self.are_singular[self.count] |= joint.is_singular;
+            }
+            self.count += 1;
+        }
+    }
+
+    /// The solutions of an arm of whose joints these turn.
+    pub fn solutions(mut self, turns: [bool; N]) -> Solutions<T, N> {
+        let found = self.sines;
+        let all = self.count * N;
+        let sines = &mut self.sines.as_flattened_mut()[..all];
+        T::angles(sines, &self.cosines.as_flattened()[..all]);
+        let mut solutions = Solutions::new(turns);
+        for branch in 0..self.count {
+            let mut q = self.sines[branch];
+            for i in 0..N {
+                if !turns[i] {
+                    q[i] = found[branch][i];
+                }
+            }
+            solutions.push(q, self.are_singular[branch]);
+        }
+        solutions
+    }
+}
+
 impl<T: Real, const N: usize> Solutions<T, N> {
     /// No solutions of an arm whose joints turn or slide.
     #[doc(hidden)]
@@ -55,9 +112,8 @@ impl<T: Real, const N: usize> Solutions<T, N> {
     }
 
     /// Adds a solution, unless it is not finite.
-    #[doc(hidden)]
     #[inline]
-    pub fn push(&mut self, q: [T; N], is_singular: bool) {
+    fn push(&mut self, q: [T; N], is_singular: bool) {
         if self.count < MOST && q.iter().all(|q| q.is_finite()) {
             self.all[self.count] = Solution {
                 q: q.into(),

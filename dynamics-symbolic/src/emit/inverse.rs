@@ -30,18 +30,17 @@ pub fn inverse_kinematics(
         stages: stages(plan),
         path,
     };
-    let [pose, solutions, turning] = ["pose", "solutions", "turning"].map(ident);
+    let [pose, solutions] = ["pose", "solutions"].map(ident);
     let constants = constants_like(&quote!(#pose.data.0[0][0]), path);
     let inputs = method.inputs();
     let turns = robot.joints().map(turns);
     let steps = method.from(0);
     let body = quote! {
-        let #turning = [#(#turns),*];
-        let mut #solutions = #path::closed_form::Solutions::new(#turning);
+        let mut #solutions = #path::closed_form::Branches::default();
         #constants
         #inputs
         #steps
-        #solutions
+        #solutions.solutions([#(#turns),*])
     };
     let documentation = documentation(frame, plan);
     method_of(frame, plan.joints, &documentation, &body, path)
@@ -183,7 +182,7 @@ impl Method<'_> {
         };
         let found = self.found(joint);
         let bound = self.bound(joint, &found);
-        let one = |value: TokenStream| quote!(#lines let #found = #value; #bound #rest);
+        let one = |value: TokenStream| quote!(#lines let #found = &#value; #bound #rest);
         let each = |roots: TokenStream| {
             quote!(#lines for #found in #roots.as_slice() { #bound #rest })
         };
@@ -214,12 +213,10 @@ impl Method<'_> {
         let inputs = self.plan.program.inputs.iter();
         let read = inputs.filter_map(|symbol| {
             let part = match symbol {
-                Symbol::Sine(i) if *i == joint => ident("sine"),
-                Symbol::Cosine(i) if *i == joint => ident("cosine"),
-                Symbol::Position(i) if *i == joint => ident("position"),
+                Symbol::Sine(i) | Symbol::Position(i) if *i == joint => quote!(sine),
+                Symbol::Cosine(i) if *i == joint => quote!(cosine),
                 _ => return None,
             };
-            let part = Ident::new(&part.to_string(), proc_macro2::Span::call_site());
             let name = ident(&input_name(self.robot, symbol, &[]));
             Some(quote!(let #name = #found.#part;))
         });
@@ -230,12 +227,6 @@ impl Method<'_> {
     fn solution(&self) -> TokenStream {
         let solutions = ident("solutions");
         let joints = (0..self.plan.joints).map(|joint| self.found(joint));
-        let positions = self.robot.joints().zip(joints.clone()).map(|(row, found)| {
-            match row.joint_type {
-                JointType::Revolute => quote!(#found.angle),
-                JointType::Prismatic => quote!(#found.position),
-            }
-        });
-        quote!(#solutions.push([#(#positions),*], #(#joints.is_singular)||*);)
+        quote!(#solutions.push([#(*#joints),*]);)
     }
 }
