@@ -92,6 +92,33 @@ arm! {
 }
 
 arm! {
+    /// Seven joints with a spherical shoulder and a spherical wrist, a step at the elbow and a tool.
+    SevenJoints, [
+        q1: revolute { d: 0.36, alpha: -PI/2 },
+        q2: revolute { alpha: PI/2 },
+        q3: revolute { d: 0.42, a: 0.05, alpha: PI/2 },
+        q4: revolute { a: -0.05, alpha: -PI/2 },
+        q5: revolute { d: 0.4, alpha: -PI/2 },
+        q6: revolute { alpha: PI/2 },
+        q7: revolute { d: 0.126 },
+    ]
+    tool: { xyz: [0.02, 0, 0.1], rpy: [0.1, 0.2, deg(35)] },
+}
+
+arm! {
+    /// KUKA LBR iiwa 14.
+    Iiwa14, [
+        q1: revolute { d: 0.36, alpha: -PI/2 },
+        q2: revolute { alpha: PI/2 },
+        q3: revolute { d: 0.42, alpha: PI/2 },
+        q4: revolute { alpha: -PI/2 },
+        q5: revolute { d: 0.4, alpha: -PI/2 },
+        q6: revolute { alpha: PI/2 },
+        q7: revolute { d: 0.126 },
+    ]
+}
+
+arm! {
     /// Four parallel axes.
     Scara, [
         q1: revolute { d: 0.387, a: 0.325 },
@@ -141,7 +168,7 @@ macro_rules! for_each_arm {
     ($then:ident) => {
         $then! {
             Puma560: 6, Ur5: 6, Stanford: 6, Shoulder: 6, ThreeRolls: 6, GantryWithWrist: 6,
-            Scara: 4, Elbow3r: 3, RrrPlanar: 3, Cylindrical: 3, TwoLink: 2,
+            SevenJoints: 7, Iiwa14: 7, Scara: 4, Elbow3r: 3, RrrPlanar: 3, Cylindrical: 3, TwoLink: 2,
         }
     };
 }

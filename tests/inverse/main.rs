@@ -11,11 +11,27 @@ trait Inverse<const N: usize> {
     const NAME: &'static str;
     fn pose<T: Real>(&self, q: &SVector<T, N>) -> Matrix4<T>;
     fn jacobian(&self, q: &SVector<f64, N>) -> SMatrix<f64, 6, N>;
-    fn solutions<T: Real>(&self, pose: &Matrix4<T>) -> Solutions<T, N>;
+    /// The angle of the elbow of seven joints, from their forward kinematics.
+    fn elbow(&self, q: &SVector<f64, N>) -> f64 {
+        let _ = q;
+        0.0
+    }
+    fn solutions<T: Real>(&self, pose: &Matrix4<T>, elbow: T) -> Solutions<T, N>;
+}
+
+/// Seven joints have one more argument.
+macro_rules! solutions {
+    ($arm:ident, $pose:ident, $elbow:ident, 7) => {
+        $arm.inverse_kinematics($pose, $elbow)
+    };
+    ($arm:ident, $pose:ident, $elbow:ident, $n:tt) => {{
+        let _ = $elbow;
+        $arm.inverse_kinematics($pose)
+    }};
 }
 
 macro_rules! inverses {
-    ($($name:ident: $n:literal,)*) => {
+    ($($name:ident: $n:tt,)*) => {
         $(
             impl Inverse<$n> for $name {
                 const NAME: &'static str = stringify!($name);
@@ -28,8 +44,8 @@ macro_rules! inverses {
                     self.jacobian(q)
                 }
 
-                fn solutions<T: Real>(&self, pose: &Matrix4<T>) -> Solutions<T, $n> {
-                    self.inverse_kinematics(pose)
+                fn solutions<T: Real>(&self, pose: &Matrix4<T>, elbow: T) -> Solutions<T, $n> {
+                    solutions!(self, pose, elbow, $n)
                 }
             }
         )*
@@ -55,7 +71,7 @@ fn survey<const N: usize, A: Inverse<N>>(arm: &A, count: usize) {
     for _ in 0..count {
         let q = SVector::<f64, N>::from_fn(|_, _| 3.1 * random.next());
         let pose = arm.pose(&q);
-        let solutions = arm.solutions(&pose);
+        let solutions = arm.solutions(&pose, arm.elbow(&q));
         total += solutions.len();
         let singular = robot_dynamics::nalgebra::DMatrix::from_iterator(6, N, arm.jacobian(&q).iter().copied());
         let singular = if N <= 3 { singular.rows(0, 3).into_owned() } else { singular };
@@ -75,7 +91,7 @@ fn survey<const N: usize, A: Inverse<N>>(arm: &A, count: usize) {
             let reached = arm.pose(&s.q);
             let d = (reached - pose).abs();
             let residual = if N <= 3 && A::NAME != "RrrPlanar" { d.fixed_view::<3, 1>(0, 3).max() } else { d.max() };
-            if residual > 1e-14 && A::NAME == "Puma560" { println!("{residual:e} {} {d:.1e} {:?} {}", s.q.transpose(), q.transpose(), s.is_singular); }
+            if residual > 1e-14 && A::NAME == "Iiwa14" { println!("{residual:e} {} {d:.1e} {:?} {}", s.q.transpose(), q.transpose(), s.is_singular); }
             worst_residual = worst_residual.max(residual);
         }
     }

@@ -203,3 +203,33 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Found<T>> {
 pub fn is_reached<T: Real>(x: T, y: T, z: T, size: T) -> bool {
     x * x + y * y + z * z <= T::REACHED * T::REACHED * size
 }
+
+/// The square root.
+#[inline]
+pub fn root<T: Real>(square: T) -> T {
+    square.sqrt()
+}
+
+/// The direction of a vector, or of another one if the square of its length vanishes beside `size`, and whether the first one is
+/// so short that another would do nearly as well.
+#[inline]
+pub fn direction<T: Real>(
+    x: T,
+    y: T,
+    z: T,
+    other_x: T,
+    other_y: T,
+    other_z: T,
+    size: T,
+) -> ([T; 3], bool) {
+    let square = x * x + y * y + z * z;
+    let least = roundings(T::from_f64(1.0));
+    let [x, y, z] = if square > least * least * size {
+        [x, y, z]
+    } else {
+        [other_x, other_y, other_z]
+    };
+    let scale = T::from_f64(1.0) / (x * x + y * y + z * z).sqrt();
+    let is_any = square <= T::APART * T::APART * size;
+    ([x * scale, y * scale, z * scale], is_any)
+}

@@ -63,9 +63,10 @@ impl<T: Real, const N: usize> Default for Branches<T, N> {
 impl<T: Real, const N: usize> Branches<T, N> {
     /// Adds one.
     #[inline]
-    pub fn push(&mut self, joints: [Found<T>; N]) {
+    pub fn push(&mut self, joints: [Found<T>; N], is_singular: bool) {
         if self.count < MOST {
             let (sines, cosines) = (&mut self.sines[self.count], &mut self.cosines[self.count]);
+            self.are_singular[self.count] = is_singular;
             for (i, joint) in joints.iter().enumerate() {
                 (sines[i], cosines[i]) = (joint.sine, joint.cosine);
                 self.are_singular[self.count] |= joint.is_singular;

@@ -101,6 +101,11 @@ impl<'g> Symbols<'g> {
         symbols
     }
 
+    /// A number that is found on the way from a pose to the joints, in that place behind the entries of the pose.
+    pub(crate) fn behind_target(&mut self, place: usize) -> Expr<'g> {
+        self.entry(Argument::Pose, place)
+    }
+
     /// The pose of a frame that is to be reached: symbols of a rotation by rows, and of a position.
     pub(crate) fn target(&mut self) -> PoseOfBase<Expr<'g>> {
         self.new_pose(Argument::Pose)

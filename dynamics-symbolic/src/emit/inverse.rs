@@ -5,7 +5,7 @@ use super::body::Writer;
 use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints};
 use crate::function::{Argument, inverse_method};
-use crate::inverse::{Plan, Rule, Step, Target};
+use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
 use crate::program::{Operand, Proven};
 use crate::robot::{JointType, Robot, Row, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -30,35 +30,39 @@ pub fn inverse_kinematics(
         stages: stages(plan),
         path,
     };
-    let [pose, solutions] = ["pose", "solutions"].map(ident);
+    let [pose, solutions, is_singular] = ["pose", "solutions", "is_singular"].map(ident);
     let constants = constants_like(&quote!(#pose.data.0[0][0]), path);
     let inputs = method.inputs();
     let turns = robot.joints().map(turns);
     let steps = method.from(0);
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
+        let #is_singular = false;
         #constants
         #inputs
         #steps
         #solutions.solutions([#(#turns),*])
     };
     let documentation = documentation(frame, plan);
-    method_of(frame, plan.joints, &documentation, &body, path)
+    method_of(frame, plan.joints, plan.target == Target::PoseAndElbow, &documentation, &body, path)
 }
 
 /// A method without a body.
 pub fn stub_of_inverse(frame: Option<&str>, joints: usize, path: &TokenStream) -> TokenStream {
-    method_of(frame, joints, &[], &quote!(::core::unimplemented!()), path)
+    let body = quote!(::core::unimplemented!());
+    method_of(frame, joints, joints == 7, &[], &body, path)
 }
 
 fn method_of(
     frame: Option<&str>,
     joints: usize,
+    has_elbow: bool,
     documentation: &[String],
     body: &TokenStream,
     path: &TokenStream,
 ) -> TokenStream {
     let (pose, n) = (ident("pose"), number_of_joints(joints));
+    let elbow = has_elbow.then(|| ident("elbow")).map(|elbow| quote!(#elbow: T,));
     let generic = (joints == 0).then(|| quote!(, const N: usize));
     let name = Ident::new(&inverse_method(frame), proc_macro2::Span::call_site());
     quote! {
@@ -68,6 +72,7 @@ fn method_of(
         pub fn #name<T: #path::closed_form::Real #generic>(
             &self,
             #pose: &#path::nalgebra::Matrix4<T>,
+            #elbow
         ) -> #path::closed_form::Solutions<T, #n> {
             #body
         }
@@ -78,6 +83,11 @@ fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
     let frame = frame.map_or("tip".to_owned(), |frame| format!("frame `{frame}`"));
     let read = match plan.target {
         Target::Pose => "",
+        Target::PoseAndElbow => {
+            " `elbow` is the angle, rad, of the half plane that begins at the line from the shoulder to the wrist and holds the \
+             elbow, about this line, from the one that holds the direction of the first axis; if axis and line are parallel, \
+             from any."
+        }
         Target::Position => " Of the pose the position alone is read.",
         Target::PositionAndAngle => {
             " Of the pose the position and the angle in the plane of the arm are read."
@@ -115,12 +125,13 @@ struct Method<'a> {
 /// For each instruction the number of steps whose joints it depends on.
 fn stages(plan: &Plan) -> Vec<usize> {
     let program = &plan.program;
-    let of_joint = |joint: usize| {
-        let step = plan.steps.iter().position(|step| step.joint == Some(joint));
+    let behind = |is_solved: &dyn Fn(&Step) -> bool| {
+        let step = plan.steps.iter().position(is_solved);
         step.map_or(0, |step| step + 1)
     };
     let of_input = |input: &Symbol| match input.argument() {
-        Some((Argument::Position, joint)) => of_joint(joint),
+        Some((Argument::Position, joint)) => behind(&|step| step.joint() == Some(joint)),
+        Some((Argument::Pose, place)) => behind(&|step| step.numbers().contains(&place)),
         _ => 0,
     };
     let inputs: Vec<usize> = program.inputs.iter().map(of_input).collect();
@@ -142,8 +153,14 @@ impl Method<'_> {
     fn inputs(&self) -> TokenStream {
         let (program, pose) = (&self.plan.program, ident("pose"));
         let fields = super::inputs::constant_inputs(self.robot, program, self.path);
+        let elbow = (self.plan.target == Target::PoseAndElbow).then(|| {
+            let path = self.path;
+            let [sine, cosine] = [ELBOW, ELBOW + 1].map(|place| self.number(place));
+            let elbow = ident("elbow");
+            quote!(let (#sine, #cosine) = #path::Scalar::sin_cos(#elbow);)
+        });
         let entries = program.inputs.iter().filter_map(|symbol| match symbol {
-            Symbol::Entry(Argument::Pose, k) => {
+            Symbol::Entry(Argument::Pose, k) if *k < ELBOW => {
                 let name = ident(&input_name(self.robot, symbol, &[]));
                 let (row, column) = if *k < 9 { (k / 3, k % 3) } else { (k - 9, 3) };
                 let [row, column] = [row, column].map(Literal::usize_unsuffixed);
@@ -151,7 +168,7 @@ impl Method<'_> {
             }
             _ => None,
         });
-        quote!(#fields #(#entries)*)
+        quote!(#fields #elbow #(#entries)*)
     }
 
     /// The lines of a stage.
@@ -164,7 +181,7 @@ impl Method<'_> {
     /// A step and all behind it, where those before it are done.
     fn from(&self, step: usize) -> TokenStream {
         let lines = self.lines(step);
-        let Some(&Step { joint, rule }) = self.plan.steps.get(step) else {
+        let Some(&Step { solved, rule }) = self.plan.steps.get(step) else {
             let solution = self.solution();
             return quote!(#lines #solution);
         };
@@ -176,32 +193,43 @@ impl Method<'_> {
             .map(|output| self.writer.output(*output))
             .collect();
         let rest = self.from(step + 1);
-        let Some(joint) = joint else {
-            let condition = quote!(#path::closed_form::is_reached(#(#coefficients),*));
-            return quote!(#lines if #condition { #rest });
-        };
-        let found = self.found(joint);
-        let bound = self.bound(joint, &found);
-        let one = |value: TokenStream| quote!(#lines let #found = &#value; #bound #rest);
-        let each = |roots: TokenStream| {
-            quote!(#lines for #found in #roots.as_slice() { #bound #rest })
-        };
-        let solve = ident(match rule {
-            Rule::Turn => "turn",
-            Rule::Slide => "slide",
-            Rule::Turns => "turns",
-            Rule::Distance => "turns_at_distance",
-            Rule::ExactTurns => "turns_by",
-            Rule::Slides => "slides",
-            Rule::Condition => "is_reached",
-        });
-        let solve = Ident::new(&solve.to_string(), proc_macro2::Span::call_site());
-        let solved = quote!(#path::closed_form::#solve(#(#coefficients),*));
-        if rule.solutions() == 1 {
-            one(solved)
-        } else {
-            each(solved)
+        let solve = Ident::new(name_of(rule), proc_macro2::Span::call_site());
+        let value = quote!(#path::closed_form::#solve(#(#coefficients),*));
+        match solved {
+            Solved::Nothing => quote!(#lines if #value { #rest }),
+            Solved::Numbers(place) => {
+                let (pattern, is_singular) = self.pattern(rule, place);
+                quote!(#lines let #pattern = #value; #is_singular #rest)
+            }
+            Solved::Joint(joint) => {
+                let found = self.found(joint);
+                let bound = self.bound(joint, &found);
+                if rule.solutions() == 1 {
+                    quote!(#lines let #found = &#value; #bound #rest)
+                } else {
+                    quote!(#lines for #found in #value.as_slice() { #bound #rest })
+                }
+            }
         }
+    }
+
+    /// The variables of numbers that a step finds, and whether these are any that do.
+    fn pattern(&self, rule: Rule, place: usize) -> (TokenStream, Option<TokenStream>) {
+        let numbers = (place..place + rule.numbers()).map(|place| self.number(place));
+        match rule {
+            Rule::Direction => {
+                let (is_one, is_any) = (ident("is_singular"), ident("is_any"));
+                let pattern = quote!(([#(#numbers),*], #is_any));
+                (pattern, Some(quote!(let #is_one = #is_one || #is_any;)))
+            }
+            _ => (quote!(#(#numbers)*), None),
+        }
+    }
+
+    /// The variable of a number behind the entries of the pose.
+    fn number(&self, place: usize) -> Ident {
+        let symbol = Symbol::Entry(Argument::Pose, place);
+        ident(&input_name(self.robot, &symbol, &[]))
     }
 
     fn found(&self, joint: usize) -> Ident {
@@ -225,8 +253,23 @@ impl Method<'_> {
 
     /// All joints, in their order.
     fn solution(&self) -> TokenStream {
-        let solutions = ident("solutions");
+        let (solutions, is_singular) = (ident("solutions"), ident("is_singular"));
         let joints = (0..self.plan.joints).map(|joint| self.found(joint));
-        quote!(#solutions.push([#(*#joints),*]);)
+        quote!(#solutions.push([#(*#joints),*], #is_singular);)
+    }
+}
+
+/// The function of the runtime that solves an equation.
+fn name_of(rule: Rule) -> &'static str {
+    match rule {
+        Rule::Turn => "turn",
+        Rule::Slide => "slide",
+        Rule::Turns => "turns",
+        Rule::Distance => "turns_at_distance",
+        Rule::ExactTurns => "turns_by",
+        Rule::Slides => "slides",
+        Rule::Root => "root",
+        Rule::Direction => "direction",
+        Rule::Condition => "is_reached",
     }
 }

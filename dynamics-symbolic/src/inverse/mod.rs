@@ -4,13 +4,15 @@
 //! parallel, or are few. Every plan passes a proof before it is used, because its equations are necessary, and need not be
 //! sufficient.
 
+mod chain;
 mod moves;
 mod plan;
+mod redundant;
 mod rules;
 mod search;
 mod view;
 mod why;
 
-pub use plan::{Plan, Rule, Step, Target};
+pub use plan::{ELBOW, Plan, Rule, Solved, Step, Target};
 pub use search::plan;
 pub use why::Unsolved;

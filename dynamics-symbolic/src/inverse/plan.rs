@@ -23,6 +23,8 @@ pub enum Target {
     Pose,
     /// The position of its origin.
     Position,
+    /// All of it, and the angle of the elbow of seven joints.
+    PoseAndElbow,
     /// The position, and the angle about the axis that all joints have in common.
     PositionAndAngle,
 }
@@ -30,10 +32,42 @@ pub enum Target {
 /// A step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// The number of the joint among those that move; `None` of a condition.
-    pub joint: Option<usize>,
+    /// The symbols that it gives values to.
+    pub solved: Solved,
     /// Its equation.
     pub rule: Rule,
+}
+
+/// The symbols to which a step gives values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solved {
+    /// The joint of that number among those that move.
+    Joint(usize),
+    /// Numbers from that place on behind the entries of the pose.
+    Numbers(usize),
+    /// None: it is a condition.
+    Nothing,
+}
+
+/// Where numbers begin behind the twelve entries of the pose: first sine and cosine of the elbow's angle.
+pub const ELBOW: usize = 12;
+
+impl Step {
+    /// The joint that it solves for.
+    pub fn joint(&self) -> Option<usize> {
+        match self.solved {
+            Solved::Joint(joint) => Some(joint),
+            Solved::Numbers(_) | Solved::Nothing => None,
+        }
+    }
+
+    /// The places of the numbers that it finds behind the entries of the pose.
+    pub fn numbers(&self) -> core::ops::Range<usize> {
+        match self.solved {
+            Solved::Numbers(place) => place..place + self.rule.numbers(),
+            Solved::Joint(_) | Solved::Nothing => 0..0,
+        }
+    }
 }
 
 /// The equation of a step, by its coefficients.
@@ -53,6 +87,11 @@ pub enum Rule {
     Slide,
     /// `b`, `discriminant`, `size`: d = b + root or b - root of the discriminant, a difference of numbers as large as `size`.
     Slides,
+    /// `square`: its root.
+    Root,
+    /// `x`, `y`, `z`, another vector, `size`: the direction of the first vector, or of the other one if the square of the first
+    /// vanishes beside `size`.
+    Direction,
     /// `x`, `y`, `z`, `size`: the pose is out of reach unless the sum of the squares of the first three vanishes beside `size`.
     Condition,
 }
@@ -61,10 +100,20 @@ impl Rule {
     /// How many coefficients it has.
     pub const fn coefficients(self) -> usize {
         match self {
-            Rule::Slide => 1,
+            Rule::Slide | Rule::Root => 1,
             Rule::Slides => 3,
+            Rule::Direction => 7,
             Rule::Distance => 9,
             Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::Condition => 4,
+        }
+    }
+
+    /// How many numbers it finds that are no position of a joint.
+    pub const fn numbers(self) -> usize {
+        match self {
+            Rule::Root => 1,
+            Rule::Direction => 3,
+            _ => 0,
         }
     }
 
@@ -72,7 +121,7 @@ impl Rule {
     pub const fn solutions(self) -> usize {
         match self {
             Rule::Turns | Rule::Distance | Rule::ExactTurns | Rule::Slides => 2,
-            Rule::Turn | Rule::Slide | Rule::Condition => 1,
+            Rule::Turn | Rule::Slide | Rule::Root | Rule::Direction | Rule::Condition => 1,
         }
     }
 }

@@ -34,7 +34,7 @@ impl<'g> Equation<'g> {
                 // A reflection in the x axis.
                 Rule::Distance => &[1, 5, 7],
                 Rule::Slide | Rule::Slides => &[0],
-                Rule::Condition => &[],
+                Rule::Root | Rule::Direction | Rule::Condition => &[],
             };
             for &k in opposite {
                 coefficients[k] = -coefficients[k];
@@ -232,7 +232,7 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
 
 /// |L p - o|^2 = |Z p - o|^2: the distance from a point that the joints before t do not move, or from an axis that they have
 /// in common with t.
-fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     if t == 0 {
         return None;
     }

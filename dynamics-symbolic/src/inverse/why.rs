@@ -13,6 +13,9 @@ pub enum Unsolved {
     OtherJoint(String),
     /// A joint follows another one.
     Follower(String),
+    /// Seven joints without a spherical shoulder and a spherical wrist: these axes do not meet in a point, or the
+    /// axis between them passes through the shoulder.
+    NotSpherical(Range<usize>),
     /// So many joints, for which no class is known.
     Joints(usize),
     /// Four joints whose axes are not all parallel, or of which not three turn.
@@ -36,6 +39,10 @@ pub(super) fn why_not(view: &View<'_>) -> Unsolved {
             Some(joints) => Unsolved::Quartic(joints),
             None => Unsolved::NoThreeAxes,
         },
+        7 => match [0..3, 4..7].into_iter().find(|joints| !meet(joints.clone())) {
+            Some(joints) => Unsolved::NotSpherical(joints),
+            None => Unsolved::NotSpherical(3..4),
+        },
         _ => Unsolved::Joints(count),
     }
 }
@@ -49,7 +56,18 @@ impl fmt::Display for Unsolved {
             Unsolved::Follower(name) => write!(f, "joint `{name}` follows another one"),
             Unsolved::Joints(count) => write!(
                 f,
-                "it has {count} joints that move: closed forms are known of up to three, of four with parallel axes and of six"
+                "it has {count} joints that move: closed forms are known of up to three, of four with parallel axes, of six and of seven"
+            ),
+            Unsolved::NotSpherical(joints) if joints.len() == 1 => write!(
+                f,
+                "of its seven joints the fourth is no elbow: it turns about an axis beside the shoulder, in which the first three \
+                 axes meet"
+            ),
+            Unsolved::NotSpherical(joints) => write!(
+                f,
+                "seven joints need a spherical shoulder and a spherical wrist, and axes {} to {} do not meet in a point",
+                joints.start + 1,
+                joints.end
             ),
             Unsolved::NotScara => write!(
                 f,

@@ -44,8 +44,8 @@ pub struct Assignment {
     angles: Vec<(Value, (Number, Number))>,
     /// The degrees of freedom, then the followers.
     joints: Vec<JointPoint>,
-    /// The pose that is to be reached, where there is one.
-    pose: Option<[Number; 12]>,
+    /// The pose that is to be reached, where there is one, and numbers behind it.
+    pose: Vec<Number>,
     seed: u64,
     unfaithful: bool,
     digest: u64,
@@ -68,7 +68,7 @@ impl Assignment {
             fields,
             angles: Vec::new(),
             joints,
-            pose: None,
+            pose: Vec::new(),
             seed,
             unfaithful: false,
             digest: 0,
@@ -140,7 +140,14 @@ impl Assignment {
 
     /// Sets the pose that is to be reached: rotation by rows, position.
     pub(super) fn set_pose(&mut self, pose: [Number; 12]) {
-        self.pose = Some(pose);
+        self.pose = pose.to_vec();
+    }
+
+    /// Sets numbers from that place on behind the entries of the pose, which has been set.
+    pub(super) fn set_behind_pose(&mut self, place: usize, numbers: &[Number]) {
+        self.pose.truncate(place);
+        self.pose.resize(place, Number::ZERO);
+        self.pose.extend(numbers);
     }
 
     /// Reads at this point, with joints at a point of another arm.
@@ -163,8 +170,8 @@ impl Assignment {
             let random = &mut SplitMix64::new(self.seed_for(ROTATION));
             return rotation_point(random)[index / 3][index % 3];
         }
-        if let (Argument::Pose, Some(pose)) = (argument, &self.pose) {
-            return pose[index];
+        if argument == Argument::Pose && index < self.pose.len() {
+            return self.pose[index];
         }
         let place = argument as u64 * 0x0001_0000 + index as u64;
         Number::random(&mut SplitMix64::new(self.seed_for(ENTRIES) ^ place))

@@ -6,13 +6,13 @@
 
 use super::assignment::{Assignment, HALF, Number};
 use super::definition::Definition;
-use crate::exact::SplitMix64;
-use crate::inverse::{Plan, Rule, Step, Target};
+use crate::exact::{SplitMix64, circle_point};
+use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
 use crate::robot::Robot;
 
 /// At so many joints the branches are tried. The root of a random number is in the field for every second one, and a branch
-/// has three at most.
-const MOST_DRAWS: u64 = 400;
+/// has six at most.
+const MOST_DRAWS: u64 = 2_000;
 
 /// A solution of one step.
 #[derive(Clone, Copy)]
@@ -50,7 +50,9 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
         if point.is_unfaithful() {
             return false;
         }
+        let (s, c) = circle_point(&mut SplitMix64::new(draw));
         point.set_pose(pose);
+        point.set_behind_pose(ELBOW, &[s, c]);
         let mut branches = Branches {
             robot,
             plan,
@@ -76,7 +78,7 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
 impl Branches<'_> {
     /// Takes the steps from this one on, in the branch of that number among those that the steps before make.
     fn follow(&mut self, point: &mut Assignment, step: usize, branch: usize) {
-        let Some(&Step { joint, rule }) = self.plan.steps.get(step) else {
+        let Some(&current @ Step { rule, .. }) = self.plan.steps.get(step) else {
             self.compare(point, branch);
             return;
         };
@@ -90,24 +92,28 @@ impl Branches<'_> {
         let Some(coefficients) = coefficients else {
             return;
         };
-        let solutions = solutions(rule, &coefficients);
-        if rule == Rule::Condition {
-            match coefficients[..3].iter().all(|x| x.is_zero()) {
+        match current.solved {
+            Solved::Nothing => match coefficients[..3].iter().all(|x| x.is_zero()) {
                 true => self.follow(point, step + 1, branch),
                 false => self.is_wrong = true,
+            },
+            Solved::Numbers(place) => {
+                if let Some(numbers) = numbers(rule, &coefficients) {
+                    point.set_behind_pose(place, &numbers);
+                    self.follow(point, step + 1, branch);
+                }
             }
-            return;
-        }
-        for (k, solution) in solutions.into_iter().flatten().enumerate() {
-            let (s, c) = solution.sin_cos;
-            if s * s + c * c != Number::ONE {
-                self.is_wrong = true;
-                return;
+            Solved::Joint(joint) => {
+                let solutions = solutions(rule, &coefficients).into_iter().flatten();
+                for (k, Solution { sin_cos: (s, c), q }) in solutions.enumerate() {
+                    if s * s + c * c != Number::ONE {
+                        self.is_wrong = true;
+                        return;
+                    }
+                    point.move_joint(joint, (s, c), q);
+                    self.follow(point, step + 1, branch * rule.solutions() + k);
+                }
             }
-            if let Some(joint) = joint {
-                point.move_joint(joint, solution.sin_cos, solution.q);
-            }
-            self.follow(point, step + 1, branch * rule.solutions() + k);
         }
     }
 
@@ -116,12 +122,26 @@ impl Branches<'_> {
         let definition = Definition::new(point, self.robot);
         let from = match self.plan.target {
             Target::Position => 9,
-            Target::Pose | Target::PositionAndAngle => 0,
+            Target::Pose | Target::PoseAndElbow | Target::PositionAndAngle => 0,
         };
         let reached = definition.pose_of(self.frame);
         let is_right = reached.is_some_and(|reached| reached[from..] == self.pose[from..]);
         self.are_right[branch] |= is_right;
         self.is_wrong |= !is_right;
+    }
+}
+
+/// A root, or a direction; none if a root is not in the field. Of two roots either will do: it turns the elbow by half a turn,
+/// or the other way.
+fn numbers(rule: Rule, coefficients: &[Number]) -> Option<Vec<Number>> {
+    match (rule, coefficients) {
+        (Rule::Root, [square]) => Some(vec![square.square_root()?]),
+        (Rule::Direction, [x, y, z, ..]) => {
+            let length = (*x * *x + *y * *y + *z * *z).square_root()?;
+            let by = length.inverse()?;
+            Some([x, y, z].map(|x| *x * by).to_vec())
+        }
+        _ => None,
     }
 }
 

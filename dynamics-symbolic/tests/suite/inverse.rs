@@ -20,7 +20,7 @@ fn plans_of_the_data_files() {
             Ok(plan) => {
                 write!(text, "{name}: {} {:?}", plan.branches(), plan.program.operations()).unwrap();
                 for step in &plan.steps {
-                    write!(text, " {:?} {:?}", step.joint, step.rule).unwrap();
+                    write!(text, " {:?} {:?}", step.solved, step.rule).unwrap();
                 }
                 writeln!(text).unwrap();
             }
