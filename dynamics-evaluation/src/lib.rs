@@ -16,6 +16,7 @@ mod identified;
 mod layout;
 mod methods;
 mod possible;
+mod reach;
 mod read;
 mod robot;
 mod rows;
@@ -33,6 +34,7 @@ pub use file::{FileError, FileMistake, ReadOptions};
 #[doc(hidden)]
 pub use file::{read_file, read_source, read_text};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
+pub use reach::RuntimePlace;
 pub use robot::RuntimeRobot;
 pub use rows::Arrangement;
 pub use simulated::{Moves, RuntimeDynamics, Stands, Tip};

@@ -266,7 +266,11 @@ impl RuntimeRobot {
     }
 
     /// The entries of the value of a function at a state.
-    fn at(&self, function: &Compiled, arguments: &[&[f64]]) -> Result<Vec<f64>, EvaluationError> {
+    pub(crate) fn at(
+        &self,
+        function: &Compiled,
+        arguments: &[&[f64]],
+    ) -> Result<Vec<f64>, EvaluationError> {
         let Some((single, prepared)) = &function.single else {
             return self.of_state(function, &function.shared, arguments, &|x| x);
         };

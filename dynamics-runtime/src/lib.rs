@@ -45,6 +45,7 @@ mod function;
 mod inputs;
 #[cfg(feature = "std")]
 mod integrate;
+pub mod inverse_kinematics;
 pub mod layouts;
 mod macros;
 mod model;
@@ -57,6 +58,7 @@ mod placement;
 pub mod plot;
 mod pose;
 mod quaternion;
+mod random;
 #[cfg(feature = "std")]
 mod replace;
 mod scalar;
@@ -88,6 +90,7 @@ pub use check::check_against_rnea;
 pub use conditioning::Conditioning;
 pub use double_double::DoubleDouble;
 pub use formula::Formula;
+pub use inverse_kinematics::InverseKinematics;
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
     MassMatrix, Model,

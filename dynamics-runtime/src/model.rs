@@ -197,6 +197,21 @@ impl<R: Kinematics<N>, const N: usize> SizedKinematics<Const<N>> for R {
     }
 }
 
+/// A robot whose table is known as numbers.
+#[diagnostic::on_unimplemented(
+    message = "the table of `{Self}` is not known, and its joints and their limits with it"
+)]
+pub trait SizedTable<D: Size> {
+    /// The table as numbers.
+    fn sized_numbers(&self) -> D::Table;
+}
+
+impl<R: Model<N>, const N: usize> SizedTable<Const<N>> for R {
+    fn sized_numbers(&self) -> Table<N> {
+        self.table()
+    }
+}
+
 /// Hamilton's equations of an arm, in positions q and momenta p = M(q) qd. The structure-preserving
 /// methods of a [`Simulation`](crate::Simulation) integrate them.
 ///

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Rotation3, SVector, Vector2};
 
-use crate::check::random::SplitMix64;
+use crate::random::SplitMix64;
 use crate::{
     Carrier, Convention, Energy, Evaluate, Evaluation, FixedFrame, FloatingBase, ForwardDynamics,
     Frame, JointType, Model, Placement, Pose, Row, Scalar, SingularMassMatrix, Spring, State,

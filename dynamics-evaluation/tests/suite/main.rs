@@ -7,4 +7,5 @@ mod generated;
 mod identified;
 mod languages;
 mod python_values;
+mod reach;
 mod refusals;

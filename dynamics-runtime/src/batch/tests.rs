@@ -5,8 +5,8 @@ use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 
 use super::layout::{States, StatesMut};
 use super::run::{Failure, Task};
-use crate::check::random::SplitMix64;
 use crate::function::{Entries, Function, functions};
+use crate::random::SplitMix64;
 use crate::sine::Kernel as _;
 use crate::sine::tests::{angles, ulps, ulps_of_single};
 use crate::test_arms::CRAIG_ARM;

@@ -115,8 +115,8 @@ mod tests {
 
     use super::Verification;
     use crate::certified::Certified;
-    use crate::check::random::SplitMix64;
     use crate::factorisation::Factors;
+    use crate::random::SplitMix64;
     use crate::{Conditioning, DoubleDouble, Scalar};
 
     const N: usize = 5;

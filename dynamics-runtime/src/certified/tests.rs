@@ -1,6 +1,6 @@
 use super::rounded::Magnitude;
 use super::{Certified, Rounded};
-use crate::check::random::SplitMix64;
+use crate::random::SplitMix64;
 use crate::{DoubleDouble, Scalar};
 
 /// A precision whose errors it holds itself.

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::numeric::Numeric;
-use super::random::SplitMix64;
 use super::{Checkable, Checked};
+use crate::random::SplitMix64;
 use crate::{Pose, RuntimeTable, SizedState};
 
 /// The matrix K of `b = K x`: the base parameters b of `base_parameters` and `regressor` as combinations of the

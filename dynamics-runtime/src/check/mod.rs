@@ -7,7 +7,6 @@ mod deviation;
 mod functions;
 mod identification;
 mod numeric;
-pub(crate) mod random;
 mod report;
 mod scale;
 mod states;

@@ -6,7 +6,7 @@ use core::ops::RangeInclusive;
 use nalgebra::{DVector, Dyn, Quaternion, UnitQuaternion, Vector3};
 
 use super::Check;
-use super::random::SplitMix64;
+use crate::random::SplitMix64;
 use crate::table::Arm;
 use crate::{
     Pose, SizedState,

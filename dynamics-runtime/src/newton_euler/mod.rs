@@ -36,11 +36,13 @@ mod second_derivatives;
 mod terms;
 mod walk;
 
-use nalgebra::{Const, SVector, Vector3};
+use nalgebra::{Const, Matrix4, SVector, Vector3};
 
+#[cfg(feature = "std")]
+use crate::model::SizedTable;
 use crate::size::Size;
 use crate::table::AsArm as _;
-use crate::{Model, Table, Tool};
+use crate::{Model, SizedKinematics, Table, Tool};
 pub use angle::turned;
 #[cfg(feature = "std")]
 pub(crate) use floating::NAMES_OF_BASE;
@@ -190,6 +192,23 @@ impl<const N: usize> Model<N> for NewtonEuler<N> {
 
     fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
         Some([self.kinetic_energy(q, qd), self.potential_energy(q)])
+    }
+}
+
+impl<D: Size> SizedKinematics<D> for NumericArm<D> {
+    fn tip_pose(&self, q: &D::Vector) -> Matrix4<f64> {
+        self.forward_kinematics(q)
+    }
+
+    fn tip_jacobian(&self, q: &D::Vector) -> D::Columns<6> {
+        self.jacobian(q)
+    }
+}
+
+#[cfg(feature = "std")]
+impl SizedTable<nalgebra::Dyn> for NumericArm<nalgebra::Dyn> {
+    fn sized_numbers(&self) -> crate::RuntimeTable {
+        self.table.clone()
     }
 }
 

@@ -48,8 +48,8 @@ mod tests {
     use core::f64::consts::E;
 
     use super::by_reduction;
-    use crate::check::random::SplitMix64;
     use crate::dual::Dual;
+    use crate::random::SplitMix64;
     use crate::{DoubleDouble, Scalar};
 
     /// x, and both halves of e^x, from a computation in 60 digits.

@@ -10,6 +10,7 @@ mod data_formats;
 mod endings;
 mod every_method;
 mod friction;
+mod inverse_kinematics;
 mod methods;
 mod moving_base;
 mod reference;

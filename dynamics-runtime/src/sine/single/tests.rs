@@ -1,6 +1,6 @@
 //! Against sines in double precision, whose errors are 2^-29 of a unit in the last place here.
 
-use crate::check::random::SplitMix64;
+use crate::random::SplitMix64;
 use crate::sine::tests::{levels, ulps_of_single as ulps};
 use crate::sine::{Kernel, Sines, eight_singles, four_singles, one};
 

@@ -1,0 +1,104 @@
+//! A frame of a robot at run time, as numeric inverse kinematics takes it.
+
+use dynamics_runtime::SizedKinematics;
+use dynamics_runtime::inverse_kinematics::SizedTable;
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Matrix6xX};
+use dynamics_runtime::table::RuntimeTable;
+
+use crate::compiled::Compiled;
+use crate::{EvaluationError, RuntimeRobot};
+
+/// The tip of a [`RuntimeRobot`], or one of its frames: what
+/// [`InverseKinematics`](dynamics_runtime::InverseKinematics) needs of it. Vectors are `DVector<f64>`.
+#[derive(Clone, Debug)]
+pub struct RuntimePlace<'a> {
+    arm: &'a RuntimeRobot,
+    table: RuntimeTable,
+    pose: &'a Compiled,
+    jacobian: &'a Compiled,
+}
+
+impl RuntimeRobot {
+    /// The names of the functions that [`place`](RuntimeRobot::place) needs: `forward_kinematics` and `jacobian` of the tip, or
+    /// those of a frame, such as `jacobian(hand)`.
+    pub fn place_functions(frame: Option<&str>) -> [String; 2] {
+        let of_frame = frame.map_or_else(String::new, |frame| format!("({frame})"));
+        ["forward_kinematics", "jacobian"].map(|name| format!("{name}{of_frame}"))
+    }
+
+    /// The tip, or the frame of that name, whose joint positions are to be found.
+    ///
+    /// ```
+    /// # mod robot_dynamics {
+    /// # pub use dynamics_runtime::*;
+    /// # pub use dynamics_evaluation as evaluation;
+    /// # }
+    /// use robot_dynamics::InverseKinematics;
+    /// use robot_dynamics::evaluation::{ReadOptions, RuntimeRobot};
+    /// use robot_dynamics::inverse_kinematics::Target;
+    /// use robot_dynamics::nalgebra::{DVector, Vector3};
+    ///
+    /// // Two links of 0.5 m in a plane.
+    /// let table = r#"
+    ///     convention = "modified"
+    ///     gravity = [0, 0, -9.81]
+    ///     tool = { xyz = [0.5, 0, 0] }
+    ///     [[joint]]
+    ///     name = "shoulder"
+    ///     type = "revolute"
+    ///     [[joint]]
+    ///     name = "elbow"
+    ///     type = "revolute"
+    ///     a = 0.5
+    /// "#;
+    /// let options = ReadOptions::new().functions(RuntimeRobot::place_functions(None));
+    /// let arm = RuntimeRobot::from_toml(table, &options)?;
+    /// let tip = arm.place(None)?;
+    /// let target = Target::position(Vector3::new(0.5, 0.5, 0.0));
+    /// let found = InverseKinematics::new(&tip).solve(target, &DVector::from_vec(vec![0.1, 0.1]))?;
+    /// assert!(found.q[0].abs() < 1e-8);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotDerived`] unless both
+    /// [`place_functions`](RuntimeRobot::place_functions) were asked for.
+    pub fn place(&self, frame: Option<&str>) -> Result<RuntimePlace<'_>, EvaluationError> {
+        if self.robot().floating().is_some() {
+            return Err(EvaluationError::MovingBase);
+        }
+        let of_frame = frame.map_or_else(String::new, |frame| format!("_{frame}"));
+        let function = |name: &str| self.function(&format!("{name}{of_frame}"));
+        Ok(RuntimePlace {
+            arm: self,
+            table: self.table(),
+            pose: function("forward_kinematics")?,
+            jacobian: function("jacobian")?,
+        })
+    }
+}
+
+impl RuntimePlace<'_> {
+    /// The entries of a function; NaN where there are none.
+    fn entries(&self, function: &Compiled, q: &DVector<f64>) -> Vec<f64> {
+        let values = self.arm.at(function, &[q.as_slice()]);
+        values.unwrap_or_else(|_| vec![f64::NAN; function.layout.entries()])
+    }
+}
+
+impl SizedKinematics<Dyn> for RuntimePlace<'_> {
+    fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
+        Matrix4::from_column_slice(&self.entries(self.pose, q))
+    }
+
+    fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
+        Matrix6xX::from_vec(self.entries(self.jacobian, q))
+    }
+}
+
+impl SizedTable<Dyn> for RuntimePlace<'_> {
+    fn sized_numbers(&self) -> RuntimeTable {
+        self.table.clone()
+    }
+}

@@ -1,0 +1,165 @@
+//! How a search for joint positions ends.
+
+use core::fmt;
+
+use crate::size::{JointVector as _, Size};
+
+/// How far frames are from their targets: the largest of all.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Residual {
+    /// Between positions, m. Zero where no position was asked for.
+    pub position: f64,
+    /// The angle between rotations or directions, rad. Zero where none was asked for.
+    pub rotation: f64,
+}
+
+impl fmt::Display for Residual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:.3e} m and {:.3e} rad", self.position, self.rotation)
+    }
+}
+
+/// Joint positions at which all targets are reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reached<D: Size> {
+    /// Joint positions within the limits, rad or m.
+    pub q: D::Vector,
+    /// What is left there, by forward kinematics at this `q`: within the tolerance.
+    pub residual: Residual,
+    /// How many descents were made: one from the start, others from elsewhere.
+    pub attempts: usize,
+    /// The iterations of all of them.
+    pub iterations: usize,
+}
+
+/// Why no joint positions were found, and the nearest ones that were.
+#[derive(Clone, PartialEq)]
+pub struct NotReached<D: Size> {
+    /// Why.
+    pub reason: Reason,
+    /// The positions with the least weighted error, within the limits, rad or m.
+    pub q: D::Vector,
+    /// What is missing there.
+    pub residual: Residual,
+    /// How many descents were made.
+    pub attempts: usize,
+    /// The iterations of all of them.
+    pub iterations: usize,
+}
+
+/// Why targets are not reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// No position of the joints reaches so far: all lengths of the table together are shorter than the way from the base.
+    OutOfReach {
+        /// The target, counted from 0.
+        target: usize,
+        /// From the origin of the base frame to the target, m.
+        distance: f64,
+        /// How far the arm reaches at most, m.
+        reach: f64,
+    },
+    /// Every descent ended where no motion of the joints comes nearer. That is no proof that there are no joint positions, but
+    /// the more attempts were made the less likely they are.
+    Minimum,
+    /// The same, and at the nearest positions a joint would have to go beyond its limit to come nearer.
+    Limits {
+        /// The first such joint, counted from 0.
+        joint: usize,
+    },
+    /// The nearest descent had used up its iterations while it still came nearer.
+    Iterations,
+    /// A target is not finite, its rotation is none, or a weight is not a positive number.
+    Target {
+        /// The target, counted from 0.
+        target: usize,
+    },
+    /// There are more or fewer targets than frames.
+    Count {
+        /// How many targets were given.
+        targets: usize,
+        /// How many frames there are.
+        frames: usize,
+    },
+    /// A position of the start, or of the preferred posture, is not finite.
+    Start {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// The vector of the start, of the preferred posture or of the limits has another length than there are joints.
+    Length,
+    /// The limits of a joint are no range: not numbers, or not in order.
+    Range {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// A tolerance is not a positive finite number.
+    Tolerance,
+    /// The pose or the Jacobian of a frame is not finite, as that of the tip of a tree that has none.
+    NonFinite,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::OutOfReach {
+                target,
+                distance,
+                reach,
+            } => write!(
+                f,
+                "target {} is {distance:.6} m from the base, and the arm reaches {reach:.6} m at most",
+                target + 1
+            ),
+            Reason::Minimum => f.write_str("no motion of the joints comes nearer"),
+            Reason::Limits { joint } => {
+                write!(f, "the limit of joint {} is in the way", joint + 1)
+            }
+            Reason::Iterations => f.write_str("the iterations of an attempt are used up"),
+            Reason::Target { target } => write!(
+                f,
+                "target {} is none: expected finite numbers, a rotation of orthogonal unit vectors and weights above zero",
+                target + 1
+            ),
+            Reason::Count { targets, frames } => {
+                write!(f, "{targets} targets were given for {frames} frames")
+            }
+            Reason::Start { joint } => write!(
+                f,
+                "the start or the posture of joint {} is not finite",
+                joint + 1
+            ),
+            Reason::Length => f.write_str("a vector has another length than there are joints"),
+            Reason::Range { joint } => write!(
+                f,
+                "the limits of joint {} are no range: the lower one first, both numbers",
+                joint + 1
+            ),
+            Reason::Tolerance => f.write_str("a tolerance is not a positive finite number"),
+            Reason::NonFinite => f.write_str("the pose of a frame is not finite"),
+        }
+    }
+}
+
+impl<D: Size> fmt::Display for NotReached<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "not reached: {}", self.reason)?;
+        if self.attempts > 0 {
+            let (attempts, residual) = (self.attempts, self.residual);
+            write!(
+                f,
+                "; {residual} are missing at the nearest of {attempts} attempts"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl<D: Size> fmt::Debug for NotReached<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self} (q = {:?})", self.q.entries())
+    }
+}
+
+impl<D: Size> core::error::Error for NotReached<D> {}

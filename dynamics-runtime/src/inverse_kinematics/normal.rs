@@ -1,0 +1,102 @@
+//! The normal equations of all targets at one position of the joints.
+
+use nalgebra::Vector3;
+
+use super::joints::Joints;
+use super::places::Places;
+use super::target::{Missing, Target};
+use super::tolerance::Tolerance;
+use crate::size::Size;
+
+/// The sum over targets of half of their squared errors, and its derivatives.
+///
+/// With the weighted errors e of all targets and the weighted Jacobian J, whose columns say how much of e each joint takes
+/// away: E = 1/2 e'e, and the normal equations of Gauss and Newton are J'J dq = J'e.
+#[derive(Clone, Debug)]
+pub(super) struct Normal<D: Size> {
+    /// E.
+    pub(super) error: f64,
+    /// J'e.
+    pub(super) descent: D::Vector,
+    /// J'J.
+    pub(super) matrix: D::Matrix,
+    /// Whether all targets are reached within the tolerance.
+    pub(super) is_reached: bool,
+}
+
+impl<D: Size> Normal<D> {
+    #[inline(always)]
+    pub(super) fn at<P: Places<D>>(
+        places: &P,
+        targets: &[Target],
+        joints: &Joints<D>,
+        tolerance: &Tolerance,
+        q: &D::Vector,
+    ) -> Self {
+        let mut all = Normal {
+            error: 0.0,
+            descent: joints.size.vector(),
+            matrix: joints.size.matrix(),
+            is_reached: true,
+        };
+        for (index, target) in targets.iter().enumerate() {
+            let (pose, jacobian) = places.place(index, q);
+            let missing = target.error(&pose);
+            all.is_reached &= tolerance.holds(&missing);
+            all.add(joints, target, &missing, &jacobian);
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn add(
+        &mut self,
+        joints: &Joints<D>,
+        target: &Target,
+        missing: &Missing,
+        jacobian: &D::Columns<6>,
+    ) {
+        let column = |joint: usize, first: usize| {
+            Vector3::new(
+                jacobian[(first, joint)],
+                jacobian[(first + 1, joint)],
+                jacobian[(first + 2, joint)],
+            )
+        };
+        if let Some(error) = missing.position {
+            let weight = target.position_weight / joints.length;
+            self.add_rows(joints.size, weight, &error, |joint| column(joint, 0));
+        }
+        if let Some(error) = missing.rotation {
+            let weight = target.rotation_weight;
+            match missing.about {
+                None => self.add_rows(joints.size, weight, &error, |joint| column(joint, 3)),
+                // The turn about the direction itself is free.
+                Some(about) => self.add_rows(joints.size, weight, &error, |joint| {
+                    let turn = column(joint, 3);
+                    turn - about * about.dot(&turn)
+                }),
+            }
+        }
+    }
+
+    /// Adds three rows.
+    #[inline(always)]
+    fn add_rows(
+        &mut self,
+        size: D,
+        weight: f64,
+        error: &Vector3<f64>,
+        column: impl Fn(usize) -> Vector3<f64>,
+    ) {
+        let weight = weight * weight;
+        self.error += weight * error.norm_squared() / 2.0;
+        for j in size.joints() {
+            let right = column(j) * weight;
+            self.descent[j] += right.dot(error);
+            for i in 0..=j {
+                self.matrix[(i, j)] += column(i).dot(&right);
+            }
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! Descents from the start and from elsewhere, until one reaches the targets.
+
+use super::InverseKinematics;
+use super::descent::{Descent, End, Patience, descend};
+use super::ending::{NotReached, Reached, Reason, Residual};
+use super::normal::Normal;
+use super::places::Places;
+use super::posture::approach;
+use super::settle::settle;
+use super::target::Target;
+use crate::float::first_non_finite;
+use crate::random::SplitMix64;
+use crate::size::{JointVector as _, Size};
+
+/// A descent ends where five iterations do not halve the error: another one is more likely to reach the targets.
+const SHARE: f64 = 0.5;
+
+impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
+    /// Joint positions at which the only frame, or the tip, reaches a target: a [`Target`], or a pose as a
+    /// `&Matrix4<f64>`.
+    ///
+    /// The search begins at `start`, and what it finds is the nearer to it the fewer `attempts` it took. Whole turns of joints are
+    /// those nearest to `start` within the limits.
+    ///
+    /// # Errors
+    ///
+    /// [`NotReached`], whose [`Reason`] has a variant for each cause.
+    pub fn solve(
+        &self,
+        target: impl Into<Target>,
+        start: &D::Vector,
+    ) -> Result<Reached<D>, NotReached<D>> {
+        self.solve_all(&[target.into()], start)
+    }
+
+    /// The same of several frames, with a target for each, in their order.
+    ///
+    /// # Errors
+    ///
+    /// As [`solve`](InverseKinematics::solve).
+    pub fn solve_all(
+        &self,
+        targets: &[Target],
+        start: &D::Vector,
+    ) -> Result<Reached<D>, NotReached<D>> {
+        let mut attempts = self.begin(targets, start)?;
+        while let Some(descent) = attempts.next() {
+            if descent.end == End::Reached {
+                return Ok(attempts.reached(descent.q));
+            }
+        }
+        attempts.finish()
+    }
+
+    /// How far the frames are from their targets at joint positions: the largest distance and the largest angle.
+    pub fn residual(&self, targets: &[Target], q: &D::Vector) -> Residual {
+        let indexed = targets.iter().enumerate();
+        indexed.fold(Residual::default(), |all, (index, target)| {
+            all.and(&target.error(&self.places.place(index, q).0))
+        })
+    }
+
+    /// The attempts that may be made.
+    pub(super) fn begin<'s>(
+        &'s self,
+        targets: &'s [Target],
+        start: &'s D::Vector,
+    ) -> Result<Attempts<'s, D, P>, NotReached<D>> {
+        if let Some(reason) = self.refusal(targets, start) {
+            let residual = Residual {
+                position: f64::NAN,
+                rotation: f64::NAN,
+            };
+            let (q, attempts, iterations) = (start.clone(), 0, 0);
+            return Err(NotReached {
+                reason,
+                q,
+                residual,
+                attempts,
+                iterations,
+            });
+        }
+        let too_far = self.too_far(targets);
+        Ok(Attempts {
+            solver: self,
+            targets,
+            start,
+            random: SplitMix64(self.seed),
+            // Positions near the start are as good as any.
+            most: if too_far.is_some() { 1 } else { self.attempts },
+            too_far,
+            made: 0,
+            iterations: 0,
+            best: None,
+        })
+    }
+
+    /// What cannot be searched for.
+    fn refusal(&self, targets: &[Target], start: &D::Vector) -> Option<Reason> {
+        let (frames, dof) = (self.places.count(), self.joints.size.value());
+        let posture = self.posture.as_ref().unwrap_or(start);
+        let lengths = [
+            start.entries().len(),
+            posture.entries().len(),
+            self.joints.limits.as_ref().len(),
+        ];
+        let positions = [start, posture];
+        let mut unknown = positions
+            .iter()
+            .filter_map(|q| first_non_finite(q.entries()));
+        if frames != targets.len() {
+            let targets = targets.len();
+            return Some(Reason::Count { targets, frames });
+        }
+        if lengths != [dof; 3] {
+            return Some(Reason::Length);
+        }
+        let target = targets.iter().position(|target| !target.is_possible());
+        let of_target = target.map(|target| Reason::Target { target });
+        let of_start = unknown.next().map(|joint| Reason::Start { joint });
+        let range = self.joints.without_range();
+        let of_range = range.map(|joint| Reason::Range { joint });
+        let of_tolerance = (!self.tolerance.is_possible()).then_some(Reason::Tolerance);
+        of_target.or(of_start).or(of_range).or(of_tolerance)
+    }
+
+    /// The first target that is farther away than the arm is long.
+    fn too_far(&self, targets: &[Target]) -> Option<Reason> {
+        // The lengths are added up with rounding errors.
+        let reach = self.joints.reach * (1.0 + 1e-9);
+        let mut indexed = targets.iter().enumerate();
+        indexed.find_map(|(target, wanted)| {
+            let distance = (wanted.position? - self.joints.base).norm();
+            (distance > reach + self.tolerance.of_positions()).then_some(Reason::OutOfReach {
+                target,
+                distance,
+                reach,
+            })
+        })
+    }
+}
+
+/// The descents of one search.
+pub(super) struct Attempts<'s, D: Size, P> {
+    solver: &'s InverseKinematics<D, P>,
+    targets: &'s [Target],
+    start: &'s D::Vector,
+    random: SplitMix64,
+    most: usize,
+    too_far: Option<Reason>,
+    made: usize,
+    iterations: usize,
+    /// The descent that came nearest without reaching the targets.
+    best: Option<Descent<D>>,
+}
+
+impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
+    #[inline(always)]
+    fn normal_at(&self, q: &D::Vector) -> Normal<D> {
+        let InverseKinematics {
+            places,
+            joints,
+            tolerance,
+            ..
+        } = self.solver;
+        Normal::at(places, self.targets, joints, tolerance, q)
+    }
+
+    /// Makes the next one: the first from the start, others from anywhere.
+    pub(super) fn next(&mut self) -> Option<Descent<D>> {
+        let joints = &self.solver.joints;
+        if self.made == self.most {
+            return None;
+        }
+        let start = match self.made {
+            0 => joints.within(self.start),
+            _ => joints.anywhere(&mut self.random, self.start),
+        };
+        self.made += 1;
+        // Towards a target out of reach nothing goes but the last descent.
+        let iterations = if self.too_far.is_some() {
+            0
+        } else {
+            self.solver.iterations
+        };
+        let share = SHARE;
+        let patience = Patience { iterations, share };
+        let descent = descend(joints, patience, |q| self.normal_at(q), &start);
+        self.iterations += descent.iterations;
+        let is_nearer = self
+            .best
+            .as_ref()
+            .is_none_or(|best| descent.error < best.error || best.error.is_nan());
+        if descent.end != End::Reached && is_nearer {
+            self.best = Some(descent.clone());
+        }
+        Some(descent)
+    }
+
+    /// The end of a search that found nothing: what came nearest, which may be a target after all.
+    pub(super) fn finish(mut self) -> Result<Reached<D>, NotReached<D>> {
+        let nearest = self.best.take().expect("an attempt");
+        let last = settle(&self.solver.joints, |q| self.normal_at(q), nearest.q);
+        self.iterations += last.iterations;
+        match last.end {
+            End::Reached => Ok(self.reached(last.q)),
+            _ => Err(self.not_reached(last)),
+        }
+    }
+
+    pub(super) fn reached(&self, q: D::Vector) -> Reached<D> {
+        let q = self.arranged(q);
+        Reached {
+            residual: self.solver.residual(self.targets, &q),
+            q,
+            attempts: self.made,
+            iterations: self.iterations,
+        }
+    }
+
+    /// Near the preferred posture, or else with those whole turns that are nearest to the start.
+    fn arranged(&self, q: D::Vector) -> D::Vector {
+        let joints = &self.solver.joints;
+        let near = self.solver.posture.as_ref().unwrap_or(self.start);
+        let turned = joints.nearest(&q, near);
+        let holds = joints.within(&turned) == turned && self.normal_at(&turned).is_reached;
+        let q = if holds { turned } else { q };
+        match &self.solver.posture {
+            Some(posture) => approach(joints, |q| self.normal_at(q), q, posture),
+            None => q,
+        }
+    }
+
+    fn not_reached(&self, last: Descent<D>) -> NotReached<D> {
+        let reason = match (self.too_far, last.end) {
+            (Some(too_far), _) => too_far,
+            (None, End::NonFinite) => Reason::NonFinite,
+            (None, End::Iterations) => Reason::Iterations,
+            (None, _) => self
+                .limiting(&last.q)
+                .map_or(Reason::Minimum, |joint| Reason::Limits { joint }),
+        };
+        NotReached {
+            reason,
+            residual: self.solver.residual(self.targets, &last.q),
+            q: last.q,
+            attempts: self.made,
+            iterations: self.iterations,
+        }
+    }
+
+    /// The first joint that is on a limit, and would come nearer beyond it.
+    fn limiting(&self, q: &D::Vector) -> Option<usize> {
+        let normal = self.normal_at(q);
+        // The joint alone would take (J'e)^2 / (2 J'J) off the error: a share that rounding makes is no reason.
+        let gains = |joint: usize| {
+            let descent = normal.descent[joint];
+            descent * descent > 1e-6 * normal.error * normal.matrix[(joint, joint)]
+        };
+        self.solver.joints.size.joints().find(|joint| {
+            let [low, high] = self.solver.joints.range(*joint);
+            let descent = normal.descent[*joint];
+            let is_held =
+                (q[*joint] <= low && descent < 0.0) || (q[*joint] >= high && descent > 0.0);
+            is_held && gains(*joint)
+        })
+    }
+}
