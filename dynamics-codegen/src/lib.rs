@@ -162,11 +162,7 @@ fn field(name: &str) -> call::Field {
 }
 
 /// The errors and the items: stubs where there is no model.
-fn items(
-    call: &call::Call,
-    generated: Option<Generated>,
-    diagnostics: Diagnostics,
-) -> TokenStream {
+fn items(call: &call::Call, generated: Option<Generated>, diagnostics: Diagnostics) -> TokenStream {
     assert_eq!(generated.is_none(), !diagnostics.is_empty());
     let items = match (&call.structure, &generated) {
         (Some(structure), Some(generated)) => {

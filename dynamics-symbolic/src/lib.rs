@@ -35,6 +35,7 @@ pub use emit::{
 };
 pub use function::{Function, Request};
 pub use methods::{
-    Failure, Method, Reason, expand, expand_with, inverse_kinematics, percent, proven_plan, proven_program,
+    Failure, Method, Reason, expand, expand_with, inverse_kinematics, percent, proven_plan,
+    proven_program,
 };
 pub use program::{Operations, Proven};

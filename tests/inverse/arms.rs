@@ -6,13 +6,13 @@ macro_rules! arm {
     ($(#[$meaning:meta])* $name:ident, [$($rows:tt)*] $($more:tt)*) => {
         robot_dynamics! {
             $(#[$meaning])*
-            pub struct $name;
+            pub(crate) struct $name;
 
             convention: standard,
             gravity: [0, 0, -9.81],
             joints: [$($rows)*],
             $($more)*
-            functions: [forward_kinematics, jacobian, inverse_kinematics],
+            functions: [forward_kinematics, link_poses, jacobian, inverse_kinematics],
         }
     };
 }
@@ -163,12 +163,13 @@ arm! {
     ]
 }
 
-/// Hands each arm to the macro `$then`: its name and its number of joints.
+/// Hands each arm to the macro `$then`: its name, its number of joints, and whether it reads the rotation of a pose.
 macro_rules! for_each_arm {
     ($then:ident) => {
         $then! {
-            Puma560: 6, Ur5: 6, Stanford: 6, Shoulder: 6, ThreeRolls: 6, GantryWithWrist: 6,
-            SevenJoints: 7, Iiwa14: 7, Scara: 4, Elbow3r: 3, RrrPlanar: 3, Cylindrical: 3, TwoLink: 2,
+            Puma560: 6, true; Ur5: 6, true; Stanford: 6, true; Shoulder: 6, true; ThreeRolls: 6, true;
+            GantryWithWrist: 6, true; SevenJoints: 7, true; Iiwa14: 7, true; Scara: 4, true; Elbow3r: 3, false;
+            RrrPlanar: 3, true; Cylindrical: 3, false; TwoLink: 2, false;
         }
     };
 }

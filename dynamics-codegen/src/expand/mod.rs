@@ -16,7 +16,8 @@ use dynamics_symbolic::formula::Equation;
 use dynamics_symbolic::function::Freedoms;
 use dynamics_symbolic::robot::{Base, Robot};
 use dynamics_symbolic::{
-    Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_inverse, stub_of_trait,
+    Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_inverse,
+    stub_of_trait,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

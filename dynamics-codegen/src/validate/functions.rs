@@ -98,10 +98,13 @@ fn part(wanted: &Wanted, frames: &[Frame]) -> Part {
 
 /// Inverse kinematics: the frame among those of the robot, or the tip, and where they are asked for.
 pub(super) fn inverses(asked: Option<&[Asked]>, frames: &[Frame]) -> Vec<(Option<usize>, Place)> {
-    let wanted = asked.unwrap_or_default().iter().filter_map(|asked| match asked {
-        Asked::One(wanted) if wanted.is_inverse => Some(wanted),
-        _ => None,
-    });
+    let wanted = asked
+        .unwrap_or_default()
+        .iter()
+        .filter_map(|asked| match asked {
+            Asked::One(wanted) if wanted.is_inverse => Some(wanted),
+            _ => None,
+        });
     wanted
         .map(|wanted| (part(wanted, frames).frame, wanted.place))
         .collect()
@@ -238,7 +241,10 @@ pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
             }
             _ if other.is_some() => scope.error(place, mistake::function_twice(&shown)),
             Asked::One(wanted)
-                if has_default && !wanted.is_inverse && wanted.function.row().set == Set::Default => {
+                if has_default
+                    && !wanted.is_inverse
+                    && wanted.function.row().set == Set::Default =>
+            {
                 scope.error(place, mistake::in_default_set(&shown));
             }
             _ => {}

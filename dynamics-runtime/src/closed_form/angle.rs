@@ -106,7 +106,10 @@ mod tests {
     #[test]
     fn quarters_are_exact() {
         let of = |s: f64, c: f64| angle(s, c);
-        assert_eq!([of(0.0, 1.0), of(1.0, 0.0), of(-1.0, 0.0)], [0.0, FRAC_PI_2, -FRAC_PI_2]);
+        assert_eq!(
+            [of(0.0, 1.0), of(1.0, 0.0), of(-1.0, 0.0)],
+            [0.0, FRAC_PI_2, -FRAC_PI_2]
+        );
         assert_eq!([of(0.0, -1.0), of(-0.0, -1.0), of(0.0, 0.0)], [PI, PI, 0.0]);
         assert!(of(f64::NAN, 1.0).is_nan());
     }

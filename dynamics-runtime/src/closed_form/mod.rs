@@ -8,6 +8,7 @@ mod solutions;
 
 pub use real::Real;
 pub use roots::{
-    Found, Roots, direction, is_reached, root, slide, slides, turn, turns, turns_at_distance, turns_by,
+    Found, Roots, direction, inclined_turns, is_reached, root, slide, slides, turn, turns,
+    turns_at_distance, turns_by,
 };
 pub use solutions::{Branches, Solution, Solutions};

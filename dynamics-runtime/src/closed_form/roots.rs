@@ -64,7 +64,7 @@ impl<T: Real> Found<T> {
 pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Found<T> {
     let squares = cosine * cosine + sine * sine;
     let least = roundings(T::from_f64(1.0));
-    if !(length > least * least * size && squares > T::from_f64(0.0)) {
+    if length <= least * least * size || squares <= T::from_f64(0.0) {
         return Found::any();
     }
     let is_singular = length <= T::APART * T::APART * size;
@@ -139,7 +139,16 @@ pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Found<T>> {
     } else {
         discriminant
     };
-    by_discriminant([a, b, c], [square, radius], discriminant, square, |turn| turn)
+    by_discriminant([a, b, c], [square, radius], discriminant, square, |turn| {
+        turn
+    })
+}
+
+/// As [`turns_by`], with the discriminant (1 - along) (1 + along - twice), where (1 - along) (1 + along) = across.
+#[inline]
+pub fn inclined_turns<T: Real>(a: T, b: T, c: T, along: T, across: T, twice: T) -> Roots<Found<T>> {
+    let beyond = T::from_f64(1.0) + along;
+    turns_by(a, b, c, across / beyond * (beyond - twice))
 }
 
 /// The two turns, each sine and cosine corrected by `refine` unless they cannot be told apart.
@@ -164,7 +173,7 @@ fn by_discriminant<T: Real>(
         let both = [turn(root), turn(-root)];
         return Roots { both, count: 2 };
     }
-    let is_one = discriminant >= -roundings(size);
+    let is_one = discriminant >= -roundings(size) && size.is_finite();
     let scale = if c < zero { -radius } else { radius };
     let one = Found::turn(b / scale, a / scale, true);
     Roots {
@@ -182,7 +191,7 @@ pub fn slide<T: Real>(position: T) -> Found<T> {
 /// d = b + root and b - root of the discriminant, a difference of numbers as large as `size`.
 #[inline]
 pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Found<T>> {
-    let is_some = discriminant >= -roundings(size);
+    let is_some = discriminant >= -roundings(size) && size.is_finite();
     let is_two = discriminant.is_positive();
     let root = if is_two {
         discriminant.sqrt()

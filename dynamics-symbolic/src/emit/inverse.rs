@@ -44,7 +44,14 @@ pub fn inverse_kinematics(
         #solutions.solutions([#(#turns),*])
     };
     let documentation = documentation(frame, plan);
-    method_of(frame, plan.joints, plan.target == Target::PoseAndElbow, &documentation, &body, path)
+    method_of(
+        frame,
+        plan.joints,
+        plan.target == Target::PoseAndElbow,
+        &documentation,
+        &body,
+        path,
+    )
 }
 
 /// A method without a body.
@@ -62,7 +69,9 @@ fn method_of(
     path: &TokenStream,
 ) -> TokenStream {
     let (pose, n) = (ident("pose"), number_of_joints(joints));
-    let elbow = has_elbow.then(|| ident("elbow")).map(|elbow| quote!(#elbow: T,));
+    let elbow = has_elbow
+        .then(|| ident("elbow"))
+        .map(|elbow| quote!(#elbow: T,));
     let generic = (joints == 0).then(|| quote!(, const N: usize));
     let name = Ident::new(&inverse_method(frame), proc_macro2::Span::call_site());
     quote! {
@@ -267,6 +276,7 @@ fn name_of(rule: Rule) -> &'static str {
         Rule::Turns => "turns",
         Rule::Distance => "turns_at_distance",
         Rule::ExactTurns => "turns_by",
+        Rule::InclinedTurns => "inclined_turns",
         Rule::Slides => "slides",
         Rule::Root => "root",
         Rule::Direction => "direction",

@@ -83,6 +83,9 @@ pub enum Rule {
     Distance,
     /// `a`, `b`, `c`, `discriminant`: as `Turns`, with a^2 + b^2 - c^2 in a form without cancellation.
     ExactTurns,
+    /// `a`, `b`, `c`, `along`, `across`, `twice`: as `Turns`, with a^2 + b^2 - c^2 = (1 - along) (1 + along - twice) and
+    /// (1 - along) (1 + along) = across.
+    InclinedTurns,
     /// `d`: the position itself.
     Slide,
     /// `b`, `discriminant`, `size`: d = b + root or b - root of the discriminant, a difference of numbers as large as `size`.
@@ -102,6 +105,7 @@ impl Rule {
         match self {
             Rule::Slide | Rule::Root => 1,
             Rule::Slides => 3,
+            Rule::InclinedTurns => 6,
             Rule::Direction => 7,
             Rule::Distance => 9,
             Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::Condition => 4,
@@ -120,7 +124,11 @@ impl Rule {
     /// How many positions solve it at most.
     pub const fn solutions(self) -> usize {
         match self {
-            Rule::Turns | Rule::Distance | Rule::ExactTurns | Rule::Slides => 2,
+            Rule::Turns
+            | Rule::Distance
+            | Rule::ExactTurns
+            | Rule::InclinedTurns
+            | Rule::Slides => 2,
             Rule::Turn | Rule::Slide | Rule::Root | Rule::Direction | Rule::Condition => 1,
         }
     }
@@ -129,7 +137,10 @@ impl Rule {
 impl Plan {
     /// The most solutions.
     pub fn branches(&self) -> usize {
-        self.steps.iter().map(|step| step.rule.solutions()).product()
+        self.steps
+            .iter()
+            .map(|step| step.rule.solutions())
+            .product()
     }
 
     /// Of each step the index of its first coefficient among the outputs of the program.

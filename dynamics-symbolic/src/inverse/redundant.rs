@@ -61,7 +61,10 @@ pub(super) fn shoulder<'g>(
     let rotation = rotation(symbols, &view, line, &link, found);
     let origin = s - rotation.apply(link.shoulder);
     let links = 1 + position_of_joint(chain, 2);
-    Some((links, first.then(&Path(vec![Move::Fixed(rotation, origin)]))))
+    Some((
+        links,
+        first.then(&Path(vec![Move::Fixed(rotation, origin)])),
+    ))
 }
 
 /// The third link, in its own frame behind the third joint.
@@ -139,7 +142,12 @@ fn rotation<'g>(
     let start = direction(across(z, line), across(x, line), line, square * square);
     let of_link = link.line.dot(link.line);
     let size = of_link * of_link * link.elbow.dot(link.elbow);
-    let near = direction(across(link.elbow, link.line), link.axis.cross(link.line), link.line, size);
+    let near = direction(
+        across(link.elbow, link.line),
+        link.axis.cross(link.line),
+        link.line,
+        size,
+    );
     let e = start * cosine + line.cross(start) * (sine / length);
     let [beside, beside_link] = [line.cross(e), link.line.cross(near)];
     let entry = |i: usize, j: usize| {

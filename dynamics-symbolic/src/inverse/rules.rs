@@ -30,7 +30,7 @@ impl<'g> Equation<'g> {
     fn of(view: &View<'g>, joint: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
             let opposite = match rule {
-                Rule::Turn | Rule::Turns | Rule::ExactTurns => &[1][..],
+                Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::InclinedTurns => &[1][..],
                 // A reflection in the x axis.
                 Rule::Distance => &[1, 5, 7],
                 Rule::Slide | Rule::Slides => &[0],
@@ -69,9 +69,9 @@ pub(super) fn equations<'g>(view: &View<'g>) -> Vec<Equation<'g>> {
     let sliding = || of_type(JointType::Prismatic);
     let single = first_turn(view).into_iter();
     let single = single.chain(sliding().filter_map(|t| slide(view, t)));
-    let double = front_heights(view)
-        .into_iter()
-        .chain(turning().filter_map(|t| angle_between(view, t)))
+    let double = turning()
+        .filter_map(|t| angle_between(view, t))
+        .chain(front_heights(view))
         .chain(turning().flat_map(|t| heights(view, t)))
         .chain(turning().filter_map(|t| distance(view, t)))
         .chain(front_distance(view))
@@ -172,9 +172,9 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
 
 /// y.(L x) = y.(Z x): the angle between a direction before joint t and one behind it, if the other joints turn neither.
 ///
-/// If both are equally inclined to the axis, y_z = s x_z = m, the joint's axis is along both where its angle vanishes, and the
-/// discriminant (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is a product of small numbers:
-/// 1 - s w = 1/2 |L x - s y|^2.
+/// If both are equally inclined to the axis, y_z = s x_z = m, they are one direction where its angle vanishes, and the discriminant
+/// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. The runtime has 1 - s w from the cross
+/// product: (1 - s w) (1 + s w) = |y x L x|^2.
 fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();
     if t == 0 || t + 1 == last {
@@ -191,19 +191,21 @@ fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let [a, b] = rotated(m, x);
     let constant = m[2] * x[2];
     let c = y.dot(v) - constant;
+    let across = y.cross(v);
+    let across = across.dot(across);
     let is_equal = (m[2] * m[2] - x[2] * x[2]).is_zero();
     let (rule, last) = if m[2].is_zero() && x[2].is_zero() {
-        let across = y.cross(v);
-        (Rule::ExactTurns, across.dot(across))
+        (Rule::ExactTurns, vec![across])
     } else if is_equal {
-        let same = if (m[2] - x[2]).is_zero() { y } else { -y };
-        let [apart, together] = [v - same, v + same].map(|d| d.dot(d) * view.graph.half());
+        let along = y.dot(v);
+        let is_same = (m[2] - x[2]).is_zero();
+        let along = if is_same { along } else { -along };
         let twice = m[2] * m[2] + m[2] * m[2];
-        (Rule::ExactTurns, apart * (together - twice))
+        (Rule::InclinedTurns, vec![along, across, twice])
     } else {
-        (Rule::Turns, view.graph.one())
+        (Rule::Turns, vec![view.graph.one()])
     };
-    let coefficients = vec![a, b, c, last];
+    let coefficients = [&[a, b, c], &last[..]].concat();
     let depends = !(a.is_zero() && b.is_zero());
     (depends && view.allows(&coefficients)).then(|| Equation::of(view, t, rule, coefficients))
 }
@@ -217,7 +219,9 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let way = view.way(0, t);
     let near = |y: &Vector<'g>| way.inverse().direction(*y);
     let heights = view.heights(0..t, None);
-    let y = heights.into_iter().find(|y| !are_parallel(near(y), view.z()))?;
+    let y = heights
+        .into_iter()
+        .find(|y| !are_parallel(near(y), view.z()))?;
     let [a, b] = rotated(near(&y), pair.near);
     if a.is_zero() && b.is_zero() {
         return None;
@@ -370,15 +374,13 @@ fn point_behind<'g>(view: &View<'g>, t: usize, axis: Option<Vector<'g>>) -> Opti
 }
 
 /// One of the points.
-fn chosen<'g>(
-    view: &View<'g>,
-    points: Points<'g>,
-    axis: Option<Vector<'g>>,
-) -> Option<Vector<'g>> {
+fn chosen<'g>(view: &View<'g>, points: Points<'g>, axis: Option<Vector<'g>>) -> Option<Vector<'g>> {
     match points {
         Points::All => Some(view.origin()),
         Points::One(p) => Some(p),
-        Points::Line { point, each: true, .. } => Some(point),
+        Points::Line {
+            point, each: true, ..
+        } => Some(point),
         Points::Line {
             point, direction, ..
         } if axis.is_some_and(|axis| are_parallel(direction, axis)) => Some(point),

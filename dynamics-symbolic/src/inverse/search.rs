@@ -54,6 +54,7 @@ pub fn plan(
     let chain = chain(&mut symbols, &arm, frame)?;
     let (rotation, position) = symbols.target();
     let pose = Path(vec![Move::Fixed(Matrix3(rotation), Vector3(position))]);
+    write_squares(&chain);
     let mut found = Vec::new();
     let why = why_not(&chain_view(&chain, &graph));
     let (target, shoulder) = match target(&chain, &graph) {
@@ -94,11 +95,24 @@ pub fn plan(
     Ok(plan(&steps, &outputs))
 }
 
+/// Writes the squares of all sines and cosines, so that no expression has 1 - c^2 in place of s^2, which keeps the digits of small
+/// sines: a node has the first form in which it was written.
+fn write_squares(chain: &[Link<'_>]) {
+    for link in chain {
+        if let Link::Joint(_, Move::Turn(s, c)) = link {
+            let _ = (*s * *s, *c * *c);
+        }
+    }
+}
+
 /// What is read of the pose by arms that have closed forms; `None` of all others.
 fn target<'g>(chain: &[Link<'g>], graph: &'g Graph) -> Option<Target> {
     let view = chain_view(chain, graph);
     let count = view.joints.len();
-    let turning = view.joints.iter().filter(|joint| joint.joint_type == JointType::Revolute);
+    let turning = view
+        .joints
+        .iter()
+        .filter(|joint| joint.joint_type == JointType::Revolute);
     let turning = turning.count();
     let z = view.z();
     let is_parallel = |i: usize| are_parallel(view.way(0, i).direction(z), z);
@@ -125,7 +139,9 @@ impl<'g> Search<'g, '_> {
         candidates.extend(equations(&inverse));
         candidates.sort_by_key(|equation| equation.rule.solutions());
         // One equation with one solution is as good as another.
-        let has_single = candidates.first().is_some_and(|first| first.rule.solutions() == 1);
+        let has_single = candidates
+            .first()
+            .is_some_and(|first| first.rule.solutions() == 1);
         let tried = if has_single { 1 } else { candidates.len() };
         let joint_of = |equation: &Equation<'g>, is_inverse: bool| {
             let view = if is_inverse { &inverse } else { &view };
@@ -157,7 +173,10 @@ impl<'g> Search<'g, '_> {
             let joints = joints(chain).filter(|joint| !known.contains(&joint.number));
             joints.collect::<Vec<Unknown>>()
         };
-        let shoulder = self.shoulder.as_ref().map(|(links, pose)| (&self.chain[..*links], pose));
+        let shoulder = self
+            .shoulder
+            .as_ref()
+            .map(|(links, pose)| (&self.chain[..*links], pose));
         let shoulder = shoulder.filter(|(chain, _)| !of(chain).is_empty());
         let (chain, pose) = shoulder.unwrap_or((&self.chain, &self.pose));
         let unknown = of(chain);

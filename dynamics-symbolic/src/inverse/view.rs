@@ -80,9 +80,10 @@ impl<'g> View<'g> {
         }
         for x in expressions {
             let (is_known, root) = (|seen: &BTreeSet<_>, id| seen.contains(&id), x.edge().node());
-            self.graph.visit_operands_first(&mut seen, root, is_known, |seen, id, _| {
-                seen.insert(id);
-            });
+            self.graph
+                .visit_operands_first(&mut seen, root, is_known, |seen, id, _| {
+                    seen.insert(id);
+                });
         }
         self.forbidden.is_disjoint(&seen)
     }
@@ -103,7 +104,11 @@ impl<'g> View<'g> {
     ) -> T {
         let end = range.end;
         range.rev().fold(none, |found, i| {
-            let here = if i + 1 < end { leave(&self.links[i], found) } else { found };
+            let here = if i + 1 < end {
+                leave(&self.links[i], found)
+            } else {
+                found
+            };
             join(self.joints[i].joint_type, here)
         })
     }
@@ -111,12 +116,15 @@ impl<'g> View<'g> {
     /// The points that no joint of a range moves, in the frame of its first joint.
     pub(super) fn points(&self, range: Range<usize>) -> Points<'g> {
         let leave = |way: &Path<'g>, points| moved(way, points);
-        self.gathered(range, Points::All, leave, |joint_type, points| {
-            match joint_type {
+        self.gathered(
+            range,
+            Points::All,
+            leave,
+            |joint_type, points| match joint_type {
                 JointType::Revolute => self.on_axis(points),
                 JointType::Prismatic => self.along_axis(points),
-            }
-        })
+            },
+        )
     }
 
     /// Those of the points that a turn about z leaves.
@@ -183,7 +191,11 @@ impl<'g> View<'g> {
         let start = range.start;
         let end = range.end;
         (start..end).rev().fold(self.axes().to_vec(), |basis, i| {
-            let here = if i + 1 < end { leave(&self.links[i], basis) } else { basis };
+            let here = if i + 1 < end {
+                leave(&self.links[i], basis)
+            } else {
+                basis
+            };
             match self.joints[i].joint_type {
                 _ if skipped == Some(i) => here,
                 JointType::Revolute => self.containing_z(here),
@@ -212,7 +224,13 @@ impl<'g> View<'g> {
         let p = basis[pivot];
         let others = basis.iter().enumerate().filter(|(i, _)| *i != pivot);
         others
-            .map(|(_, v)| if v[2].is_zero() { *v } else { *v * p[2] - p * v[2] })
+            .map(|(_, v)| {
+                if v[2].is_zero() {
+                    *v
+                } else {
+                    *v * p[2] - p * v[2]
+                }
+            })
             .collect()
     }
 }

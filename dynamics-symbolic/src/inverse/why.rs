@@ -39,7 +39,10 @@ pub(super) fn why_not(view: &View<'_>) -> Unsolved {
             Some(joints) => Unsolved::Quartic(joints),
             None => Unsolved::NoThreeAxes,
         },
-        7 => match [0..3, 4..7].into_iter().find(|joints| !meet(joints.clone())) {
+        7 => match [0..3, 4..7]
+            .into_iter()
+            .find(|joints| !meet(joints.clone()))
+        {
             Some(joints) => Unsolved::NotSpherical(joints),
             None => Unsolved::NotSpherical(3..4),
         },
@@ -52,7 +55,9 @@ impl fmt::Display for Unsolved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Unsolved::MovingBase => write!(f, "its base moves"),
-            Unsolved::OtherJoint(name) => write!(f, "joint `{name}` moves and does not carry the frame"),
+            Unsolved::OtherJoint(name) => {
+                write!(f, "joint `{name}` moves and does not carry the frame")
+            }
             Unsolved::Follower(name) => write!(f, "joint `{name}` follows another one"),
             Unsolved::Joints(count) => write!(
                 f,

@@ -158,12 +158,19 @@ fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
         }
         (Rule::Turns, [a, b, c, _]) => turns([*a, *b, *c], None),
         (Rule::ExactTurns, [a, b, c, discriminant]) => turns([*a, *b, *c], Some(*discriminant)),
+        (Rule::InclinedTurns, [a, b, c, along, across, twice]) => {
+            let by = (Number::ONE + *along).inverse()?;
+            let discriminant = *across * by * (Number::ONE + *along - *twice);
+            turns([*a, *b, *c], Some(discriminant))
+        }
         (Rule::Distance, [a, b, known, found, vectors @ ..]) => {
             let turns = turns([*a, *b, HALF * (*known - *found)], None)?;
             let is_right = |turn: &Solution| is_at_distance(turn.sin_cos, vectors, *found);
             // A turn off the circle, which is refused, for a distance that the turn does not have.
             let refused = turn((Number::ZERO, Number::ZERO));
-            let checked = turns.into_iter().map(|turn| if is_right(&turn) { turn } else { refused });
+            let checked = turns
+                .into_iter()
+                .map(|turn| if is_right(&turn) { turn } else { refused });
             Some(checked.collect())
         }
         (Rule::Slide, [d]) => Some(vec![slide(*d)]),

@@ -18,7 +18,13 @@ fn plans_of_the_data_files() {
         let robot = arms::robot(name);
         match proven(&robot) {
             Ok(plan) => {
-                write!(text, "{name}: {} {:?}", plan.branches(), plan.program.operations()).unwrap();
+                write!(
+                    text,
+                    "{name}: {} {:?}",
+                    plan.branches(),
+                    plan.program.operations()
+                )
+                .unwrap();
                 for step in &plan.steps {
                     write!(text, " {:?} {:?}", step.solved, step.rule).unwrap();
                 }
