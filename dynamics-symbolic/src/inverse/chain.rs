@@ -26,7 +26,7 @@ pub(super) fn chain_view<'g>(chain: &[Link<'g>], graph: &'g Graph) -> View<'g> {
         links,
         target: first.then(&last),
         is_inverse: false,
-        tip: Vector3::splat(graph.zero()),
+        tip: last.point(Vector3::splat(graph.zero())),
         forbidden: BTreeSet::new(),
     }
 }

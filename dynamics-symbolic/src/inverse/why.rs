@@ -1,6 +1,7 @@
 //! Why an arm has no closed form.
 
 use super::view::{Points, View};
+use crate::robot::JointType;
 use core::fmt;
 use core::ops::Range;
 
@@ -24,6 +25,8 @@ pub enum Unsolved {
     NoThreeAxes,
     /// Three axes meet, and the position of that point leads to an equation of the fourth degree.
     Quartic(Range<usize>),
+    /// Three joints of which no two neighbouring axes meet or are parallel.
+    NoTwoAxes,
     /// The position of the frame does not determine the joints.
     Undetermined,
 }
@@ -33,6 +36,7 @@ pub(super) fn why_not(view: &View<'_>) -> Unsolved {
     let count = view.joints.len();
     let meet = |joints: Range<usize>| matches!(view.points(joints), Points::One(_));
     match count {
+        3 if is_moved_by_last(view) => Unsolved::NoTwoAxes,
         0..=3 => Unsolved::Undetermined,
         4 => Unsolved::NotScara,
         6 => match [0..3, 3..6].into_iter().find(|joints| meet(joints.clone())) {
@@ -48,6 +52,14 @@ pub(super) fn why_not(view: &View<'_>) -> Unsolved {
         },
         _ => Unsolved::Joints(count),
     }
+}
+
+/// Whether the last joint moves the origin of the frame.
+fn is_moved_by_last(view: &View<'_>) -> bool {
+    let [x, y, _] = view.tip.0;
+    let last = view.joints.last();
+    let slides = last.is_some_and(|joint| joint.joint_type == JointType::Prismatic);
+    slides || !(x.is_zero() && y.is_zero())
 }
 
 impl fmt::Display for Unsolved {
@@ -88,6 +100,11 @@ impl fmt::Display for Unsolved {
                  three joints two neighbouring axes must meet or be parallel, or two of the joints must slide",
                 joints.start + 1,
                 joints.end
+            ),
+            Unsolved::NoTwoAxes => write!(
+                f,
+                "of its three axes no two neighbouring ones meet or are parallel, so that the position leads to an equation of the \
+                 fourth degree"
             ),
             Unsolved::Undetermined => write!(
                 f,

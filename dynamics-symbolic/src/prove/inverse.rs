@@ -68,7 +68,9 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
             return false;
         }
         are_right = branches.are_right;
-        if !are_right.contains(&false) {
+        // The joints from which the pose was made meet a condition; other branches of such an arm need not.
+        let has_condition = plan.steps.iter().any(|step| step.solved == Solved::Nothing);
+        if !are_right.contains(&false) || has_condition && are_right.contains(&true) {
             return true;
         }
     }
@@ -93,10 +95,12 @@ impl Branches<'_> {
             return;
         };
         match current.solved {
-            Solved::Nothing => match coefficients[..3].iter().all(|x| x.is_zero()) {
-                true => self.follow(point, step + 1, branch),
-                false => self.is_wrong = true,
-            },
+            // Branches that do not meet the condition have no solution.
+            Solved::Nothing => {
+                if coefficients[..3].iter().all(|x| x.is_zero()) {
+                    self.follow(point, step + 1, branch);
+                }
+            }
             Solved::Numbers(place) => {
                 if let Some(numbers) = numbers(rule, &coefficients) {
                     point.set_behind_pose(place, &numbers);
