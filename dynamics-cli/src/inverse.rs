@@ -90,17 +90,9 @@ fn refuse_pose_of_tip(given: &ArgMatches, robot: &Robot) -> Result<(), Failure> 
     let plural = if joints == 1 { "" } else { "s" };
     Err(Failure::of_the_command_line(format!(
         "`--to` has {found} numbers: expected {joints}, the position{plural} of the joint{plural} that move{}. \
-         `inverse-dynamics` finds torques, not the joint positions of a pose of the tip",
+         `inverse-dynamics` finds torques; `reach` finds the joint positions of a pose of the tip",
         if joints == 1 { "s" } else { "" }
     )))
-}
-
-/// The failure of a call for inverse kinematics, which the command does not have.
-pub(crate) fn no_kinematics() -> Failure {
-    Failure::of_the_command_line(
-        "there is no inverse kinematics here: `inverse-dynamics` finds the torques of given joint positions, and \
-         `evaluate` the pose of the tip at joint positions",
-    )
 }
 
 /// Each joint by itself from one position to another, in the same time.

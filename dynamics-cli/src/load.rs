@@ -41,7 +41,11 @@ pub(crate) fn read_with_names(path: &Path, given: &ArgMatches) -> Result<Model, 
 }
 
 /// As [`read_on_any_base`], of an arm whose base must stand, and of which functions are needed besides.
-fn read_for(path: &Path, given: &ArgMatches, needed: Vec<Function>) -> Result<Model, Failure> {
+pub(crate) fn read_for(
+    path: &Path,
+    given: &ArgMatches,
+    needed: Vec<Function>,
+) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     read_with(path, with_values(given, path, None, "chain")?, needed)
 }
@@ -97,7 +101,7 @@ fn read_with(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model
     let model = read_any(path, beside, needed)?;
     if model.robot.freedoms().has_base() {
         let message = format!(
-            "{}: the base moves, which this command does not know: all others do",
+            "{}: the base moves, which neither `inverse-dynamics` nor `reach` knows: all others do",
             path.display()
         );
         return Err(Failure::after(String::new(), message));

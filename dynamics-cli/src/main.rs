@@ -4,6 +4,7 @@
 mod arguments;
 mod beside;
 mod check;
+mod columns;
 mod compare;
 mod convert;
 mod csv;
@@ -18,6 +19,7 @@ mod measure;
 mod page_file;
 mod plot;
 mod progress;
+mod reach;
 mod show;
 mod simulate;
 mod spline;
@@ -60,7 +62,7 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "evaluate" => evaluate::run(given),
         "simulate" => simulate::run(given),
         "inverse-dynamics" => inverse::run(given),
-        "inverse-kinematics" => return Err(inverse::no_kinematics()),
+        "reach" => reach::run(given),
         "measure" => measure::run(given),
         "page" => page_file::run(given),
         "convert" => convert::run(given),

@@ -4,6 +4,7 @@ use dynamics_runtime::SizedKinematics;
 use dynamics_runtime::inverse_kinematics::SizedTable;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::table::RuntimeTable;
+use dynamics_symbolic::Function;
 
 use crate::compiled::Compiled;
 use crate::{EvaluationError, RuntimeRobot};
@@ -68,13 +69,15 @@ impl RuntimeRobot {
         if self.robot().floating().is_some() {
             return Err(EvaluationError::MovingBase);
         }
-        let of_frame = frame.map_or_else(String::new, |frame| format!("_{frame}"));
-        let function = |name: &str| self.function(&format!("{name}{of_frame}"));
+        let function = |function: Function| match frame {
+            None => self.function(function.name()),
+            Some(frame) => self.function(&function.name_of_frame(frame)),
+        };
         Ok(RuntimePlace {
             arm: self,
             table: self.table(),
-            pose: function("forward_kinematics")?,
-            jacobian: function("jacobian")?,
+            pose: function(Function::ForwardKinematics)?,
+            jacobian: function(Function::Jacobian)?,
         })
     }
 }

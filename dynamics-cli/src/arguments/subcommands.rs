@@ -1,6 +1,6 @@
 //! The subcommands, with an example of each.
 
-use clap::{Arg, ArgAction, ArgGroup, Command};
+use clap::{ArgAction, ArgGroup, Command};
 
 use super::options::{
     choice, count, functions, number, number_between, of_a_file, out, path, plot, pose, torque,
@@ -17,7 +17,7 @@ pub(super) fn all() -> Vec<Command> {
         evaluate(),
         simulate(),
         inverse(),
-        inverse_kinematics(),
+        reach(),
         measure(),
         convert(),
         page(),
@@ -165,8 +165,8 @@ fn inverse() -> Command {
              motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
              joined by cubic splines at rest at both ends. A file that `simulate` wrote also has the \
              velocities and accelerations to pass.\n\n\
-             --from and --to are positions of the joints. This is no inverse kinematics: the joint positions of a pose of \
-             the tip are not found here.",
+             --from and --to are positions of the joints. This is no inverse kinematics: `reach` finds the joint \
+             positions of a pose of the tip.",
         )
         .arg(functions().help(BESIDES))
         .arg(vector("from", "Positions of the joints at the start of a cycloidal motion, rad or m; zeros where this is left out"))
@@ -188,16 +188,27 @@ fn inverse() -> Command {
         )
 }
 
-/// A word that is not offered: without it `inverse-dynamics` would be proposed in its place.
-fn inverse_kinematics() -> Command {
-    Command::new("inverse-kinematics")
-        .hide(true)
-        .disable_help_flag(true)
-        .arg(
-            Arg::new("anything")
-                .num_args(0..)
-                .trailing_var_arg(true)
-                .allow_hyphen_values(true),
+fn reach() -> Command {
+    of_a_file("reach", "Find the positions of the joints at which the tip has a pose: inverse kinematics")
+        .visible_alias("inverse-kinematics")
+        .long_about(
+            "Find the positions of the joints at which the tip, or a frame, has a pose: inverse kinematics. All that are \
+             found stand in a table, within the limits of the joints, the nearest to --from first. They are searched for \
+             numerically, from --from and from random starts, the same in each run; more --starts find what few starts \
+             lead to. Roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other; without them the \
+             rotation is free.\n\n\
+             The exit status is 1 where no position was found, with the reason and with the positions that came nearest.",
+        )
+        .arg(pose("Where the tip is to be: X,Y,Z,ROLL,PITCH,YAW, m and rad, or X,Y,Z alone").required(true))
+        .arg(words("frame", "NAME").value_delimiter(None).help("The frame that is to be there, in place of the tip"))
+        .arg(vector("from", "Positions at the start, rad or m; zeros where this is left out"))
+        .arg(count("starts", "200", 1, 1_000_000, "How many descents there are"))
+        .arg(count("digits", "6", 1, 17, "Significant digits that are printed; 17 tell doubles apart"))
+        .arg(out())
+        .after_help(
+            "Examples:\n  \
+             robot-dynamics reach puma560.toml --pose 0.4,0.1,0.2,0,PI/2,0\n  \
+             robot-dynamics reach torso.toml --pose 0.3,0.5,0.1 --frame left_hand",
         )
 }
 

@@ -2,13 +2,14 @@
 
 use super::calls::{errors, output};
 
-const SUBCOMMANDS: [&str; 10] = [
+const SUBCOMMANDS: [&str; 11] = [
     "show",
     "check",
     "generate",
     "evaluate",
     "simulate",
     "inverse-dynamics",
+    "reach",
     "measure",
     "convert",
     "page",

@@ -10,6 +10,7 @@ mod formulas;
 mod help;
 mod long_arms;
 mod moving_base;
+mod reach;
 mod refusals;
 mod rust;
 mod trees;

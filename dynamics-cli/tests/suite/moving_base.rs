@@ -261,7 +261,7 @@ fn what_makes_no_sense_is_told() {
     }
     let told = errors(&["inverse-dynamics", &brick, "--to", "1"], 1);
     assert!(
-        told.contains("the base moves, which this command does not know"),
+        told.contains("the base moves, which neither `inverse-dynamics` nor `reach` knows"),
         "{told}"
     );
 }

@@ -48,10 +48,12 @@ fn frames_of_a_tree_are_reached_together() {
             { name = "left", type = "revolute", on = "waist", b = 0.4, gamma = "PI/2", alpha = "PI/2" },
             { name = "right", type = "revolute", on = "waist", b = 0.4, gamma = "-PI/2", alpha = "PI/2" },
         ]
-        frame = [
-            { name = "left_hand", on = "left", xyz = [0.5, 0, 0] },
-            { name = "right_hand", on = "right", xyz = [0.5, 0, 0] },
-        ]
+        [frame.left_hand]
+        on = "left"
+        xyz = [0.5, 0, 0]
+        [frame.right_hand]
+        on = "right"
+        xyz = [0.5, 0, 0]
     "#;
     let options = ReadOptions::new().functions(functions.as_flattened());
     let arm = RuntimeRobot::from_toml(text, &options).unwrap();

@@ -1,0 +1,131 @@
+//! Inverse kinematics by the command.
+
+use super::calls::{PENDULUM, errors, file, output};
+use super::moving_base::BRICK;
+
+fn data(name: &str) -> String {
+    format!("{}/../tests/data/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The numbers of the rows that begin with a number.
+fn rows(text: &str) -> Vec<Vec<f64>> {
+    let lines = text
+        .lines()
+        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+    let numbers = |line: &str| {
+        line.split_whitespace()
+            .skip(1)
+            .map(|x| x.parse().unwrap())
+            .collect()
+    };
+    lines.map(numbers).collect()
+}
+
+/// `evaluate` has the tip of each solution at the pose.
+#[test]
+fn all_solutions_are_listed() {
+    let puma = data("robots/puma560.json");
+    let text = output(&[
+        "reach",
+        &puma,
+        "--pose",
+        "0.4,0.1,0.2,0,PI/2,deg(10)",
+        "--digits",
+        "17",
+    ]);
+    assert!(
+        text.contains("8 solutions, the nearest to the start first"),
+        "{text}"
+    );
+    assert!(text.contains("joint1, rad"), "{text}");
+    let found = rows(&text);
+    assert_eq!(found.len(), 8);
+    for q in &found {
+        let q: Vec<String> = q.iter().map(f64::to_string).collect();
+        let tip = output(&[
+            "evaluate",
+            &puma,
+            "--at",
+            &q.join(","),
+            "--functions",
+            "forward_kinematics",
+        ]);
+        assert!(tip.contains("xyz [0.4, 0.1, 0.2] m"), "{tip}");
+    }
+    // From one of them, this one is the first.
+    let from: Vec<String> = found[5].iter().map(f64::to_string).collect();
+    let again = output(&[
+        "reach",
+        &puma,
+        "--pose",
+        "0.4,0.1,0.2,0,PI/2,deg(10)",
+        "--from",
+        &from.join(","),
+        "--digits",
+        "17",
+    ]);
+    let first = &rows(&again)[0];
+    assert!(
+        first
+            .iter()
+            .zip(&found[5])
+            .all(|(a, b)| (a - b).abs() < 1e-8),
+        "{again}"
+    );
+    // The word that other programs have does the same.
+    let named = output(&["inverse-kinematics", &puma, "--pose", "0.4,0.1,0.2"]);
+    assert!(
+        named.contains("8 of solutions without end") && named.contains("are free: 3"),
+        "{named}"
+    );
+}
+
+#[test]
+fn frames_of_trees_are_reached() {
+    let torso: &str = &data("files/torso.toml");
+    let at = ["reach", torso, "--field", "load=1", "--pose", "0.1,0.5,0.3"];
+    let call = |more: &[&'static str]| [&at, more].concat();
+    let message = errors(&call(&[]), 2);
+    assert!(
+        message.contains("the robot has no tip") && message.contains("`left_hand`"),
+        "{message}"
+    );
+    let message = errors(&call(&["--frame", "foot"]), 2);
+    assert!(
+        message.contains("`--frame foot` is no frame: expected one of `left_hand`"),
+        "{message}"
+    );
+    let text = output(&call(&["--frame", "left_hand"]));
+    assert!(text.contains("1, ") || text.contains("\n1  "), "{text}");
+}
+
+#[test]
+fn why_there_is_no_solution_is_told() {
+    let pendulum = file("reach.toml", PENDULUM);
+    let message = errors(&["reach", &pendulum, "--pose", "3,0,0"], 1);
+    assert!(
+        message.contains("is 3.000000 m from the base, and the arm reaches"),
+        "{message}"
+    );
+    let message = errors(&["reach", &pendulum, "--pose", "0.9,0,0.2"], 1);
+    assert!(
+        message.contains("no motion of the joints comes nearer; 2.236e-1 m"),
+        "{message}"
+    );
+    let message = errors(&["reach", &pendulum, "--pose", "1,2"], 2);
+    assert!(
+        message.contains("`--pose` has 2 numbers: expected six"),
+        "{message}"
+    );
+    let message = errors(&["reach", &pendulum, "--pose", "1,0,0", "--from", "1"], 2);
+    assert!(
+        message.contains("`--from` has 1 number: expected 2"),
+        "{message}"
+    );
+    let brick = file("reach_brick.toml", BRICK);
+    let message = errors(&["reach", &brick, "--pose", "1,0,0"], 1);
+    assert!(
+        message.contains("neither `inverse-dynamics` nor `reach` knows"),
+        "{message}"
+    );
+}
