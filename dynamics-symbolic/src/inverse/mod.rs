@@ -5,6 +5,7 @@
 //! sufficient.
 
 mod chain;
+mod found;
 mod moves;
 mod plan;
 mod redundant;

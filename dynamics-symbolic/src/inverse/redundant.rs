@@ -11,10 +11,10 @@
 //! computation for 7-DOF redundant manipulators, IEEE Transactions on Robotics 24, 2008, with the elbow in place of a joint).
 
 use super::chain::{Link, chain_view};
+use super::found::Found;
 use super::moves::{Move, Path};
 use super::plan::{ELBOW, Rule, Solved, Step};
 use super::rules::distance;
-use super::search::Found;
 use super::view::{Points, View};
 use crate::derive::symbols::Symbols;
 use crate::expr::Expr;

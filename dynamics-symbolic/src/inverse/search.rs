@@ -1,6 +1,7 @@
 //! The search for a plan: depth first, equations with one solution before those with two.
 
 use super::chain::{Link, between, chain, chain_view, joints};
+use super::found::Found;
 use super::moves::{Move, Path};
 use super::plan::{Plan, Rule, Solved, Step, Target};
 use super::redundant;
@@ -8,7 +9,7 @@ use super::rules::{Equation, equations};
 use super::view::{Unknown, View, are_parallel};
 use super::why::{Unsolved, why_not};
 use crate::derive::symbols::Symbols;
-use crate::expr::{Edge, Expr, Graph, NodeId};
+use crate::expr::{Edge, Graph, NodeId};
 use crate::linear::{Matrix3, Vector3};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
@@ -30,12 +31,6 @@ struct Search<'g, 'a> {
     /// Of seven joints: how many links of the chain there are up to the third joint, and where the frame behind it is.
     shoulder: Option<(usize, Path<'g>)>,
     accept: &'a dyn Fn(&[Step], &[Edge]) -> bool,
-}
-
-/// A step of the search, with its coefficients.
-pub(super) struct Found<'g> {
-    pub(super) step: Step,
-    pub(super) coefficients: Vec<Expr<'g>>,
 }
 
 /// The plan for a frame among the robot's `frames`, or for its tip, that `is_right` accepts.
