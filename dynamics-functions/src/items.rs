@@ -34,7 +34,8 @@ pub fn function_names() -> TokenStream {
         Some(quote!(#result => #name,))
     });
     let names = || Function::ALL.into_iter().map(Function::name);
-    let hints = names().map(|name| Ident::new(name, Span::call_site()));
+    let hints = names().chain([crate::INVERSE_KINEMATICS]);
+    let hints = hints.map(|name| Ident::new(name, Span::call_site()));
     let names = names();
     quote! {
         #(#functions)*
