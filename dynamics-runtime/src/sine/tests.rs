@@ -4,7 +4,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 
 use super::vectors::halves;
 use super::{Kernel, Part, Sines, eight, four, one, two};
-use crate::check::random::SplitMix64;
+use crate::random::SplitMix64;
 use crate::{DoubleDouble, Scalar};
 use core::f64::consts::{FRAC_PI_4, PI};
 use fearless_simd::{Level, SimdFrom, dispatch, f64x4};

@@ -35,8 +35,6 @@ const REFUSAL: &str = "Fails where M(q) is not positive definite to working prec
                        of the joint whose pivot failed, counted from 1, and writes nothing.";
 
 const TOP: &str = "
-#include <math.h>
-
 #ifndef ROBOT_DYNAMICS_DEVICE
 #define ROBOT_DYNAMICS_DEVICE
 #endif
@@ -51,6 +49,8 @@ const TOP: &str = "
 ";
 
 const UNKNOWN: &str = "
+#include <math.h>
+
 /** Derivatives that are not known. */
 static void robot_dynamics_unknown(double *values, long long int count)
 {
@@ -221,8 +221,7 @@ impl File<'_> {
     }
 
     fn text(&self, functions: &str) -> String {
-        let language = &self.precision.language;
-        let own = format!("{}{}", self.precision.functions, language.called(functions));
+        let own = self.precision.functions(functions);
         let unknown = if functions.contains("robot_dynamics_unknown(") {
             UNKNOWN
         } else {
