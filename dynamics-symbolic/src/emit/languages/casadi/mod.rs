@@ -48,6 +48,13 @@ const TOP: &str = "
 #endif
 ";
 
+/// Programs of derivatives may have more values than are given, as those by the pose of a base.
+const UNUSED: &str = "
+#ifdef __GNUC__
+#pragma GCC diagnostic ignored \"-Wunused-variable\"
+#endif
+";
+
 const UNKNOWN: &str = "
 #include <math.h>
 
@@ -249,7 +256,7 @@ impl File<'_> {
             ),
         };
         format!(
-            "{}{TOP}{own}{unknown}{fields}{zeros}\n\
+            "{}{TOP}{UNUSED}{own}{unknown}{fields}{zeros}\n\
              /* Patterns of entries: rows, columns, and 1 if all are there; else where each column starts, and the rows. */\n{}\n\
              #ifdef __cplusplus\nextern \"C\" {{\n#endif\n{functions}\n#ifdef __cplusplus\n}}\n#endif\n",
             self.title(),
