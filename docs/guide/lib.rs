@@ -42,6 +42,7 @@ macro_rules! chapters {
 }
 
 chapters! {
-    about five_minutes conventions urdf trees moving_base tool_and_load reaching control identification embedded many_states integration scene
+    about five_minutes conventions urdf trees moving_base tool_and_load closed_forms reaching control identification embedded many_states
+    integration scene
     rounding limits other_tools
 }

@@ -65,6 +65,7 @@ fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
     Ok(match (scalar, sines) {
         (Some("float"), None) => CNumbers::Float,
         (Some("float"), Some(_)) => CNumbers::FloatWithLibrary,
+        (_, Some(_)) => CNumbers::DoubleWithLibrary,
         _ => CNumbers::Double,
     })
 }

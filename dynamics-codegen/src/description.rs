@@ -3,6 +3,7 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
+use dynamics_symbolic::function::{INVERSE_KINEMATICS, inverse_method};
 use dynamics_symbolic::robot::{self, Convention, JointType, Mount};
 
 use std::collections::BTreeSet;
@@ -213,17 +214,40 @@ pub enum Asked {
 /// A function that is asked for by its name.
 #[derive(Clone, Debug)]
 pub struct Wanted {
-    /// The function.
+    /// The function, or the one that is inverted.
     pub function: Function,
+    /// Whether it is `inverse_kinematics`, the inverse of `forward_kinematics`.
+    pub is_inverse: bool,
     /// The frame that it is about; none for the tip, and for a function that is about no frame.
     pub frame: Option<Name>,
     /// Where it is written.
     pub place: Place,
 }
 
+impl Wanted {
+    /// The word by which it is asked for.
+    pub fn name(&self) -> &'static str {
+        if self.is_inverse {
+            INVERSE_KINEMATICS
+        } else {
+            self.function.name()
+        }
+    }
+
+    /// The name of its method.
+    pub(crate) fn method(&self) -> String {
+        let frame = self.frame.as_ref().map(Name::plain);
+        match frame {
+            frame if self.is_inverse => inverse_method(frame),
+            Some(frame) => self.function.name_of_frame(frame),
+            None => self.function.name().to_owned(),
+        }
+    }
+}
+
 impl fmt::Display for Wanted {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let name = self.function.name();
+        let name = self.name();
         match &self.frame {
             None => f.write_str(name),
             Some(frame) => write!(f, "{name}({})", shortened(frame.plain())),

@@ -63,7 +63,7 @@ pub fn outline(call: TokenStream) -> TokenStream {
     let diagnostics = Diagnostics::new();
     let call = read_call(call, &diagnostics);
     let model = model(&call, &diagnostics);
-    let generated = model.map(|model| (model, Vec::new()));
+    let generated = model.map(Generated::outline);
     items(&call, generated, diagnostics)
 }
 
@@ -76,8 +76,7 @@ fn generate_by(call: TokenStream, derivation: &Derivation) -> TokenStream {
     let call = read_call(call, &diagnostics);
     let generated = model(&call, &diagnostics).and_then(|model| {
         let model = abbreviated(model, &diagnostics)?;
-        let methods = methods(&model, &call, derivation, &diagnostics)?;
-        Some((model, methods))
+        Generated::new(model, &call, derivation, &diagnostics)
     });
     items(&call, generated, diagnostics)
 }
@@ -141,8 +140,8 @@ pub fn items_of(
         ..call::Call::new(path)
     };
     let derivation = &dynamics_symbolic::derive::derive_together;
-    match methods(&model, &call, derivation, &diagnostics) {
-        Some(methods) => Ok(items(&call, Some((model, methods)), diagnostics)),
+    match Generated::new(model, &call, derivation, &diagnostics) {
+        Some(generated) => Ok(items(&call, Some(generated), diagnostics)),
         None => Err(diagnostics.shown_to(Audience::default())),
     }
 }
@@ -163,15 +162,16 @@ fn field(name: &str) -> call::Field {
 }
 
 /// The errors and the items: stubs where there is no model.
-fn items(
-    call: &call::Call,
-    generated: Option<(Model, Vec<Method>)>,
-    diagnostics: Diagnostics,
-) -> TokenStream {
+fn items(call: &call::Call, generated: Option<Generated>, diagnostics: Diagnostics) -> TokenStream {
     assert_eq!(generated.is_none(), !diagnostics.is_empty());
     let items = match (&call.structure, &generated) {
-        (Some(structure), Some((model, methods))) => {
-            expand::robot(structure, model, methods, &call.path)
+        (Some(structure), Some(generated)) => {
+            let Generated {
+                model,
+                methods,
+                inverses,
+            } = generated;
+            expand::robot(structure, model, methods, inverses, &call.path)
         }
         (Some(structure), None) => expand::stubs(structure, &call.table.entries, &call.path),
         (None, _) => TokenStream::new(),
@@ -199,6 +199,59 @@ fn abbreviated(mut model: Model, diagnostics: &Diagnostics) -> Option<Model> {
         }
     }
     Some(model)
+}
+
+/// A model with its methods.
+struct Generated {
+    model: Model,
+    methods: Vec<Method>,
+    /// Methods of inverse kinematics.
+    inverses: Vec<TokenStream>,
+}
+
+impl Generated {
+    /// The model without methods.
+    fn outline(model: Model) -> Self {
+        Generated {
+            model,
+            methods: Vec::new(),
+            inverses: Vec::new(),
+        }
+    }
+
+    /// `None` where a method cannot be generated: that is reported.
+    fn new(
+        model: Model,
+        call: &call::Call,
+        derivation: &Derivation,
+        diagnostics: &Diagnostics,
+    ) -> Option<Self> {
+        let inverses = inverses(&model, call, diagnostics);
+        let methods = methods(&model, call, derivation, diagnostics);
+        Some(Generated {
+            inverses: inverses?,
+            methods: methods?,
+            model,
+        })
+    }
+}
+
+/// The methods of inverse kinematics, or `None` where the arm has no closed form: that is reported where it is asked for.
+fn inverses(
+    model: &Model,
+    call: &call::Call,
+    diagnostics: &Diagnostics,
+) -> Option<Vec<TokenStream>> {
+    let mut methods = Vec::new();
+    for (frame, place) in &model.inverses {
+        match dynamics_symbolic::inverse_kinematics(&model.robot, *frame, &call.path) {
+            Ok(method) => methods.push(method),
+            Err(why) => {
+                diagnostics.error(*place, mistake::entry::no_closed_form(&why));
+            }
+        }
+    }
+    (methods.len() == model.inverses.len()).then_some(methods)
 }
 
 /// The methods, or `None` where the engine could not prove one of them: that is

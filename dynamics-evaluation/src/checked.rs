@@ -157,6 +157,6 @@ fn arguments(
         Argument::Snap => snap[i],
         Argument::Wrench => wrench[i],
         Argument::Base => base[i],
-        Argument::Order => f64::NAN,
+        Argument::Order | Argument::Pose => f64::NAN,
     }
 }

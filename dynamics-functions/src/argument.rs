@@ -27,6 +27,8 @@ pub enum Argument {
     Wrench,
     /// The highest order of a series.
     Order,
+    /// The pose of a frame that is to be reached: nine entries of its rotation by rows, then its position.
+    Pose,
 }
 
 impl Argument {
@@ -44,13 +46,14 @@ impl Argument {
             Argument::Snap => "snap",
             Argument::Wrench => "wrench",
             Argument::Order => "order",
+            Argument::Pose => "pose",
         }
     }
 
     /// The arrangement of its values; `None` of a number that counts something.
     pub const fn shape(self) -> Option<Shape> {
         match self {
-            Argument::Base => Some(Shape::Matrix(Size::Fixed(12), Size::One)),
+            Argument::Base | Argument::Pose => Some(Shape::Matrix(Size::Fixed(12), Size::One)),
             Argument::Position => Some(Shape::Matrix(Size::Joints, Size::One)),
             Argument::Velocity
             | Argument::Acceleration
@@ -83,6 +86,7 @@ impl Argument {
             Argument::Wrench => "force (N) on the tip and moment (N m) about its origin, \
                 fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply"
                 .to_owned(),
+            Argument::Pose => "pose that is to be reached: axes as columns of a rotation, and origin, m".to_owned(),
             Argument::Order => return None,
         })
     }

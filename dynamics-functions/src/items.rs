@@ -34,7 +34,8 @@ pub fn function_names() -> TokenStream {
         Some(quote!(#result => #name,))
     });
     let names = || Function::ALL.into_iter().map(Function::name);
-    let hints = names().map(|name| Ident::new(name, Span::call_site()));
+    let hints = names().chain([crate::INVERSE_KINEMATICS]);
+    let hints = hints.map(|name| Ident::new(name, Span::call_site()));
     let names = names();
     quote! {
         #(#functions)*
@@ -55,6 +56,7 @@ pub fn function_names() -> TokenStream {
         pub fn first_argument(result: &str) -> &'static str {
             match result {
                 #(#first)*
+                "elbow" | "solutions" => "pose",
                 _ => "q",
             }
         }

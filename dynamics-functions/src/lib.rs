@@ -21,6 +21,18 @@ pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Freedoms, Shape, Size, Sizes};
 pub use table::Function;
 
+/// The word by which inverse kinematics in closed form are asked for, and the name of the method. They are no row of the
+/// table: their values are as many as there are solutions.
+pub const INVERSE_KINEMATICS: &str = "inverse_kinematics";
+
+/// The name of the method of inverse kinematics for a frame of this name, or for the tip.
+pub fn inverse_method(frame: Option<&str>) -> String {
+    match frame {
+        Some(frame) => format!("{INVERSE_KINEMATICS}_{}", frame_in_methods(frame)),
+        None => INVERSE_KINEMATICS.to_owned(),
+    }
+}
+
 /// The name of a frame in the names of methods: in lower case, with `_` for every character but a-z and 0-9.
 pub fn frame_in_methods(frame: &str) -> String {
     let letter = |letter: char| match letter.to_ascii_lowercase() {

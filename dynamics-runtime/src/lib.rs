@@ -26,6 +26,7 @@ pub mod batch;
 pub mod certified;
 #[cfg(feature = "std")]
 pub mod check;
+pub mod closed_form;
 mod conditioning;
 mod double_double;
 mod dual;

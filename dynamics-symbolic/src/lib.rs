@@ -14,6 +14,7 @@ pub mod exact;
 pub mod expr;
 pub mod formula;
 mod interval;
+pub mod inverse;
 pub mod linear;
 pub mod mechanism;
 mod methods;
@@ -30,8 +31,11 @@ pub mod spatial;
 pub use dynamics_functions as function;
 pub use emit::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
-    stub_of_trait,
+    stub_of_inverse, stub_of_trait,
 };
 pub use function::{Function, Request};
-pub use methods::{Failure, Method, Reason, expand, expand_with, percent, proven_program};
+pub use methods::{
+    Failure, Method, Reason, expand, expand_with, inverse_kinematics, percent, proven_plan,
+    proven_program,
+};
 pub use program::{Operations, Proven};

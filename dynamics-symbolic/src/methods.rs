@@ -5,10 +5,11 @@ use crate::derive::derive_together;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
 use crate::function::{Function, Masses, Part, Request};
+use crate::inverse::{Plan, Unsolved, plan};
 use crate::mechanism::Mechanism;
 use crate::neglect::{STATES, largest_error};
 use crate::program::{Operations, Program, Proven};
-use crate::prove::{ProofFailure, prove_together};
+use crate::prove::{ProofFailure, prove_inverse, prove_together};
 use crate::robot::Robot;
 use core::fmt;
 use proc_macro2::TokenStream;
@@ -324,4 +325,28 @@ fn method_of(request: Request, emitted: emit::Emitted, programs: &[&Program]) ->
         angles: angles.collect(),
         equations: Vec::new(),
     }
+}
+
+/// The proven plan of inverse kinematics for a frame among the robot's `frames`, or for its tip.
+///
+/// # Errors
+///
+/// Why the arm has no closed form.
+pub fn proven_plan(robot: &Robot, frame: Option<usize>) -> Result<Plan, Unsolved> {
+    plan(robot, frame, &|plan| prove_inverse(robot, frame, plan))
+}
+
+/// The method of inverse kinematics, for a frame among the robot's `frames`, or for its tip; `path` is that of the runtime.
+///
+/// # Errors
+///
+/// Why the arm has no closed form.
+pub fn inverse_kinematics(
+    robot: &Robot,
+    frame: Option<usize>,
+    path: &TokenStream,
+) -> Result<TokenStream, Unsolved> {
+    let plan = proven_plan(robot, frame)?;
+    let name = frame.map(|frame| robot.frames[frame].name.as_str());
+    Ok(emit::inverse_kinematics(robot, name, &plan, path))
 }

@@ -81,8 +81,8 @@ fn generate() -> Command {
             "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
              the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \
              the name of the file, documented methods, the runtime's traits. `c` is C99, a header and a source without \
-             dependencies, which are C++ and device code as well; with --scalar float it has its own sines, with the digits \
-             of Rust's `f32`, and no operation in double precision. `js` is an ES module. `python` is a module for numpy, \
+             dependencies, which are C++ and device code as well; its sines stand in it, with the digits of Rust's; with \
+             --scalar float no operation is in double precision. `js` is an ES module. `python` is a module for numpy, \
              jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. The same file \
              gives the same bytes each time.\n\n\
              Names in the file's cells that have no value are fields: of the struct in Rust, of a struct in C and MATLAB, \
@@ -100,7 +100,7 @@ fn generate() -> Command {
         )
         .arg(
             choice("sines", "LIBRARY", ["libm"])
-                .help("Take the sines of `float` from the C library, sinf and cosf, and not from the source"),
+                .help("Take the sines of C from its library and not from the source"),
         )
         .arg(path("out", "The folder").long("out").default_value("."))
         .after_help(

@@ -16,13 +16,14 @@ use dynamics_symbolic::formula::Equation;
 use dynamics_symbolic::function::Freedoms;
 use dynamics_symbolic::robot::{Base, Robot};
 use dynamics_symbolic::{
-    Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_trait,
+    Function, Method, Request, base_parameter_constants, stub, stub_of_function, stub_of_inverse,
+    stub_of_trait,
 };
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::call::Structure;
-use crate::description::{Asked, Entry, Row};
+use crate::description::{Asked, Entry, Name, Row};
 use crate::validate::Model;
 use crate::validate::functions::{RESERVED, fused, one};
 use evaluate::Evaluation;
@@ -33,6 +34,7 @@ pub(crate) fn robot(
     structure: &Structure,
     model: &Model,
     methods: &[Method],
+    inverses: &[TokenStream],
     path: &TokenStream,
 ) -> TokenStream {
     let robot = &model.robot;
@@ -54,7 +56,10 @@ pub(crate) fn robot(
         formulas: formulas(methods, path),
         base_parameters: base_parameter_constants(&requests, Some(robot)),
         table: table::table(structure, robot, path),
-        bodies: methods.iter().map(|method| method.tokens.clone()).collect(),
+        bodies: {
+            let methods = methods.iter().map(|method| &method.tokens);
+            methods.chain(inverses).cloned().collect()
+        },
         provided: provided.collect(),
         functions: methods
             .iter()
@@ -111,10 +116,10 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         formulas: Vec::new(),
         base_parameters: base_parameter_constants(&requests, None),
         table: unimplemented.clone(),
-        bodies: requests
-            .iter()
-            .map(|r| stub(r, target.freedoms, path))
-            .collect(),
+        bodies: {
+            let methods = requests.iter().map(|r| stub(r, target.freedoms, path));
+            methods.chain(stubs_of_inverses(entries, &target)).collect()
+        },
         provided: provided.collect(),
         functions: functions
             .map(|(i, r)| stub_of_function(r, i, target.freedoms, path))
@@ -177,6 +182,7 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
         Some(Some(asked)) => {
             let requests = asked.iter().map(|asked| match asked {
                 Asked::Default(_) => default_set().collect(),
+                Asked::One(wanted) if wanted.is_inverse => Vec::new(),
                 Asked::One(wanted) => vec![one(wanted, &[])],
                 Asked::Fused(name, parts) => vec![fused(name, parts, &[])],
                 // It may be any of them.
@@ -192,6 +198,21 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
         !RESERVED.contains(&name) && names.insert(name.to_owned())
     };
     requests.into_iter().filter(is_method).collect()
+}
+
+/// Inverse kinematics that are asked for, each once.
+fn stubs_of_inverses(entries: &[Entry], target: &Target) -> Vec<TokenStream> {
+    let asked = entries.iter().find_map(|entry| match entry {
+        Entry::Functions(Some(functions)) => Some(functions),
+        _ => None,
+    });
+    let frames = asked.into_iter().flatten().filter_map(|asked| match asked {
+        Asked::One(wanted) if wanted.is_inverse => Some(wanted.frame.as_ref()),
+        _ => None,
+    });
+    let frames: BTreeSet<Option<&str>> = frames.map(|name| name.map(Name::plain)).collect();
+    let stub = |frame| stub_of_inverse(frame, target.freedoms.joints, target.path);
+    frames.into_iter().map(stub).collect()
 }
 
 /// Whether a method of the runtime's traits of single functions reads the sine and cosine of each joint's position. Such

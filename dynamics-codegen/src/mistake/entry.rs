@@ -30,11 +30,15 @@ mistakes! {
         "`{name}` has no functions: write `{name} = (mass_matrix, gravity_vector)`, for example";
     /// `name = (a)`
     one_part(name: &impl Display, wanted: &Wanted)
-        {function: wanted.function.name(), frame: wanted.frame.as_ref().map(Name::plain)} [asked: wanted(function, frame)]
+        {function: wanted.name(), frame: wanted.frame.as_ref().map(Name::plain)} [asked: wanted(function, frame)]
         "`{name}` is one function alone, which is asked for by its own name: write {asked}";
     part_twice(name: &impl Display, function: &str) "`{function}` is in `{name}` twice";
     /// A function whose program is its own.
     never_a_part(function: &str) "`{function}` shares nothing with other functions: ask for it apart from the tuple";
+    /// The reason, as the end of a sentence.
+    no_closed_form(why: &impl Display)
+        "the inverse kinematics of this arm have no closed form, because {why}; `InverseKinematics` of the runtime solves \
+         numerically, for any arm";
     /// A function that divides by the mass of all links.
     no_mass(function: &str)
         "`{function}` of an arm without mass: there is no centre of mass, write `mass` in a row that moves";

@@ -9,6 +9,7 @@ mod unknown;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::Function;
+use dynamics_symbolic::function::INVERSE_KINEMATICS;
 use dynamics_symbolic::robot::Convention;
 
 use crate::description::{
@@ -305,7 +306,8 @@ impl Reader<'_> {
         if node.word() == Some(DEFAULT) {
             return Ok(Asked::Default(node.place));
         }
-        let known: Vec<_> = core::iter::once(DEFAULT).chain(function_names()).collect();
+        let others = [DEFAULT, INVERSE_KINEMATICS].into_iter();
+        let known: Vec<_> = others.chain(function_names()).collect();
         self.wanted(node, &known).map(Asked::One)
     }
 
@@ -334,8 +336,14 @@ impl Reader<'_> {
             },
             _ => (self.word(node, &expected::function())?, None),
         };
+        let is_inverse = word == INVERSE_KINEMATICS;
+        let function = match is_inverse {
+            true => Function::ForwardKinematics,
+            false => self.function_of_name(word, node, known)?,
+        };
         Ok(Wanted {
-            function: self.function_of_name(word, node, known)?,
+            function,
+            is_inverse,
             frame: frame.transpose()?,
             place,
         })

@@ -42,13 +42,13 @@ fn report_frames(asked: &[Asked], is_unknown: bool, table: &Table, scope: &Scope
         };
         let word = frame.plain();
         if !function.row().of_tip {
-            scope.error(wanted.place, mistake::without_frame(function.name()));
+            scope.error(wanted.place, mistake::without_frame(wanted.name()));
         } else if !known.contains(word) && !is_unknown {
             are_known = false;
             let listed = &names[..names.len().min(MOST_LISTED)];
             let mistake = match listed {
                 _ if table.rows().iter().any(|row| row.word() == word) => {
-                    mistake::frame_of_joint(function.name(), word)
+                    mistake::frame_of_joint(wanted.name(), word)
                 }
                 [] => mistake::no_frames(word),
                 _ => unknown("frame", word, words::nearest(word, &names), listed),
@@ -80,12 +80,11 @@ fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Sco
         }
     }
     let asked = named(asked).filter(|wanted| wanted.frame.is_none());
-    let asked = asked.map(|wanted| (wanted.function, wanted.place));
+    let asked = asked.map(|wanted| (wanted.function, wanted.name(), wanted.place));
     let needed = table.name.iter().zip(&table.needed);
-    let needed = needed.map(|(name, function)| (*function, Place::from(name)));
-    for (function, place) in asked.chain(needed) {
+    let needed = needed.map(|(name, function)| (*function, function.name(), Place::from(name)));
+    for (function, name, place) in asked.chain(needed) {
         if function.row().of_tip {
-            let name = function.name();
             let mistake = match (&tips[..], &frames[..]) {
                 (tips, []) => mistake::no_tip(name, tips),
                 ([joint], frames) => mistake::no_end(name, joint, frames),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
-use dynamics_symbolic::function::{Freedoms, Growth, Part, Request, Set};
+use dynamics_symbolic::function::{Freedoms, Growth, INVERSE_KINEMATICS, Part, Request, Set};
 use dynamics_symbolic::robot::{Frame, Robot, Row};
 
 use super::scope::Scope;
@@ -49,6 +49,7 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
     for asked in asked {
         match asked {
             Asked::Default(_) => requests.extend(default_set.clone()),
+            Asked::One(wanted) if wanted.is_inverse => {}
             Asked::One(wanted) => {
                 let request = (one(wanted, &robot.frames), Some(wanted.place));
                 // Friction is in the set where there is some; who asks for it need not know.
@@ -95,11 +96,18 @@ fn part(wanted: &Wanted, frames: &[Frame]) -> Part {
     }
 }
 
-/// The name of the method of one function.
-fn method_name(wanted: &Wanted) -> String {
-    let of_frame = |frame: &Name| wanted.function.name_of_frame(frame.plain());
-    let frame = wanted.frame.as_ref();
-    frame.map_or(wanted.function.name().to_owned(), of_frame)
+/// Inverse kinematics: the frame among those of the robot, or the tip, and where they are asked for.
+pub(super) fn inverses(asked: Option<&[Asked]>, frames: &[Frame]) -> Vec<(Option<usize>, Place)> {
+    let wanted = asked
+        .unwrap_or_default()
+        .iter()
+        .filter_map(|asked| match asked {
+            Asked::One(wanted) if wanted.is_inverse => Some(wanted),
+            _ => None,
+        });
+    wanted
+        .map(|wanted| (part(wanted, frames).frame, wanted.place))
+        .collect()
 }
 
 /// Whether the arm has a mass, where a function divides by it; all of these are asked for by name.
@@ -215,7 +223,7 @@ pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
     for asked in asked {
         let (method, shown, place) = match asked {
             Asked::Default(place) => ("default".to_owned(), "default".to_owned(), *place),
-            Asked::One(wanted) => (method_name(wanted), wanted.to_string(), wanted.place),
+            Asked::One(wanted) => (wanted.method(), wanted.to_string(), wanted.place),
             Asked::Fused(name, _) => (
                 name.plain().to_owned(),
                 name.plain().to_owned(),
@@ -232,7 +240,11 @@ pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
                 }
             }
             _ if other.is_some() => scope.error(place, mistake::function_twice(&shown)),
-            Asked::One(wanted) if has_default && wanted.function.row().set == Set::Default => {
+            Asked::One(wanted)
+                if has_default
+                    && !wanted.is_inverse
+                    && wanted.function.row().set == Set::Default =>
+            {
                 scope.error(place, mistake::in_default_set(&shown));
             }
             _ => {}
@@ -255,7 +267,7 @@ fn meaning(method: &str) -> Option<String> {
 
 fn report_name(name: &Name, table: &Table, scope: &Scope) {
     let word = name.plain();
-    if Function::from_name(word).is_some() {
+    if Function::from_name(word).is_some() || word == INVERSE_KINEMATICS {
         scope.error(name, mistake::tuple_named_as_function(word));
     } else if RESERVED.contains(&word) {
         scope.error(name, value::reserved("tuple", word));
@@ -276,7 +288,7 @@ fn report_parts(name: &Name, parts: &[Wanted], scope: &Scope) {
         if before.any(|other| other.to_string() == shown) {
             scope.error(wanted.place, mistake::part_twice(name, &shown));
         }
-        if !wanted.function.can_be_fused() {
+        if wanted.is_inverse || !wanted.function.can_be_fused() {
             scope.error(wanted.place, mistake::never_a_part(&shown));
         }
     }

@@ -51,6 +51,8 @@ pub struct Model {
     pub robot: Robot,
     /// The methods, each with the place where it was asked for by name.
     pub requests: Vec<(Request, Option<Place>)>,
+    /// Inverse kinematics in closed form: the frame among those of the robot, or the tip, and where they are asked for.
+    pub inverses: Vec<(Option<usize>, Place)>,
     /// Whether a test is to be generated too.
     pub tests: bool,
     /// The share below which terms are neglected, and where it was written.
@@ -331,6 +333,7 @@ impl Parts {
         };
         Some(Model {
             requests: functions::requests(self.functions.as_deref(), &robot),
+            inverses: functions::inverses(self.functions.as_deref(), &robot.frames),
             robot,
             tests: self.tests.is_some(),
             neglect: self.neglect,

@@ -12,7 +12,9 @@ use dynamics_symbolic::emit::{matlab_files, python_module};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
-use crate::languages::{Case, OF_OTHER_LIBRARIES, STATES, assert_same, folder, is_there, run};
+use crate::languages::{
+    Case, IS_FUSED, OF_OTHER_LIBRARIES, STATES, assert_same, folder, is_there, run,
+};
 
 /// Debian's Python, whose packages `.ci/run` installs, or else the one that is found.
 fn python() -> Command {
@@ -142,7 +144,7 @@ pub(super) fn assert_python(case: &Case, name: &str) {
         if with_tables || OF_OTHER_LIBRARIES.contains(&name) {
             write(file, &python_program(case, with_tables));
             let found = run(python().current_dir(&folder).args(["-W", "ignore", file]));
-            assert_same(&found, case, name, !with_tables);
+            assert_same(&found, case, name, !with_tables || IS_FUSED);
         }
     }
 }

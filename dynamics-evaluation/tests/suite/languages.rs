@@ -1,8 +1,8 @@
 //! Functions in other languages beside their values in Rust, on every arm of the data files.
 //!
 //! The programs are the same. Products and sums are rounded alike, so that values are equal to the last
-//! bit where sines and exponentials are: the C compiler, and the engine that runs the module, take those
-//! of Rust first. Then with their own, which may be off by a unit in the last place.
+//! bit where sines and exponentials are: C has the sines in its source, and the engine that runs the module takes those
+//! of Rust first. Then with those of their libraries, which may be off by a unit in the last place.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -11,7 +11,7 @@ use std::process::Command;
 
 use dynamics_evaluation::{EvaluationError, RuntimeRobot, Value};
 use dynamics_runtime::Scalar;
-use dynamics_symbolic::emit::{c_source, javascript_module};
+use dynamics_symbolic::emit::{CNumbers, CSource, c_source, c_source_in, javascript_module};
 use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::robot::{Frame, Placement, Robot};
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
@@ -24,6 +24,10 @@ pub(super) const STATES: usize = 5;
 /// A bound on errors where sines are those of another library: of values relative to the largest entry.
 /// The arms' condition numbers stay below 1e5.
 const OF_OTHER_SINES: f64 = 1e-10;
+
+/// Whether this build fuses products with sums, as C does for the same processor and other languages do not: their last
+/// digits differ.
+pub(super) const IS_FUSED: bool = cfg!(target_feature = "fma");
 
 /// The arms whose functions are called with the sines of other libraries too.
 pub(super) const OF_OTHER_LIBRARIES: [&str; 3] = ["panda", "puma560", "scene"];
@@ -156,9 +160,7 @@ fn printed(text: &str) -> Vec<Result<Vec<f64>, usize>> {
 }
 
 #[track_caller]
-pub(super) fn assert_same(found: &str, case: &Case, label: &str, of_other_sines: bool) {
-    // Where this build fuses products with sums, which other languages do not, the last digits differ too.
-    let is_rounded_otherwise = of_other_sines || cfg!(target_feature = "fma");
+pub(super) fn assert_same(found: &str, case: &Case, label: &str, is_rounded_otherwise: bool) {
     let (found, expected) = (printed(found), case.expected());
     assert_eq!(found.len(), expected.len(), "{label}");
     let names = case
@@ -289,103 +291,68 @@ fn c_parts(name: &str, request: &Request, header: &str) -> Vec<(String, String)>
     parts.collect()
 }
 
-/// Sines and exponentials of the angles that occur, as Rust has them: `x`, then its values, by bits.
+/// Exponentials of the numbers that occur, as Rust has them: `x`, then its value, by bits.
 fn c_table(case: &Case) -> String {
     let mut text = "#include <string.h>\ntypedef unsigned long long word;\n".to_owned();
-    let word = |x: f64| format!("0x{:016x}ull", x.to_bits());
-    let mut array = |name: &str, values: Vec<String>| {
-        let values = if values.is_empty() {
-            vec!["0".to_owned()]
+    let mut array = |name: &str, values: &mut dyn Iterator<Item = f64>| {
+        let words: Vec<_> = values
+            .map(|x| format!("0x{:016x}ull", x.to_bits()))
+            .collect();
+        let words = if words.is_empty() {
+            "0".to_owned()
         } else {
-            values
+            words.join(", ")
         };
-        let _ = writeln!(
-            text,
-            "static const word {name}[] = {{{}}};",
-            values.join(", ")
-        );
+        let _ = writeln!(text, "static const word {name}[] = {{{words}}};");
     };
-    array("angles", case.angles.iter().map(|x| word(*x)).collect());
-    array(
-        "sines",
-        case.angles
-            .iter()
-            .map(|x| word(Scalar::sin_cos(*x).0))
-            .collect(),
-    );
-    array(
-        "cosines",
-        case.angles
-            .iter()
-            .map(|x| word(Scalar::sin_cos(*x).1))
-            .collect(),
-    );
-    array(
-        "exponents",
-        case.exponents.iter().map(|x| word(*x)).collect(),
-    );
+    array("exponents", &mut case.exponents.iter().copied());
     array(
         "exponentials",
-        case.exponents
-            .iter()
-            .map(|x| word(Scalar::exp(*x)))
-            .collect(),
+        &mut case.exponents.iter().map(|x| Scalar::exp(*x)),
     );
     text.push_str(
-        "static double look_up(const word *keys, const word *values, unsigned count, double x) {\n    \
-         word bits; memcpy(&bits, &x, 8);\n    double value = 0.0 / 0.0;\n    \
-         for (unsigned i = 0; i < count; i++) if (keys[i] == bits) memcpy(&value, &values[i], 8);\n    return value;\n}\n\
-         double table_sin(double x) { return look_up(angles, sines, sizeof angles / 8, x); }\n\
-         double table_cos(double x) { return look_up(angles, cosines, sizeof angles / 8, x); }\n\
-         double table_exp(double x) { return look_up(exponents, exponentials, sizeof exponents / 8, x); }\n",
+        "double table_exp(double x) {\n    word bits; memcpy(&bits, &x, 8);\n    double value = 0.0 / 0.0;\n    \
+         for (unsigned i = 0; i < sizeof exponents / 8; i++) {\n        \
+         if (exponents[i] == bits) memcpy(&value, &exponentials[i], 8);\n    }\n    return value;\n}\n",
     );
     text
 }
 
-const WARNINGS: [&str; 5] = [
-    "-Wall",
-    "-Wextra",
-    "-Wpedantic",
-    "-Werror",
-    "-ffp-contract=off",
-];
+const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
+/// The programs in C with the sines of the source, and for some arms with those of the C library.
 fn assert_c(case: &Case) {
-    let files = c_source(case.arm.robot(), &case.programs);
-    let name = files.name.as_str();
+    let robot = case.arm.robot();
+    let with_own = c_source(robot, &case.programs);
+    let name = with_own.name.clone();
     let folder = folder(&format!("c_{name}"));
     let write = |file: String, text: &str| std::fs::write(folder.join(file), text).expect("a file");
-    write(format!("{name}.h"), &files.header);
-    write(format!("{name}.c"), &files.source);
-    write("main.c".to_owned(), &c_program(case, name, &files.header));
     write("table.c".to_owned(), &c_table(case));
-    let declared =
-        "double table_sin(double); double table_cos(double); double table_exp(double);\n";
-    write("table.h".to_owned(), declared);
-    let compile = |program: &str, options: &[&str]| {
-        let mut command = Command::new("gcc");
-        command
-            .current_dir(&folder)
-            .args(["-O2", "-std=c99"])
-            .args(WARNINGS)
-            .args(options);
-        command
-            .args([&format!("{name}.c"), "main.c"])
-            .args(["-lm", "-o", program]);
-        run(&mut command);
-        run(&mut Command::new(folder.join(program)))
-    };
+    write("table.h".to_owned(), "double table_exp(double);\n");
     let tables = [
         "-include",
         "table.h",
         "table.c",
-        "-DROBOT_DYNAMICS_SIN=table_sin",
-        "-DROBOT_DYNAMICS_COS=table_cos",
         "-DROBOT_DYNAMICS_EXP=table_exp",
     ];
-    assert_same(&compile("with_tables", &tables), case, name, false);
-    if OF_OTHER_LIBRARIES.contains(&name) {
-        assert_same(&compile("with_libm", &[]), case, name, true);
+    let compile = |files: &CSource, program: &str, options: &[&str]| {
+        write(format!("{name}.h"), &files.header);
+        write(format!("{name}.c"), &files.source);
+        write("main.c".to_owned(), &c_program(case, &name, &files.header));
+        let mut command = Command::new("gcc");
+        command
+            .current_dir(&folder)
+            .args(["-O2", "-std=c99"])
+            .args(WARNINGS);
+        command.args(IS_FUSED.then_some("-mfma"));
+        command.args(options).args([&format!("{name}.c"), "main.c"]);
+        run(command.args(["-lm", "-o", program]));
+        run(&mut Command::new(folder.join(program)))
+    };
+    assert_same(&compile(&with_own, "with_own", &tables), case, &name, false);
+    if OF_OTHER_LIBRARIES.contains(&name.as_str()) {
+        let files = c_source_in(robot, &case.programs, CNumbers::DoubleWithLibrary);
+        assert_same(&compile(&files, "with_libm", &[]), case, &name, true);
     }
     if name == "scene" {
         let mut command = Command::new("g++");
@@ -393,7 +360,7 @@ fn assert_c(case: &Case) {
             .current_dir(&folder)
             .args(["-x", "c++", "-std=c++11", "-c"])
             .args(WARNINGS);
-        command.arg("-DROBOT_DYNAMICS_DEVICE=__attribute__((noinline))");
+        command.arg("-DROBOT_DYNAMICS_DEVICE=__attribute__((unused))");
         run(command.arg(format!("{name}.c")).args(["-o", "scene.o"]));
     }
 }
@@ -478,7 +445,7 @@ fn assert_javascript(case: &Case, name: &str) {
     for (file, with_tables) in [("with_tables.mjs", true), ("with_math.mjs", false)] {
         write(file, &javascript_program(case, with_tables));
         let found = run(Command::new("node").current_dir(&folder).arg(file));
-        assert_same(&found, case, name, !with_tables);
+        assert_same(&found, case, name, !with_tables || IS_FUSED);
     }
 }
 

@@ -4,6 +4,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 
 use super::vectors::halves;
 use super::{Kernel, Part, Sines, eight, four, one, two};
+use crate::random::SplitMix64;
 use crate::{DoubleDouble, Scalar};
 use core::f64::consts::{FRAC_PI_4, PI};
 use fearless_simd::{Level, SimdFrom, dispatch, f64x4};
@@ -184,6 +185,24 @@ fn huge_angles_are_reduced_exactly() {
         let [(s, c)] = f64::of_array([x]);
         assert_relative_eq!(s, sine, max_relative = f64::EPSILON);
         assert_relative_eq!(c, cosine, max_relative = f64::EPSILON);
+    }
+}
+
+/// Of every exponent, beside the sines of the `libm` crate (FreeBSD's): both are less than a unit off.
+#[test]
+fn large_angles_have_the_sines_of_another_library() {
+    let mut random = SplitMix64(17);
+    for exponent in 17..1024 {
+        for _ in 0..100 {
+            let x = random.within(&(1.0..=2.0)) * 2.0_f64.powi(exponent - 1);
+            let [(s, c), (t, d)] = f64::of_array([x, -x]);
+            let (sine, cosine) = libm::sincos(x);
+            assert_eq!((t, d), (-s, c));
+            for (found, expected) in [(s, sine), (c, cosine)] {
+                let unit = expected.abs().next_up() - expected.abs();
+                assert!((found - expected).abs() <= unit, "{x}: {found} {expected}");
+            }
+        }
     }
 }
 

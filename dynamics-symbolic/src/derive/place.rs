@@ -7,7 +7,7 @@ use crate::robot::{Interpretation, Placement, Value};
 use crate::spatial::{Axis, Central, Place, Turn, Turns};
 
 /// The last of some frames, each placed in the one before it.
-pub(super) fn place<I: Interpretation>(
+pub(crate) fn place<I: Interpretation>(
     cells: &mut I,
     placements: &[Placement],
 ) -> Place<I::Number> {
@@ -40,8 +40,8 @@ pub(super) fn place<I: Interpretation>(
 }
 
 /// Where frame 0 is in the world.
-pub(super) struct BaseFrame<R> {
-    pub(super) origin: Vector3<R>,
+pub(crate) struct BaseFrame<R> {
+    pub(crate) origin: Vector3<R>,
     axes: Axes<R>,
 }
 
@@ -63,7 +63,7 @@ impl<R: Ring> BaseFrame<R> {
     }
 
     /// A vector of frame 0 in the axes of the world.
-    pub(super) fn leave(&self, v: Vector3<R>) -> Vector3<R> {
+    pub(crate) fn leave(&self, v: Vector3<R>) -> Vector3<R> {
         match &self.axes {
             Axes::Turned(turns) => turns.leave(v),
             Axes::Moving(rotation) => rotation.apply(v),
@@ -77,7 +77,7 @@ impl<R: Ring> BaseFrame<R> {
 }
 
 /// Frame 0 in the world; `None` where they are the same.
-pub(super) fn base<I: Interpretation>(
+pub(crate) fn base<I: Interpretation>(
     cells: &mut I,
     arm: &Mechanism,
 ) -> Option<BaseFrame<I::Number>> {

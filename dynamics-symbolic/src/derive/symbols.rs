@@ -96,9 +96,19 @@ impl<'g> Symbols<'g> {
         }
         if arm.freedoms().has_base() {
             symbols.add_motion_of_base();
-            symbols.base = Some(symbols.new_pose_of_base());
+            symbols.base = Some(symbols.new_pose(Argument::Base));
         }
         symbols
+    }
+
+    /// A number that is found on the way from a pose to the joints, in that place behind the entries of the pose.
+    pub(crate) fn behind_target(&mut self, place: usize) -> Expr<'g> {
+        self.entry(Argument::Pose, place)
+    }
+
+    /// The pose of a frame that is to be reached: symbols of a rotation by rows, and of a position.
+    pub(crate) fn target(&mut self) -> PoseOfBase<Expr<'g>> {
+        self.new_pose(Argument::Pose)
     }
 
     /// What the motion of the base adds to the accelerations of its joints.
@@ -116,11 +126,11 @@ impl<'g> Symbols<'g> {
         BaseRate([3, 4, 5].map(|k| self.joints[k].qd))
     }
 
-    fn new_pose_of_base(&mut self) -> PoseOfBase<Expr<'g>> {
+    fn new_pose(&mut self, argument: Argument) -> PoseOfBase<Expr<'g>> {
         let rotation = self.graph.rotation(Level::Variable);
-        let meanings = (0..9).map(|k| Symbol::Entry(Argument::Base, k));
+        let meanings = (0..9).map(|k| Symbol::Entry(argument, k));
         self.meanings.extend(meanings);
-        let position = [9, 10, 11].map(|k| self.variable(Symbol::Entry(Argument::Base, k)));
+        let position = [9, 10, 11].map(|k| self.variable(Symbol::Entry(argument, k)));
         (rotation, position)
     }
 
@@ -315,10 +325,15 @@ impl<'g> Symbols<'g> {
         })
     }
 
+    /// The constant turn about the axis of joint i.
+    pub(crate) fn constant_turn(&mut self, i: usize) -> Turn<Expr<'g>> {
+        constant_turn(self, &self.arm.joints[i].aligned.turn)
+    }
+
     /// Sine and cosine of the turn about the axis of joint i, q_i and the constant turn (revolute) or the latter
     /// (prismatic). The constant rotates the sine and cosine of q: added to q it would cost digits where q is large.
     pub(crate) fn turn(&mut self, i: usize) -> Turn<Expr<'g>> {
-        let constant = constant_turn(self, &self.arm.joints[i].aligned.turn);
+        let constant = self.constant_turn(i);
         match self.arm.joints[i].joint_type {
             JointType::Prismatic => constant,
             JointType::Revolute => turned(self.joints[i].sin_cos, (constant.s, constant.c)).into(),

@@ -54,7 +54,7 @@ pub(super) fn declared_in_groups(names: &[impl ToTokens]) -> TokenStream {
 }
 
 impl<'p> Writer<'p> {
-    fn new(robot: &Robot, proven: &'p Proven) -> Self {
+    pub(super) fn new(robot: &Robot, proven: &'p Proven) -> Self {
         let Proven { program, constants } = proven;
         let lines = program.lines();
         let names = line_names(&lines).into_iter();
@@ -180,7 +180,7 @@ impl<'p> Writer<'p> {
         }
     }
 
-    fn output(&self, output: Output) -> TokenStream {
+    pub(super) fn output(&self, output: Output) -> TokenStream {
         let mut tokens = Vec::new();
         if output.negative {
             tokens.push(punct('-'));

@@ -6,6 +6,7 @@
 mod body;
 mod documentation;
 mod inputs;
+mod inverse;
 mod languages;
 mod names;
 mod parameters;
@@ -16,6 +17,7 @@ mod series;
 mod signature;
 
 pub use documentation::quantities;
+pub use inverse::{inverse_kinematics, stub_of_inverse};
 pub use languages::{
     CNumbers, CSource, c_source, c_source_in, description, javascript_module, matlab_files,
     python_module, snake_case,

@@ -66,6 +66,21 @@ impl<const P: u64> Residue<P> {
         (image.is_zero() == x.is_zero()).then_some(image)
     }
 
+    /// The number with that square, if there is one: of two the one that is a square itself. P + 1 must be a multiple of 4.
+    pub fn square_root(self) -> Option<Self> {
+        const { assert!(P % 4 == 3) };
+        let mut exponent = P.div_ceil(4);
+        let (mut root, mut power) = (Self::ONE, self);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                root = root * power;
+            }
+            power = power * power;
+            exponent >>= 1;
+        }
+        (root * root == self).then_some(root)
+    }
+
     /// The multiplicative inverse; zero has none.
     pub fn inverse(self) -> Option<Self> {
         if self.is_zero() {
@@ -157,6 +172,9 @@ mod tests {
                 Residue::<P>::random(&mut random),
             );
             assert_eq!(a * a.inverse().unwrap(), Residue::ONE);
+            let root = (a * a).square_root().unwrap();
+            assert!(root == a || root == -a);
+            assert!((a.square_root().is_some()) != ((-a).square_root().is_some()));
             assert_eq!((a + b) * (a - b), a * a - b * b);
             let expected = (a.get() as u128 * b.get() as u128 % P as u128) as u64;
             assert_eq!((a * b).get(), expected);

@@ -22,7 +22,7 @@ impl Letter {
     /// base that moves.
     pub(super) fn new(freedoms: Freedoms, argument: Argument, index: usize) -> Self {
         match argument {
-            Argument::Base => of_pose(index),
+            Argument::Base | Argument::Pose => of_pose(index),
             Argument::Position | Argument::Wrench | Argument::Order => counted(argument, index),
             _ if index < freedoms.base => of_base(argument, index),
             _ => counted(argument, index - freedoms.base),

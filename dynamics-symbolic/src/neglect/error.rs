@@ -108,7 +108,7 @@ impl Point {
             Argument::Velocity => self.qd[i],
             Argument::Acceleration => self.qdd[i],
             Argument::Force => self.tau[i],
-            Argument::Base | Argument::Order => f64::NAN,
+            Argument::Base | Argument::Order | Argument::Pose => f64::NAN,
         }
     }
 }

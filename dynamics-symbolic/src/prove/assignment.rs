@@ -44,6 +44,8 @@ pub struct Assignment {
     angles: Vec<(Value, (Number, Number))>,
     /// The degrees of freedom, then the followers.
     joints: Vec<JointPoint>,
+    /// The pose that is to be reached, where there is one, and numbers behind it.
+    pose: Vec<Number>,
     seed: u64,
     unfaithful: bool,
     digest: u64,
@@ -66,6 +68,7 @@ impl Assignment {
             fields,
             angles: Vec::new(),
             joints,
+            pose: Vec::new(),
             seed,
             unfaithful: false,
             digest: 0,
@@ -129,6 +132,24 @@ impl Assignment {
         &self.joints
     }
 
+    /// Moves joint i to another position.
+    pub(super) fn move_joint(&mut self, i: usize, sin_cos: (Number, Number), q: Number) {
+        let joint = &mut self.joints[i];
+        (joint.sin_cos, joint.q) = (sin_cos, q);
+    }
+
+    /// Sets the pose that is to be reached: rotation by rows, position.
+    pub(super) fn set_pose(&mut self, pose: [Number; 12]) {
+        self.pose = pose.to_vec();
+    }
+
+    /// Sets numbers from that place on behind the entries of the pose, which has been set.
+    pub(super) fn set_behind_pose(&mut self, place: usize, numbers: &[Number]) {
+        self.pose.truncate(place);
+        self.pose.resize(place, Number::ZERO);
+        self.pose.extend(numbers);
+    }
+
     /// Reads at this point, with joints at a point of another arm.
     pub(super) fn with_joints_of<T>(
         &mut self,
@@ -148,6 +169,9 @@ impl Assignment {
         if argument == Argument::Base && index < 9 {
             let random = &mut SplitMix64::new(self.seed_for(ROTATION));
             return rotation_point(random)[index / 3][index % 3];
+        }
+        if argument == Argument::Pose && index < self.pose.len() {
+            return self.pose[index];
         }
         let place = argument as u64 * 0x0001_0000 + index as u64;
         Number::random(&mut SplitMix64::new(self.seed_for(ENTRIES) ^ place))

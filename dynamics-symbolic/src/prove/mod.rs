@@ -10,9 +10,11 @@
 mod assignment;
 mod definition;
 mod dual;
+mod inverse;
 
 pub use assignment::{Assignment, Number};
 pub use definition::Definition;
+pub use inverse::prove_inverse;
 
 use crate::exact::SplitMix64;
 use crate::function::{Freedoms, Function, Part, spans};

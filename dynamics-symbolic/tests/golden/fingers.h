@@ -3,6 +3,11 @@
  *
  * Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.
  * Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.
+ *
+ * Sines are in the source. Values have the digits of Rust's in a build for the same processor, whatever the compiler
+ * and its level: products are fused with sums where Rust fuses them, if the processor has an instruction for it. That is
+ * so of gcc and clang without -ffast-math, and not so of the registers of an x87, nor of what depends on an exponential
+ * (Stribeck's friction), which is the C library's.
  */
 #ifndef FINGERS_H
 #define FINGERS_H

@@ -1,16 +1,310 @@
 #include "two_link_craig.h"
 
-#include <math.h>
+/* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
 
-#ifndef ROBOT_DYNAMICS_SIN
-#define ROBOT_DYNAMICS_SIN sin
+#ifndef ROBOT_DYNAMICS_FMA
+#if defined(__FMA__) || defined(__aarch64__)
+#define ROBOT_DYNAMICS_FMA(a, b, c) __builtin_fma(a, b, c)
+#else
+#define ROBOT_DYNAMICS_FMA(a, b, c) ((a) * (b) + (c))
 #endif
-#ifndef ROBOT_DYNAMICS_COS
-#define ROBOT_DYNAMICS_COS cos
 #endif
-#ifndef ROBOT_DYNAMICS_EXP
-#define ROBOT_DYNAMICS_EXP exp
+
+#include <stdint.h>
+#include <string.h>
+
+#ifdef __FAST_MATH__
+#error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"
 #endif
+
+/* Angles are evaluated in the lanes of vectors where the compiler and the processor have them. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#if defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__) || defined(__riscv_vector) || defined(__wasm_simd128__)
+#define ROBOT_DYNAMICS_VECTORS
+#endif
+#endif
+
+#ifdef __GNUC__
+#define ROBOT_DYNAMICS_INLINE ROBOT_DYNAMICS_DEVICE static inline __attribute__((always_inline))
+#define ROBOT_DYNAMICS_APART ROBOT_DYNAMICS_DEVICE static __attribute__((noinline))
+#else
+#define ROBOT_DYNAMICS_INLINE ROBOT_DYNAMICS_DEVICE static inline
+#define ROBOT_DYNAMICS_APART ROBOT_DYNAMICS_DEVICE static
+#endif
+
+/** The high half of a product. */
+ROBOT_DYNAMICS_DEVICE static uint64_t robot_dynamics_high(uint64_t a, uint64_t b)
+{
+    const uint64_t low = 0xffffffffu;
+    const uint64_t first = (a >> 32) * (b & low) + ((a & low) * (b & low) >> 32);
+    const uint64_t second = (a & low) * (b >> 32) + (first & low);
+    return (a >> 32) * (b >> 32) + (first >> 32) + (second >> 32);
+}
+
+/**
+ * x = n pi/2 + rest - excess for a finite x of at least 2^16 (Payne and Hanek 1983): `n` ends in the last two bits of n.
+ */
+ROBOT_DYNAMICS_DEVICE static void robot_dynamics_reduce_large(double x, double *n, double *rest, double *excess)
+{
+    /* The bits of 2/pi behind 64 zeros, the binary point behind these. */
+    const uint64_t two_over_pi[20] = {
+        0u,
+        0xa2f9836e4e441529u, 0xfc2757d1f534ddc0u, 0xdb6295993c439041u, 0xfe5163abdebbc561u,
+        0xb7246e3a424dd2e0u, 0x06492eea09d1921cu, 0xfe1deb1cb129a73eu, 0xe88235f52ebb4484u,
+        0xe99c7026b45f7e41u, 0x3991d639835339f4u, 0x9c845f8bbdf9283bu, 0x1ff897ffde05980fu,
+        0xef2f118b5a0a6d1fu, 0x6d367ecf27cb09b7u, 0x4f463f669e5fea2du, 0x7527bac7ebe5f17bu,
+        0x3d0739f78a5292eau, 0x6bfb5fb11f8d5d08u, 0x56033046fc7b6babu
+    };
+    uint64_t bits, m, start, window[3], middle, high, quarters, turns;
+    int64_t product;
+    int is_negative, zeros = 0;
+    double unit, size;
+    memcpy(&bits, &x, sizeof bits);
+    m = (bits & 0xfffffffffffffu) | 0x10000000000000u;
+    start = (bits >> 52) - 1013u;
+    for (turns = 0; turns < 3u; ++turns) {
+        const uint64_t *at = two_over_pi + start / 64u + turns;
+        window[turns] = at[0] << start % 64u | at[1] >> 1 >> (63u - start % 64u);
+    }
+    /* Two bits of whole quarter turns, and 126 behind the point. */
+    middle = m * window[1] + robot_dynamics_high(m, window[2]);
+    high = robot_dynamics_high(m, window[1]) + (middle < m * window[1]);
+    quarters = m * window[0] + high;
+    turns = (quarters + ((uint64_t)1 << 61)) >> 62;
+    quarters -= turns << 62;
+    is_negative = quarters >> 63 != 0u;
+    if (is_negative) {
+        middle = 0u - middle;
+        quarters = 0u - quarters - (middle != 0u);
+    }
+    for (; !(quarters >> 63); ++zeros) {
+        quarters = quarters << 1 | middle >> 63;
+        middle <<= 1;
+    }
+    /* 63 bits of the rest in units of 2^-(60 + zeros): pi/2 is in units of 2^-62. */
+    product = (int64_t)robot_dynamics_high(quarters, 0x6487ed5110b4611au);
+    bits = (uint64_t)(1023 - 60 - zeros) << 52;
+    memcpy(&unit, &bits, sizeof unit);
+    if (is_negative) unit = -unit;
+    size = (double)product;
+    memcpy(n, &turns, sizeof turns);
+    *rest = size * unit;
+    *excess = (double)((int64_t)size - product) * unit;
+}
+
+/** x = n pi/2 + rest - excess (Cody and Waite 1980). Products with the parts of pi/2 are exact; `n` ends in the bits of n. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_reduce_1(const double *x, double *n, double *rest, double *excess)
+{
+    const double shifted = *x * 0.6366197723675814 + 6755399441055744.0;
+    const double turns = shifted - 6755399441055744.0;
+    const double first = *x - turns * 1.5707963267923333;
+    const double second = turns * 2.5633441515839558e-12;
+    *n = shifted;
+    *rest = first - second;
+    *excess = turns * 1.0562999066987428e-23 + ((*rest - first) + second);
+}
+
+/** sin (x - d) by a minimax polynomial: |x| is at most a little above pi/4, and d below its last place. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_sine_1(const double *x, const double *d, double *sine)
+{
+    const double z = *x * *x, cube = *x * z, zz = z * z, fifth = z * cube;
+    const double w = 1.0 - 0.5 * z;
+    const double upper = (-2.755731369191555e-06 + z * 2.505075811569819e-08) + zz * -1.5896795713489563e-10;
+    const double lower = fifth * (-0.008333333333322413 + z * 0.00019841269829807778) + *d * w;
+    *sine = *x - (cube * 0.16666666666666632 + (lower + (zz * fifth) * upper));
+}
+
+/** cos (x - d): the rounding of w = 1 - x^2/2 is made good. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_cosine_1(const double *x, const double *d, double *cosine)
+{
+    const double z = *x * *x, zz = z * z;
+    const double half_z = 0.5 * z, w = 1.0 - half_z;
+    const double lost = (1.0 - w) - half_z;
+    const double upper = (2.480158728948234e-05 + z * -2.7557314352372173e-07)
+        + zz * (2.0875723278132235e-09 + z * -1.1359648042271599e-11);
+    const double lower = zz * (0.0416666666666666 + z * -0.0013888888888874125) + *x * *d;
+    *cosine = w + ((lost + lower) + (zz * zz) * upper);
+}
+
+/** The sine and the cosine of what is left, turned by n quarters: (s, c) -> (c, -s). */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_turn_1(const double *n, const double *s, const double *c, double *sine, double *cosine)
+{
+    uint64_t turns, a, b, other;
+    memcpy(&turns, n, sizeof turns);
+    memcpy(&a, s, sizeof a);
+    memcpy(&b, c, sizeof b);
+    other = (a ^ b) & -(turns & 1u);
+    a ^= other ^ turns >> 1 << 63;
+    b ^= other ^ (turns ^ turns >> 1) << 63;
+    memcpy(sine, &a, sizeof a);
+    memcpy(cosine, &b, sizeof b);
+}
+
+/** Sines and cosines of angles of magnitude up to 1e5, without a branch. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_of_1(const double *x, double *sine, double *cosine)
+{
+    double n, rest, excess, s, c;
+    robot_dynamics_reduce_1(x, &n, &rest, &excess);
+    robot_dynamics_sine_1(&rest, &excess, &s);
+    robot_dynamics_cosine_1(&rest, &excess, &c);
+    robot_dynamics_turn_1(&n, &s, &c, sine, cosine);
+}
+
+/** Whether an angle needs no reduction in integers; not so for what is no number. */
+#define ROBOT_DYNAMICS_IS_USUAL(x) ((x) >= -1e5 && (x) <= 1e5)
+
+/** Sine and cosine of any angle: less than a unit in the last place off, NaN of what is not finite. */
+ROBOT_DYNAMICS_APART void robot_dynamics_sin_cos(double x, double *sine, double *cosine)
+{
+    double n, rest, excess, s, c;
+    const double size = x < 0.0 ? -x : x;
+    if (ROBOT_DYNAMICS_IS_USUAL(x)) {
+        robot_dynamics_sin_cos_of_1(&x, sine, cosine);
+        return;
+    }
+    if (!(size <= 1.7976931348623157e308)) {
+        *sine = *cosine = x - x;
+        return;
+    }
+    robot_dynamics_reduce_large(size, &n, &rest, &excess);
+    robot_dynamics_sine_1(&rest, &excess, &s);
+    robot_dynamics_cosine_1(&rest, &excess, &c);
+    robot_dynamics_turn_1(&n, &s, &c, sine, cosine);
+    if (x < 0.0) *sine = -*sine;
+}
+
+/** The sine alone, with the digits that it has beside the other: a branch between the polynomials is predicted. */
+ROBOT_DYNAMICS_INLINE double robot_dynamics_sin(double x)
+{
+    double n, rest, excess, value, sine, cosine;
+    uint64_t turns, bits;
+    if (!ROBOT_DYNAMICS_IS_USUAL(x)) {
+        robot_dynamics_sin_cos(x, &sine, &cosine);
+        return sine;
+    }
+    robot_dynamics_reduce_1(&x, &n, &rest, &excess);
+    memcpy(&turns, &n, sizeof turns);
+    if ((turns & 1u) == 0u) {
+        robot_dynamics_sine_1(&rest, &excess, &value);
+    } else {
+        robot_dynamics_cosine_1(&rest, &excess, &value);
+    }
+    memcpy(&bits, &value, sizeof bits);
+    bits ^= (turns >> 1) << 63;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/** The cosine alone, with the digits that it has beside the other: a branch between the polynomials is predicted. */
+ROBOT_DYNAMICS_INLINE double robot_dynamics_cos(double x)
+{
+    double n, rest, excess, value, sine, cosine;
+    uint64_t turns, bits;
+    if (!ROBOT_DYNAMICS_IS_USUAL(x)) {
+        robot_dynamics_sin_cos(x, &sine, &cosine);
+        return cosine;
+    }
+    robot_dynamics_reduce_1(&x, &n, &rest, &excess);
+    memcpy(&turns, &n, sizeof turns);
+    if ((turns & 1u) == 1u) {
+        robot_dynamics_sine_1(&rest, &excess, &value);
+    } else {
+        robot_dynamics_cosine_1(&rest, &excess, &value);
+    }
+    memcpy(&bits, &value, sizeof bits);
+    bits ^= (turns ^ turns >> 1) << 63;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+#ifdef ROBOT_DYNAMICS_VECTORS
+typedef double robot_dynamics_2 __attribute__((vector_size(16)));
+typedef uint64_t robot_dynamics_bits_2 __attribute__((vector_size(16)));
+
+/** x = n pi/2 + rest - excess (Cody and Waite 1980). Products with the parts of pi/2 are exact; `n` ends in the bits of n. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_reduce_2(const robot_dynamics_2 *x, robot_dynamics_2 *n, robot_dynamics_2 *rest, robot_dynamics_2 *excess)
+{
+    const robot_dynamics_2 shifted = *x * 0.6366197723675814 + 6755399441055744.0;
+    const robot_dynamics_2 turns = shifted - 6755399441055744.0;
+    const robot_dynamics_2 first = *x - turns * 1.5707963267923333;
+    const robot_dynamics_2 second = turns * 2.5633441515839558e-12;
+    *n = shifted;
+    *rest = first - second;
+    *excess = turns * 1.0562999066987428e-23 + ((*rest - first) + second);
+}
+
+/** sin (x - d) by a minimax polynomial: |x| is at most a little above pi/4, and d below its last place. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_sine_2(const robot_dynamics_2 *x, const robot_dynamics_2 *d, robot_dynamics_2 *sine)
+{
+    const robot_dynamics_2 z = *x * *x, cube = *x * z, zz = z * z, fifth = z * cube;
+    const robot_dynamics_2 w = 1.0 - 0.5 * z;
+    const robot_dynamics_2 upper = (-2.755731369191555e-06 + z * 2.505075811569819e-08) + zz * -1.5896795713489563e-10;
+    const robot_dynamics_2 lower = fifth * (-0.008333333333322413 + z * 0.00019841269829807778) + *d * w;
+    *sine = *x - (cube * 0.16666666666666632 + (lower + (zz * fifth) * upper));
+}
+
+/** cos (x - d): the rounding of w = 1 - x^2/2 is made good. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_cosine_2(const robot_dynamics_2 *x, const robot_dynamics_2 *d, robot_dynamics_2 *cosine)
+{
+    const robot_dynamics_2 z = *x * *x, zz = z * z;
+    const robot_dynamics_2 half_z = 0.5 * z, w = 1.0 - half_z;
+    const robot_dynamics_2 lost = (1.0 - w) - half_z;
+    const robot_dynamics_2 upper = (2.480158728948234e-05 + z * -2.7557314352372173e-07)
+        + zz * (2.0875723278132235e-09 + z * -1.1359648042271599e-11);
+    const robot_dynamics_2 lower = zz * (0.0416666666666666 + z * -0.0013888888888874125) + *x * *d;
+    *cosine = w + ((lost + lower) + (zz * zz) * upper);
+}
+
+/** The sine and the cosine of what is left, turned by n quarters: (s, c) -> (c, -s). */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_turn_2(const robot_dynamics_2 *n, const robot_dynamics_2 *s, const robot_dynamics_2 *c, robot_dynamics_2 *sine, robot_dynamics_2 *cosine)
+{
+    robot_dynamics_bits_2 turns, a, b, other;
+    memcpy(&turns, n, sizeof turns);
+    memcpy(&a, s, sizeof a);
+    memcpy(&b, c, sizeof b);
+    other = (a ^ b) & -(turns & 1u);
+    a ^= other ^ turns >> 1 << 63;
+    b ^= other ^ (turns ^ turns >> 1) << 63;
+    memcpy(sine, &a, sizeof a);
+    memcpy(cosine, &b, sizeof b);
+}
+
+/** Sines and cosines of angles of magnitude up to 1e5, without a branch. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_of_2(const robot_dynamics_2 *x, robot_dynamics_2 *sine, robot_dynamics_2 *cosine)
+{
+    robot_dynamics_2 n, rest, excess, s, c;
+    robot_dynamics_reduce_2(x, &n, &rest, &excess);
+    robot_dynamics_sine_2(&rest, &excess, &s);
+    robot_dynamics_cosine_2(&rest, &excess, &c);
+    robot_dynamics_turn_2(&n, &s, &c, sine, cosine);
+}
+#else
+typedef double robot_dynamics_2[2];
+#endif
+
+/** Sines and cosines of 2 angles. */
+ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dynamics_2 *sines, robot_dynamics_2 *cosines)
+{
+    double sine, cosine;
+#ifdef ROBOT_DYNAMICS_VECTORS
+    if (ROBOT_DYNAMICS_IS_USUAL(a) && ROBOT_DYNAMICS_IS_USUAL(b)) {
+        const robot_dynamics_2 x = {a, b};
+        robot_dynamics_sin_cos_of_2(&x, sines, cosines);
+        return;
+    }
+#endif
+    robot_dynamics_sin_cos(a, &sine, &cosine);
+    (*sines)[0] = sine, (*cosines)[0] = cosine;
+    robot_dynamics_sin_cos(b, &sine, &cosine);
+    (*sines)[1] = sine, (*cosines)[1] = cosine;
+}
 
 /** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
@@ -21,11 +315,11 @@ ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double di
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_fields *arm, const double q[2], double mass_matrix[2][2])
 {
+    const double c_2 = robot_dynamics_cos(q[1]);
     const double p_m1 = arm->m1;
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
-    const double c_2 = ROBOT_DYNAMICS_COS(q[1]);
     const double t_1 = p_m2 + p_m1;
     const double t_2 = p_l1 * t_1;
     const double t_3 = p_m2 * p_l2;
@@ -33,7 +327,7 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_field
     const double t_5 = p_l1 * t_4;
     const double t_6 = p_l2 * t_3;
     const double t_7 = t_6 + t_5;
-    const double t_8 = p_l1 * t_2 + t_5;
+    const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_5);
     const double t_9 = t_7 + t_8;
     mass_matrix[0][0] = t_9;
     mass_matrix[0][1] = t_7;
@@ -43,17 +337,17 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_field
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_fields *arm, const double q[2], const double qd[2], double coriolis_vector[2])
 {
+    const double s_2 = robot_dynamics_sin(q[1]);
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
-    const double s_2 = ROBOT_DYNAMICS_SIN(q[1]);
     const double qd_1 = qd[0];
     const double qd_2 = qd[1];
     const double t_1 = p_m2 * p_l2;
     const double t_2 = p_l1 * s_2;
     const double t_3 = t_1 * t_2;
     const double t_4 = qd_1 * t_3;
-    const double t_5 = qd_2 * t_3 + t_4;
+    const double t_5 = ROBOT_DYNAMICS_FMA(qd_2, t_3, t_4);
     const double t_6 = t_4 + t_5;
     const double t_7 = qd_2 * t_6;
     const double t_8 = qd_1 * t_4;
@@ -63,21 +357,23 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_f
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fields *arm, const double q[2], double gravity_vector[2])
 {
+    robot_dynamics_2 sines_1, cosines_1;
+    robot_dynamics_sin_cos_2(q[0], q[1], &sines_1, &cosines_1);
+    const double s_1 = sines_1[0];
+    const double c_1 = cosines_1[0];
+    const double s_2 = sines_1[1];
+    const double c_2 = cosines_1[1];
     const double p_m1 = arm->m1;
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
     const double p_g = arm->g;
-    const double c_1 = ROBOT_DYNAMICS_COS(q[0]);
-    const double s_1 = ROBOT_DYNAMICS_SIN(q[0]);
-    const double c_2 = ROBOT_DYNAMICS_COS(q[1]);
-    const double s_2 = ROBOT_DYNAMICS_SIN(q[1]);
     const double t_1 = p_m2 + p_m1;
     const double t_2 = p_l1 * t_1;
     const double t_3 = p_m2 * p_l2;
-    const double t_4 = c_1 * c_2 - s_1 * s_2;
+    const double t_4 = ROBOT_DYNAMICS_FMA(-s_1, s_2, c_1 * c_2);
     const double t_5 = t_3 * t_4;
-    const double t_6 = c_1 * t_2 + t_5;
+    const double t_6 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
     const double t_7 = p_g * t_6;
     const double t_8 = p_g * t_5;
     gravity_vector[0] = t_7;
@@ -86,20 +382,22 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fi
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_fields *arm, const double q[2], const double qd[2], const double qdd[2], double inverse_dynamics[2])
 {
+    robot_dynamics_2 sines_1, cosines_1;
+    robot_dynamics_sin_cos_2(q[0], q[1], &sines_1, &cosines_1);
+    const double s_1 = sines_1[0];
+    const double c_1 = cosines_1[0];
+    const double s_2 = sines_1[1];
+    const double c_2 = cosines_1[1];
     const double p_m1 = arm->m1;
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
     const double p_g = arm->g;
-    const double c_1 = ROBOT_DYNAMICS_COS(q[0]);
-    const double s_1 = ROBOT_DYNAMICS_SIN(q[0]);
-    const double c_2 = ROBOT_DYNAMICS_COS(q[1]);
-    const double s_2 = ROBOT_DYNAMICS_SIN(q[1]);
     const double qd_1 = qd[0];
     const double qd_2 = qd[1];
     const double qdd_1 = qdd[0];
     const double qdd_2 = qdd[1];
-    const double t_1 = p_l1 * qdd_1 + p_g * c_1;
+    const double t_1 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
     const double t_2 = p_m2 + p_m1;
     const double t_3 = p_l1 * t_2;
     const double t_4 = p_m2 * p_l2;
@@ -108,13 +406,13 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_
     const double t_7 = c_2 * t_4;
     const double t_8 = s_2 * t_4;
     const double t_9 = qd_1 * qd_1;
-    const double t_10 = p_g * s_1 - p_l1 * t_9;
-    const double t_11 = t_5 * t_6 - t_8 * t_10;
-    const double t_12 = t_7 * t_1 + t_11;
+    const double t_10 = ROBOT_DYNAMICS_FMA(-p_l1, t_9, p_g * s_1);
+    const double t_11 = ROBOT_DYNAMICS_FMA(-t_8, t_10, t_5 * t_6);
+    const double t_12 = ROBOT_DYNAMICS_FMA(t_7, t_1, t_11);
     const double t_13 = qd_1 + qd_2;
     const double t_14 = t_13 * t_13;
-    const double t_15 = t_7 * t_6 - t_8 * t_14;
-    const double t_16 = t_1 * t_3 + p_l1 * t_15;
+    const double t_15 = ROBOT_DYNAMICS_FMA(-t_8, t_14, t_7 * t_6);
+    const double t_16 = ROBOT_DYNAMICS_FMA(p_l1, t_15, t_1 * t_3);
     const double t_17 = t_12 + t_16;
     inverse_dynamics[0] = t_17;
     inverse_dynamics[1] = t_12;
@@ -122,15 +420,17 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_
 
 ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_fields *arm, const double q[2], const double qd[2], const double tau[2], double forward_dynamics[2])
 {
+    robot_dynamics_2 sines_1, cosines_1;
+    robot_dynamics_sin_cos_2(q[0], q[1], &sines_1, &cosines_1);
+    const double s_1 = sines_1[0];
+    const double c_1 = cosines_1[0];
+    const double s_2 = sines_1[1];
+    const double c_2 = cosines_1[1];
     const double p_m1 = arm->m1;
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
     const double p_g = arm->g;
-    const double c_1 = ROBOT_DYNAMICS_COS(q[0]);
-    const double s_1 = ROBOT_DYNAMICS_SIN(q[0]);
-    const double c_2 = ROBOT_DYNAMICS_COS(q[1]);
-    const double s_2 = ROBOT_DYNAMICS_SIN(q[1]);
     const double qd_1 = qd[0];
     const double qd_2 = qd[1];
     const double tau_1 = tau[0];
@@ -142,8 +442,8 @@ ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_f
     const double t_5 = c_2 * t_4;
     const double t_6 = s_2 * t_4;
     const double t_7 = qd_1 * qd_1;
-    const double t_8 = p_g * s_1 - p_l1 * t_7;
-    const double t_9 = t_5 * t_3 - t_6 * t_8;
+    const double t_8 = ROBOT_DYNAMICS_FMA(-p_l1, t_7, p_g * s_1);
+    const double t_9 = ROBOT_DYNAMICS_FMA(-t_6, t_8, t_5 * t_3);
     const double t_10 = qd_1 + qd_2;
     const double t_11 = t_10 * t_10;
     const double t_12 = t_6 * t_11;
@@ -153,16 +453,16 @@ ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_f
     const double t_16 = t_14 + t_15;
     const double t_17 = 1.0 / t_14;
     const double t_18 = t_16 * t_17;
-    const double t_19 = tau_1 - t_2 * t_3;
-    const double t_20 = p_l1 * t_12 + t_19;
+    const double t_19 = ROBOT_DYNAMICS_FMA(-t_2, t_3, tau_1);
+    const double t_20 = ROBOT_DYNAMICS_FMA(p_l1, t_12, t_19);
     const double t_21 = t_20 - t_9;
-    const double t_22 = t_13 * t_18 + t_21;
-    const double t_23 = p_l1 * t_2 + t_15;
+    const double t_22 = ROBOT_DYNAMICS_FMA(t_13, t_18, t_21);
+    const double t_23 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_15);
     const double t_24 = t_16 + t_23;
-    const double t_25 = t_24 - t_16 * t_18;
+    const double t_25 = ROBOT_DYNAMICS_FMA(-t_16, t_18, t_24);
     const double t_26 = 1.0 / t_25;
     const double t_27 = t_22 * t_26;
-    const double t_28 = t_13 * t_17 + t_18 * t_27;
+    const double t_28 = ROBOT_DYNAMICS_FMA(t_18, t_27, t_13 * t_17);
     if (!robot_dynamics_is_pivot(t_14, t_14)) return 2;
     if (!robot_dynamics_is_pivot(t_25, t_24)) return 1;
     forward_dynamics[0] = t_27;
@@ -172,11 +472,11 @@ ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_f
 
 ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_fields *arm, const double q[2], const double qd[2])
 {
+    const double c_2 = robot_dynamics_cos(q[1]);
     const double p_m1 = arm->m1;
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
-    const double c_2 = ROBOT_DYNAMICS_COS(q[1]);
     const double qd_1 = qd[0];
     const double qd_2 = qd[1];
     const double t_1 = p_m2 * p_l2;
@@ -188,27 +488,29 @@ ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_
     const double t_7 = t_2 * t_2;
     const double t_8 = p_l2 * t_1;
     const double t_9 = t_8 * t_4;
-    const double t_10 = t_6 * t_7 + t_4 * t_9;
-    const double t_11 = 0.5 * t_10 + t_1 * t_5;
+    const double t_10 = ROBOT_DYNAMICS_FMA(t_4, t_9, t_6 * t_7);
+    const double t_11 = ROBOT_DYNAMICS_FMA(t_1, t_5, 0.5 * t_10);
     return t_11;
 }
 
 ROBOT_DYNAMICS_DEVICE double two_link_craig_potential_energy(const two_link_craig_fields *arm, const double q[2])
 {
+    robot_dynamics_2 sines_1, cosines_1;
+    robot_dynamics_sin_cos_2(q[0], q[1], &sines_1, &cosines_1);
+    const double s_1 = sines_1[0];
+    const double c_1 = cosines_1[0];
+    const double s_2 = sines_1[1];
+    const double c_2 = cosines_1[1];
     const double p_m1 = arm->m1;
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
     const double p_g = arm->g;
-    const double s_1 = ROBOT_DYNAMICS_SIN(q[0]);
-    const double c_1 = ROBOT_DYNAMICS_COS(q[0]);
-    const double c_2 = ROBOT_DYNAMICS_COS(q[1]);
-    const double s_2 = ROBOT_DYNAMICS_SIN(q[1]);
     const double t_1 = p_m2 + p_m1;
     const double t_2 = p_m2 * p_l2;
-    const double t_3 = p_l1 * t_1 + c_2 * t_2;
+    const double t_3 = ROBOT_DYNAMICS_FMA(c_2, t_2, p_l1 * t_1);
     const double t_4 = s_2 * t_2;
-    const double t_5 = c_1 * t_4 + s_1 * t_3;
+    const double t_5 = ROBOT_DYNAMICS_FMA(s_1, t_3, c_1 * t_4);
     const double t_6 = p_g * t_5;
     return t_6;
 }

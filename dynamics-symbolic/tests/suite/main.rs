@@ -19,6 +19,7 @@ mod frames;
 mod functions;
 mod fused;
 mod invariances;
+mod inverse;
 mod languages;
 mod mounts;
 mod neglect;

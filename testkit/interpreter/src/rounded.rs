@@ -76,7 +76,7 @@ impl Inputs<'_> {
             Argument::Jerk => self.jerk,
             Argument::Snap => self.snap,
             Argument::Wrench => self.wrench,
-            Argument::Base | Argument::Order => &[],
+            Argument::Base | Argument::Order | Argument::Pose => &[],
         }
     }
 }

@@ -1,9 +1,10 @@
 //! Sines in double precision.
 //!
 //! Error below one unit in the last place for |x| <= 1e5, which is proven (see the tests); measured on ten million
-//! angles it is below 0.8, beyond 1e5 too, and in the lanes of batches below 0.9. Larger angles take the exact reduction
-//! of the `libm` crate (Payne and Hanek 1983), which is the same on every platform.
+//! angles it is below 0.8, and in the lanes of batches below 0.9. Larger angles are reduced in integers: against sines of
+//! 1,200 bits at 40,000 angles of every size their error is below 0.74.
 
+mod integers;
 #[cfg(test)]
 mod tests;
 
@@ -98,8 +99,11 @@ impl Kernel for f64 {
         sine_by_fewest(x, d, x * x, S)
     }
 
-    #[inline]
     fn sin_cos_of_large(self) -> (f64, f64) {
-        libm::sincos(self)
+        if !self.is_finite() {
+            return (f64::NAN, f64::NAN);
+        }
+        let (sine, cosine) = super::of_reduced(integers::reduce(self.abs()));
+        (if self < 0.0 { -sine } else { sine }, cosine)
     }
 }

@@ -17,6 +17,21 @@ pub(super) struct Body<'a> {
     inputs: Vec<String>,
 }
 
+/// An angle of a function, with the names of its sine and of its cosine, where they are read.
+pub(super) struct Angle {
+    pub(super) value: String,
+    pub(super) sine: Option<String>,
+    pub(super) cosine: Option<String>,
+}
+
+/// A value with its sign turned.
+fn opposite(value: &str) -> String {
+    match value.strip_prefix('-') {
+        Some(opposite) => opposite.to_owned(),
+        None => format!("-{value}"),
+    }
+}
+
 /// A double that reads back as the same one.
 pub(super) fn number(x: f64) -> String {
     format!("{x:?}")
@@ -60,30 +75,42 @@ impl<'a> Body<'a> {
         inputs.chain(results).chain(tests).collect()
     }
 
-    /// One line for each input, or for the sine and the cosine of an angle together.
+    /// One line for each input, behind those of all angles where the language evaluates these together.
     fn input_statements(&self) -> Vec<String> {
-        let symbols = in_order(self.program);
-        let partner = |of: &Symbol, is_pair: fn(&Symbol, &Symbol) -> bool| {
-            let mut others = symbols.iter();
-            others
-                .find(|(_, other)| is_pair(of, other))
-                .map(|(index, _)| *index)
-        };
-        let mut statements = Vec::new();
-        for (index, symbol) in &symbols {
-            let name = &self.inputs[*index];
-            if let Some(both) = self.language.sine_and_cosine {
-                if let Some(cosine) = partner(symbol, is_sine_beside) {
-                    statements.push(both(name, &self.inputs[cosine], &self.angle(symbol)));
-                    continue;
-                }
-                if partner(symbol, |cosine, sine| is_sine_beside(sine, cosine)).is_some() {
-                    continue;
-                }
+        let symbols = in_order(self.program).into_iter();
+        let is_apart = |symbol: &Symbol| self.language.of_angles.is_some() && is_of_angle(symbol);
+        let others = symbols.filter(|(_, symbol)| !is_apart(symbol));
+        let others = others.map(|(index, symbol)| {
+            (self.language.declare)(&self.inputs[index], &self.input(symbol))
+        });
+        let of_angles = self.language.of_angles.map(|write| write(&self.angles()));
+        of_angles.into_iter().flatten().chain(others).collect()
+    }
+
+    /// The angles whose sines or cosines are read, each once.
+    fn angles(&self) -> Vec<Angle> {
+        let mut angles: Vec<Angle> = Vec::new();
+        for (index, symbol) in in_order(self.program) {
+            if !is_of_angle(symbol) {
+                continue;
             }
-            statements.push((self.language.declare)(name, &self.input(symbol)));
+            let value = self.angle(symbol);
+            let known = angles.iter().position(|angle| angle.value == value);
+            let at = known.unwrap_or(angles.len());
+            if known.is_none() {
+                angles.push(Angle {
+                    value,
+                    sine: None,
+                    cosine: None,
+                });
+            }
+            let name = Some(self.inputs[index].clone());
+            match symbol {
+                Symbol::Sine(_) | Symbol::AngleSine(_) => angles[at].sine = name,
+                _ => angles[at].cosine = name,
+            }
         }
-        statements
+        angles
     }
 
     /// The outputs of each part that are values, one part after the other.
@@ -101,10 +128,10 @@ impl<'a> Body<'a> {
 
     fn output(&self, output: Output) -> String {
         let value = self.operand(output.operand);
-        match (output.negative, value.strip_prefix('-')) {
-            (false, _) => value,
-            (true, Some(opposite)) => opposite.to_owned(),
-            (true, None) => format!("-{value}"),
+        if output.negative {
+            opposite(&value)
+        } else {
+            value
         }
     }
 
@@ -122,22 +149,56 @@ impl<'a> Body<'a> {
                 }
             }
             Line::Fused {
-                product: (x, y),
+                product,
                 is_subtracted,
                 rest,
-            } => {
-                let product = self.product(&text(x), &text(y));
-                match (rest, is_subtracted) {
-                    (Rest::Plus(a), false) => format!("{product} + {}", text(a)),
-                    (Rest::Plus(a), true) => format!("{} - {product}", text(a)),
-                    (Rest::Minus(a), _) => format!("{product} - {}", text(a)),
-                    (Rest::Product(a, b), _) => {
-                        let sign = if is_subtracted { '-' } else { '+' };
-                        format!("{} {sign} {product}", self.product(&text(a), &text(b)))
-                    }
-                }
+            } => match self.language.fused {
+                Some(function) => self.fused(function, product, is_subtracted, rest),
+                None => self.product_and_rest(product, is_subtracted, rest),
+            },
+        }
+    }
+
+    /// A sum with a product in it, as two operations.
+    fn product_and_rest(
+        &self,
+        (x, y): (Operand, Operand),
+        is_subtracted: bool,
+        rest: Rest,
+    ) -> String {
+        let text = |operand: Operand| self.operand(operand);
+        let product = self.product(&text(x), &text(y));
+        match (rest, is_subtracted) {
+            (Rest::Plus(a), false) => format!("{product} + {}", text(a)),
+            (Rest::Plus(a), true) => format!("{} - {product}", text(a)),
+            (Rest::Minus(a), _) => format!("{product} - {}", text(a)),
+            (Rest::Product(a, b), _) => {
+                let sign = if is_subtracted { '-' } else { '+' };
+                format!("{} {sign} {product}", self.product(&text(a), &text(b)))
             }
         }
+    }
+
+    /// The same as a call, with the signs that the Rust method has.
+    fn fused(
+        &self,
+        function: &str,
+        (x, y): (Operand, Operand),
+        is_subtracted: bool,
+        rest: Rest,
+    ) -> String {
+        let text = |operand: Operand| self.operand(operand);
+        let factor = if is_subtracted {
+            opposite(&text(x))
+        } else {
+            text(x)
+        };
+        let rest = match rest {
+            Rest::Plus(a) => text(a),
+            Rest::Minus(a) => opposite(&text(a)),
+            Rest::Product(a, b) => self.product(&text(a), &text(b)),
+        };
+        format!("{function}({factor}, {}, {rest})", text(y))
     }
 
     fn product(&self, a: &str, b: &str) -> String {
@@ -212,11 +273,8 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Whether the first is the sine and the second the cosine of one angle.
-fn is_sine_beside(sine: &Symbol, cosine: &Symbol) -> bool {
-    match (sine, cosine) {
-        (Symbol::Sine(i), Symbol::Cosine(j)) => i == j,
-        (Symbol::AngleSine(angle), Symbol::AngleCosine(other)) => angle == other,
-        _ => false,
-    }
+/// Whether a symbol is the sine or the cosine of an angle.
+fn is_of_angle(symbol: &Symbol) -> bool {
+    use Symbol::{AngleCosine, AngleSine, Cosine, Sine};
+    matches!(symbol, Sine(_) | Cosine(_) | AngleSine(_) | AngleCosine(_))
 }

@@ -1,7 +1,8 @@
 //! Programs as C99, JavaScript, Python and MATLAB: the same lines as the Rust method.
 //!
-//! Products and sums are rounded one by one: where a compiler does not fuse them by itself, values are those of a Rust
-//! build without fused instructions, but for sines and exponentials, which are those of the language's library.
+//! C has the digits of a Rust build for the same processor. In the other languages products and sums are rounded one by
+//! one, and values are those of a Rust build without fused instructions, but for sines and exponentials, which are those
+//! of the language's library.
 
 mod arrangement;
 mod body;
@@ -23,6 +24,10 @@ use super::names::{line_names, plain};
 use super::pivots::pivots;
 use crate::function::{Argument, Request, Sizes};
 use crate::robot::Robot;
+use body::Angle;
+
+/// Statements for all angles of a function.
+type OfAngles = fn(&[Angle]) -> Vec<String>;
 
 /// How a language says what differs between languages.
 struct Language {
@@ -42,8 +47,10 @@ struct Language {
     /// The functions of a number.
     sine: &'static str,
     cosine: &'static str,
-    /// The statement that gives the sine and the cosine of an angle their names, where there is one for both.
-    sine_and_cosine: Option<fn(&str, &str, &str) -> String>,
+    /// The statements that give the sines and cosines of all angles their names, where these are evaluated together.
+    of_angles: Option<OfAngles>,
+    /// The function that multiplies and adds, rounded once where the processor has an instruction for it.
+    fused: Option<&'static str>,
     exponential: &'static str,
     sign: &'static str,
     /// The statement that ends a function unless the pivot of a joint is good beside the diagonal entry.

@@ -18,7 +18,8 @@ const PYTHON: Language = Language {
     field: |field| format!("arm.{}", free_name(field, WORDS)),
     sine: "xp.sin",
     cosine: "xp.cos",
-    sine_and_cosine: None,
+    of_angles: None,
+    fused: None,
     exponential: "xp.exp",
     sign: "xp.sign",
     test_pivot: |joint, pivot, diagonal| {

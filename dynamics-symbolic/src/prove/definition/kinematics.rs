@@ -11,6 +11,18 @@ use super::{Definition, Frame, Matrix, Vector};
 use crate::linear::Vector3;
 
 impl Definition {
+    /// Rotation by rows and position of a named frame, or of the tip; `None` if there is none.
+    pub(in super::super) fn pose_of(&self, frame: Option<usize>) -> Option<[Number; 12]> {
+        let frame = match frame {
+            Some(frame) => self.frames.get(frame)?,
+            None => self.tip.as_ref()?,
+        };
+        let pose = self.pose(frame, &self.q);
+        let entries = pose.rotation.0.into_iter().flatten().chain(pose.origin.0);
+        let entries: Vec<Number> = entries.collect();
+        entries.try_into().ok()
+    }
+
     /// The pose of a frame in the world.
     pub(super) fn forward_kinematics(&self, frame: &Frame) -> Vector {
         homogeneous(&self.pose(frame, &self.q))

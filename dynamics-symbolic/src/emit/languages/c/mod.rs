@@ -1,11 +1,12 @@
 //! C99, which is C++ and device code as well: a header and a source.
 
 mod precision;
+mod sines;
 
 pub use precision::CNumbers;
 
 use super::body::Body;
-use super::comments::{comment, lines, title};
+use super::comments::{comment, lines, title_lines};
 use super::{argument_names, argument_sizes, free_name, indented, snake_case};
 use crate::function::{Request, Shape, Size, Sizes};
 use crate::program::Proven;
@@ -72,13 +73,7 @@ struct Written {
 impl Writer<'_> {
     fn header(&self, functions: &[(Request, Proven)]) -> String {
         let (name, upper) = (&self.name, self.name.to_uppercase());
-        let title = title(
-            self.robot,
-            [
-                "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.",
-                self.precision.convention,
-            ],
-        );
+        let title = self.title();
         let joints: Vec<_> = self.robot.joints().map(|row| string(&row.name)).collect();
         let word = self.precision.word;
         let member = |field: &String| format!("{word} {};", free_name(field, WORDS));
@@ -118,16 +113,25 @@ impl Writer<'_> {
         )
     }
 
+    /// The comment at the top of the header.
+    fn title(&self) -> String {
+        let conventions = [
+            "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.",
+            "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.",
+        ];
+        let mut lines = title_lines(self.robot, conventions).to_vec();
+        lines.push(String::new());
+        lines.extend(self.precision.digits.iter().map(|&line| line.to_owned()));
+        comment(&lines)
+    }
+
     fn source(&self, functions: &[(Request, Proven)]) -> String {
         let functions = functions.iter();
         let bodies: String = functions
             .map(|(request, proven)| self.function(request, proven))
             .collect();
-        let called = self.precision.language.called(&bodies);
-        let functions = self.precision.functions;
-        let top = if functions.is_empty() { "" } else { "\n" };
-        let name = &self.name;
-        format!("#include \"{name}.h\"\n{top}{functions}{called}{bodies}")
+        let functions = self.precision.functions(&bodies);
+        format!("#include \"{}.h\"\n{functions}{bodies}", self.name)
     }
 
     fn function(&self, request: &Request, proven: &Proven) -> String {

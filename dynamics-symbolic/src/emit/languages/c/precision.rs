@@ -2,15 +2,20 @@
 
 use super::super::{Language, free_name};
 use super::WORDS;
+use super::sines::{self, Sines};
 
-/// The numbers of C, and their sines.
+/// The numbers of C, and their sines: those of the runtime, which are in the source and have the digits of Rust, or those
+/// of the C library.
+///
+/// Nothing else of the C library is called but the exponential, where a joint has Stribeck's friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CNumbers {
-    /// `double`, with the sines of the C library.
+    /// `double`, with the sines of the runtime.
     #[default]
     Double,
-    /// `float`, with the sines of the runtime: the digits of Rust's `f32`, and no function of the C library but `expf`, where
-    /// a joint has Stribeck's friction.
+    /// `double`, with `sin` and `cos` of the C library.
+    DoubleWithLibrary,
+    /// `float`, with the sines of the runtime, and no operation in double precision.
     Float,
     /// `float`, with `sinf` and `cosf` of the C library.
     FloatWithLibrary,
@@ -21,70 +26,102 @@ pub(super) struct Precision {
     pub(super) language: Language,
     /// The type.
     pub(super) word: &'static str,
-    /// The lines that stand at the top of a source.
-    pub(super) functions: &'static str,
-    /// The last line of the title of a header.
-    pub(super) convention: &'static str,
+    /// What multiplies and adds.
+    fused: &'static str,
+    /// The sines that stand in the source.
+    sines: Option<&'static Sines>,
+    /// The functions of the C library: by which call, and what stands at the top of a source.
+    library: &'static [(&'static str, &'static str)],
+    /// What the title of a header says of the digits.
+    pub(super) digits: &'static [&'static str],
 }
 
 impl CNumbers {
     pub(super) fn precision(self) -> &'static Precision {
         match self {
             CNumbers::Double => &DOUBLE,
+            CNumbers::DoubleWithLibrary => &DOUBLE_WITH_LIBRARY,
             CNumbers::Float => &FLOAT,
             CNumbers::FloatWithLibrary => &FLOAT_WITH_LIBRARY,
         }
     }
 }
 
-const NOT_FINITE: &str = "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.";
+impl Precision {
+    /// What stands above the functions whose texts are given: what they call.
+    pub(super) fn functions(&self, bodies: &str) -> String {
+        let library = self.library.iter();
+        let library = library.filter(|(call, _)| bodies.contains(call));
+        let mut library: Vec<&str> = library.map(|(_, text)| *text).collect();
+        if !library.is_empty() {
+            library.insert(0, "\n#include <math.h>\n");
+        }
+        let contraction = CONTRACTION.replace("BUILTIN", self.fused);
+        let sines = self.sines.map(|sines| sines.functions(bodies));
+        let own = self.language.called(bodies);
+        library.concat() + &contraction + &sines.unwrap_or_default() + &own
+    }
+}
 
-static DOUBLE: Precision = Precision {
+const CONTRACTION: &str = include_str!("contraction.c");
+
+const DOUBLE: Precision = Precision {
     language: Language {
-        sign: "robot_dynamics_sign",
-        own_functions: &[
-            ("robot_dynamics_sign(", SIGN),
-            ("robot_dynamics_is_pivot(", IS_PIVOT),
-        ],
-        ..OF_C
+        of_angles: Some(|angles| sines::DOUBLE.statements(angles)),
+        ..OF_DOUBLE
     },
-    word: "double",
-    functions: FUNCTIONS,
-    convention: NOT_FINITE,
+    sines: Some(&sines::DOUBLE),
+    digits: SAME_DIGITS,
+    ..DOUBLE_WITH_LIBRARY
 };
 
-static FLOAT: Precision = Precision {
+const DOUBLE_WITH_LIBRARY: Precision = Precision {
+    language: OF_DOUBLE,
+    word: "double",
+    fused: "__builtin_fma",
+    sines: None,
+    library: &[
+        ("ROBOT_DYNAMICS_SIN(", SIN),
+        ("ROBOT_DYNAMICS_COS(", COS),
+        ("ROBOT_DYNAMICS_EXP(", EXP),
+    ],
+    digits: OTHER_DIGITS,
+};
+
+const FLOAT: Precision = Precision {
     language: Language {
-        sine: "robot_dynamics_sinf",
-        cosine: "robot_dynamics_cosf",
-        sine_and_cosine: Some(|sine, cosine, angle| {
-            format!("float {sine}, {cosine}; robot_dynamics_sin_cosf({angle}, &{sine}, &{cosine});")
-        }),
-        own_functions: &[
-            ("robot_dynamics_sinf(", SINES),
-            ("robot_dynamics_cosf(", SINES),
-            ("robot_dynamics_sin_cosf(", SINES),
-            ("robot_dynamics_sinf(", SINE),
-            ("robot_dynamics_cosf(", COSINE),
-            ("ROBOT_DYNAMICS_EXPF(", EXPONENTIAL),
-            ("robot_dynamics_signf(", FLOAT_SIGN),
-            ("robot_dynamics_is_pivotf(", FLOAT_IS_PIVOT),
-        ],
+        of_angles: Some(|angles| sines::SINGLE.statements(angles)),
         ..OF_FLOAT
     },
-    word: "float",
-    functions: "",
-    convention: "Nothing is allocated, no state is kept. Numbers are of single precision, sines are in the source.",
+    sines: Some(&sines::SINGLE),
+    digits: SAME_DIGITS,
+    ..FLOAT_WITH_LIBRARY
 };
 
-static FLOAT_WITH_LIBRARY: Precision = Precision {
+const FLOAT_WITH_LIBRARY: Precision = Precision {
     language: OF_FLOAT,
     word: "float",
-    functions: FLOAT_FUNCTIONS,
-    convention: "Nothing is allocated, no state is kept. Numbers are of single precision.",
+    fused: "__builtin_fmaf",
+    sines: None,
+    library: &[
+        ("ROBOT_DYNAMICS_SINF(", SINF),
+        ("ROBOT_DYNAMICS_COSF(", COSF),
+        ("ROBOT_DYNAMICS_EXPF(", EXPF),
+    ],
+    digits: OTHER_DIGITS,
 };
 
-const OF_C: Language = Language {
+const SAME_DIGITS: &[&str] = &[
+    "Sines are in the source. Values have the digits of Rust's in a build for the same processor, whatever the compiler",
+    "and its level: products are fused with sums where Rust fuses them, if the processor has an instruction for it. That is",
+    "so of gcc and clang without -ffast-math, and not so of the registers of an x87, nor of what depends on an exponential",
+    "(Stribeck's friction), which is the C library's.",
+];
+
+const OTHER_DIGITS: &[&str] =
+    &["Sines are those of the C library: values differ from Rust's in their last places."];
+
+const OF_DOUBLE: Language = Language {
     declare: |name, value| format!("const double {name} = {value};"),
     entry: |argument, i| format!("{argument}[{i}]"),
     number: |x| format!("{x:?}"),
@@ -94,14 +131,18 @@ const OF_C: Language = Language {
     field: |field| format!("arm->{}", free_name(field, WORDS)),
     sine: "ROBOT_DYNAMICS_SIN",
     cosine: "ROBOT_DYNAMICS_COS",
-    sine_and_cosine: None,
+    of_angles: None,
+    fused: Some("ROBOT_DYNAMICS_FMA"),
     exponential: "ROBOT_DYNAMICS_EXP",
-    sign: "",
+    sign: "robot_dynamics_sign",
     test_pivot: |joint, pivot, diagonal| {
         let number = joint + 1;
         format!("if (!robot_dynamics_is_pivot({pivot}, {diagonal})) return {number};")
     },
-    own_functions: &[],
+    own_functions: &[
+        ("robot_dynamics_sign(", SIGN),
+        ("robot_dynamics_is_pivot(", IS_PIVOT),
+    ],
 };
 
 const OF_FLOAT: Language = Language {
@@ -111,16 +152,11 @@ const OF_FLOAT: Language = Language {
     sine: "ROBOT_DYNAMICS_SINF",
     cosine: "ROBOT_DYNAMICS_COSF",
     exponential: "ROBOT_DYNAMICS_EXPF",
-    sign: "robot_dynamics_signf",
-    test_pivot: |joint, pivot, diagonal| {
-        let number = joint + 1;
-        format!("if (!robot_dynamics_is_pivotf({pivot}, {diagonal})) return {number};")
-    },
     own_functions: &[
-        ("robot_dynamics_signf(", FLOAT_SIGN),
-        ("robot_dynamics_is_pivotf(", FLOAT_IS_PIVOT),
+        ("robot_dynamics_sign(", FLOAT_SIGN),
+        ("robot_dynamics_is_pivot(", FLOAT_IS_PIVOT),
     ],
-    ..OF_C
+    ..OF_DOUBLE
 };
 
 /// A literal of the nearest single. Beyond the largest one it is infinite, as in Rust.
@@ -134,62 +170,13 @@ fn single(x: f64) -> String {
     }
 }
 
-/// Sine, cosine and exponential may be others than those of the C library.
-const FUNCTIONS: &str = "\
-#include <math.h>
-
-#ifndef ROBOT_DYNAMICS_SIN
-#define ROBOT_DYNAMICS_SIN sin
-#endif
-#ifndef ROBOT_DYNAMICS_COS
-#define ROBOT_DYNAMICS_COS cos
-#endif
-#ifndef ROBOT_DYNAMICS_EXP
-#define ROBOT_DYNAMICS_EXP exp
-#endif
-";
-
-const FLOAT_FUNCTIONS: &str = "\
-#include <math.h>
-
-#ifndef ROBOT_DYNAMICS_SINF
-#define ROBOT_DYNAMICS_SINF sinf
-#endif
-#ifndef ROBOT_DYNAMICS_COSF
-#define ROBOT_DYNAMICS_COSF cosf
-#endif
-#ifndef ROBOT_DYNAMICS_EXPF
-#define ROBOT_DYNAMICS_EXPF expf
-#endif
-";
-
-const EXPONENTIAL: &str = "
-#include <math.h>
-
-#ifndef ROBOT_DYNAMICS_EXPF
-#define ROBOT_DYNAMICS_EXPF expf
-#endif
-";
-
-const SINES: &str = include_str!("sines.c");
-
-const SINE: &str = "
-ROBOT_DYNAMICS_DEVICE static float robot_dynamics_sinf(float x)
-{
-    float sine, cosine;
-    robot_dynamics_sin_cosf(x, &sine, &cosine);
-    return sine;
-}
-";
-
-const COSINE: &str = "
-ROBOT_DYNAMICS_DEVICE static float robot_dynamics_cosf(float x)
-{
-    float sine, cosine;
-    robot_dynamics_sin_cosf(x, &sine, &cosine);
-    return cosine;
-}
-";
+// The functions of the C library may be replaced by others.
+const SIN: &str = "\n#ifndef ROBOT_DYNAMICS_SIN\n#define ROBOT_DYNAMICS_SIN sin\n#endif\n";
+const COS: &str = "\n#ifndef ROBOT_DYNAMICS_COS\n#define ROBOT_DYNAMICS_COS cos\n#endif\n";
+const EXP: &str = "\n#ifndef ROBOT_DYNAMICS_EXP\n#define ROBOT_DYNAMICS_EXP exp\n#endif\n";
+const SINF: &str = "\n#ifndef ROBOT_DYNAMICS_SINF\n#define ROBOT_DYNAMICS_SINF sinf\n#endif\n";
+const COSF: &str = "\n#ifndef ROBOT_DYNAMICS_COSF\n#define ROBOT_DYNAMICS_COSF cosf\n#endif\n";
+const EXPF: &str = "\n#ifndef ROBOT_DYNAMICS_EXPF\n#define ROBOT_DYNAMICS_EXPF expf\n#endif\n";
 
 const SIGN: &str = "
 /** The sign, 0 of zero; NaN of NaN. */
@@ -201,7 +188,7 @@ ROBOT_DYNAMICS_DEVICE static double robot_dynamics_sign(double x)
 
 const FLOAT_SIGN: &str = "
 /** The sign, 0 of zero; NaN of NaN. */
-ROBOT_DYNAMICS_DEVICE static float robot_dynamics_signf(float x)
+ROBOT_DYNAMICS_DEVICE static float robot_dynamics_sign(float x)
 {
     return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : x == 0.0f ? 0.0f : x;
 }
@@ -218,7 +205,7 @@ ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double di
 
 const FLOAT_IS_PIVOT: &str = "
 /** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
-ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivotf(float pivot, float diagonal)
+ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(float pivot, float diagonal)
 {
     const float rounding = diagonal * 1.1920929e-7f * 8.0f;
     return pivot - rounding > 0.0f && pivot + rounding > 0.0f;

@@ -1,6 +1,8 @@
-//! C in single precision, compiled and beside the values of Rust.
+//! C in both precisions, compiled and beside the values of Rust.
 
-use std::fmt::Write as _;
+mod sines;
+
+use std::fmt::{Debug, Write as _};
 use std::path::Path;
 use std::process::Command;
 
@@ -50,10 +52,9 @@ com = [0.1, 0, 0]
 inertia = { yy = 0.01, zz = 0.01 }
 "#;
 
-const FLAGS: [&str; 8] = [
+const FLAGS: [&str; 7] = [
     "-std=c99",
     "-O2",
-    "-ffp-contract=off",
     "-Wall",
     "-Wextra",
     "-Wpedantic",
@@ -61,8 +62,64 @@ const FLAGS: [&str; 8] = [
     "-Werror",
 ];
 
+/// Whether there is a compiler; what is left out without it is said.
 fn has_gcc() -> bool {
-    Command::new("gcc").arg("--version").output().is_ok()
+    let found = Command::new("gcc").arg("--version").output().is_ok();
+    if !found {
+        println!("left out: gcc is not installed");
+    }
+    found
+}
+
+/// A type of numbers, in Rust and in C.
+trait Number: Scalar + Debug {
+    const WORD: &'static str;
+    /// The unsigned integer of as many bytes, and the letters of its hexadecimal digits.
+    const BITS: &'static str;
+    const DIGITS: usize;
+    const SUFFIX: &'static str;
+
+    fn of(x: f64) -> Self;
+    fn bits(self) -> u64;
+    fn of_bits(bits: u64) -> Self;
+}
+
+impl Number for f64 {
+    const WORD: &'static str = "double";
+    const BITS: &'static str = "uint64_t";
+    const DIGITS: usize = 16;
+    const SUFFIX: &'static str = "";
+
+    fn of(x: f64) -> Self {
+        x
+    }
+
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+
+    fn of_bits(bits: u64) -> Self {
+        f64::from_bits(bits)
+    }
+}
+
+impl Number for f32 {
+    const WORD: &'static str = "float";
+    const BITS: &'static str = "uint32_t";
+    const DIGITS: usize = 8;
+    const SUFFIX: &'static str = "f";
+
+    fn of(x: f64) -> Self {
+        x as f32
+    }
+
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+
+    fn of_bits(bits: u64) -> Self {
+        f32::from_bits(bits as u32)
+    }
 }
 
 #[track_caller]
@@ -85,12 +142,13 @@ fn compiled(folder: &Path, name: &str, main: &str, libraries: &[&str]) -> String
 }
 
 /// A `main` that prints the bits of what a function writes, at some states.
-fn main_of(name: &str, calls: &[(String, usize)]) -> String {
+fn main_of<F: Number>(name: &str, calls: &[(String, usize)]) -> String {
+    let (word, bits, digits) = (F::WORD, F::BITS, F::DIGITS);
     let mut main = format!(
         "#include \"{name}.h\"\n#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n\
-         static void print(const float *x, int n)\n{{\n    for (int i = 0; i < n; ++i) {{\n        uint32_t bits;\n        \
-         memcpy(&bits, x + i, 4);\n        printf(\"%08x \", (unsigned)bits);\n    }}\n    puts(\"\");\n}}\n\
-         int main(void)\n{{\n    float x[64];\n"
+         static void print(const {word} *x, int n)\n{{\n    for (int i = 0; i < n; ++i) {{\n        {bits} bits;\n        \
+         memcpy(&bits, x + i, sizeof bits);\n        printf(\"%0{digits}llx \", (unsigned long long)bits);\n    }}\n    \
+         puts(\"\");\n}}\nint main(void)\n{{\n    {word} x[64];\n"
     );
     for (call, entries) in calls {
         let _ = writeln!(main, "    {call}\n    print(x, {entries});");
@@ -98,143 +156,126 @@ fn main_of(name: &str, calls: &[(String, usize)]) -> String {
     main + "    return 0;\n}\n"
 }
 
-fn literal(x: &[f32]) -> String {
-    let entries: Vec<_> = x.iter().map(|x| format!("{x:?}f")).collect();
-    format!("(const float[]){{{}}}", entries.join(", "))
+/// The bits of numbers, as that program prints them.
+fn printed<F: Number>(values: impl IntoIterator<Item = F>) -> String {
+    let digits = F::DIGITS;
+    let words = values
+        .into_iter()
+        .map(|x| format!("{:0digits$x} ", x.bits()));
+    words.collect()
 }
 
-/// Every function at several states has the bits of Rust's `f32`.
-#[test]
-fn single_precision_has_the_digits_of_rust() {
-    let path = file("single.toml", ARM);
-    let out = folder("single");
+fn literal<F: Number>(x: &[F]) -> String {
+    let entries: Vec<_> = x.iter().map(|x| format!("{x:?}{}", F::SUFFIX)).collect();
+    format!("(const {}[]){{{}}}", F::WORD, entries.join(", "))
+}
+
+/// Every function at several states has the bits of Rust's, large angles among them.
+fn assert_functions<F: Number>(name: &str) -> (String, String) {
+    let path = file(&format!("{name}.toml"), ARM);
+    let out = folder(name);
     let to = out.to_string_lossy();
-    output(&[
-        "generate", &path, "--lang", "c", "--scalar", "float", "--out", &to,
-    ]);
-    let text = std::fs::read_to_string(out.join("single.c")).expect("a source");
-    let header = std::fs::read_to_string(out.join("single.h")).expect("a header");
-    for word in ["double", "sin(", "cos(", "math.h"] {
+    let scalar = ["--lang", "c", "--scalar", F::WORD];
+    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
+    let read = |ending: &str| {
+        std::fs::read_to_string(out.join(format!("{name}.{ending}"))).expect("a file")
+    };
+    let (text, header) = (read("c"), read("h"));
+    for word in [" sin(", " cos(", "math.h"] {
         assert!(!text.contains(word), "{word}: {text}");
     }
-    assert!(!header.contains("double"), "{header}");
-    assert!(
-        text.contains("robot_dynamics_sin_cosf(q[0], &s_1, &c_1);"),
-        "{text}"
-    );
     if !has_gcc() {
-        return;
+        return (text, header);
     }
     let arm = RuntimeRobot::from_file(&path, &ReadOptions::new()).expect("an arm");
-    let states: [[f32; 9]; 4] = [
+    let states = [
         [0.3, 0.2, -1.1, 0.5, -0.7, 1.3, 2.0, -1.0, 0.25],
         [-2.5, 0.0, 3.0, 0.0, 0.0, -0.5, 0.1, 0.2, 0.3],
         [1e3, -0.4, 1e-6, -3.0, 1.0, 8.0, 1.5, 2.5, -3.5],
-        [-7e4, 0.1, 3e8, 2.0, -1.0, 1.0, 0.0, 1.0, 0.0],
-    ];
+        [-7e5, 0.1, 3e8, 2.0, -1.0, 1.0, 0.0, 1.0, 0.0],
+    ]
+    .map(|state| state.map(F::of));
     let mut calls = Vec::new();
     let mut expected = String::new();
-    for name in arm.function_names() {
+    for function in arm.function_names() {
         for state in &states {
-            let arguments: Vec<&[f32]> = arm
-                .arguments(name)
+            let arguments: Vec<&[F]> = arm
+                .arguments(function)
                 .expect("arguments")
                 .zip([&state[..3], &state[3..6], &state[6..]])
                 .map(|(_, entries)| entries)
                 .collect();
-            let values = arm.evaluate_in(name, &arguments).expect("values");
+            let values = arm.evaluate_in(function, &arguments).expect("values");
             let texts: Vec<_> = arguments.iter().map(|entries| literal(entries)).collect();
             let texts = texts.join(", ");
-            let call = format!("single_{name}({texts}");
-            let matrix = ["mass_matrix", "jacobian"].contains(&name);
+            let call = format!("{name}_{function}({texts}");
+            let matrix = ["mass_matrix", "jacobian"].contains(&function);
             calls.push(match (values.len(), matrix) {
                 (1, _) => (format!("x[0] = {call});"), 1),
-                (n, true) => (format!("{call}, (float (*)[3])x);"), n),
+                (n, true) => (format!("{call}, ({} (*)[3])x);", F::WORD), n),
                 (n, false) => (format!("{call}, x);"), n),
             });
             // Matrices are by rows in C, and have a column for each of the three joints that move.
             let rows = values.len() / 3;
             let by_rows = (0..values.len()).map(|k| if matrix { k / 3 + k % 3 * rows } else { k });
-            for x in by_rows.map(|k| values[k]) {
-                let _ = write!(expected, "{:08x} ", x.to_bits());
-            }
+            expected.push_str(&printed(by_rows.map(|k| values[k])));
             expected.push('\n');
         }
     }
-    let found = compiled(&out, "single", &main_of("single", &calls), &[]);
+    let found = compiled(&out, name, &main_of::<F>(name, &calls), &[]);
     for ((found, expected), (call, _)) in found.lines().zip(expected.lines()).zip(&calls) {
         assert_eq!(found, expected, "{call}");
     }
     assert_eq!(found.lines().count(), calls.len());
+    (text, header)
 }
 
-/// The sines in the source are those of Rust at angles of any size, and NaN where there is none.
 #[test]
-fn sines_of_single_precision_are_those_of_rust() {
-    if !has_gcc() {
-        return;
-    }
-    let pendulum = "convention = 'modified'\ngravity = [1, 0, 0]\nfunctions = ['gravity_vector', \
-                    'potential_energy']\nallow = ['odd_gravity']\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\nmass = 1\n\
-                    com = [1, 0, 0]\n";
-    let path = file("sine.toml", pendulum);
-    let out = folder("sines_of_c");
-    let to = out.to_string_lossy();
-    output(&[
-        "generate", &path, "--lang", "c", "--scalar", "float", "--out", &to,
-    ]);
-    let mut main = "#include \"sine.h\"\n#include <stdint.h>\n#include <stdio.h>\n#include <string.h>\n\
-                    int main(void)\n{\n    for (uint64_t k = 0; k < 4294967296u; k += 600011u) {\n        \
-                    const uint32_t bits = (uint32_t)k;\n        float q, s, c;\n        uint32_t of_s, of_c;\n        \
-                    memcpy(&q, &bits, 4);\n        sine_gravity_vector(&q, &s);\n        c = -sine_potential_energy(&q);\n"
-        .to_owned();
-    main += "        memcpy(&of_s, &s, 4);\n        memcpy(&of_c, &c, 4);\n        printf(\"%x %x %x\\n\", \
-             (unsigned)bits, (unsigned)of_s, (unsigned)of_c);\n    }\n    return 0;\n}\n";
-    let found = compiled(&out, "sine", &main, &[]);
-    let mut lines = 0;
-    for line in found.lines() {
-        let bits = line
-            .split(' ')
-            .map(|word| u32::from_str_radix(word, 16).expect("bits"));
-        let [q, s, c] = bits.map(f32::from_bits).collect::<Vec<_>>()[..] else {
-            panic!("{line}");
-        };
-        let (sine, cosine) = Scalar::sin_cos(q);
-        let same = |x: f32, y: f32| x == y || x.is_nan() && y.is_nan();
-        assert!(
-            same(s, sine) && same(c, cosine),
-            "{q}: {s} {c}, {sine} {cosine}"
-        );
-        lines += 1;
-    }
-    assert_eq!(lines, 7159);
-}
-
-/// With `--sines libm` the functions call sinf and cosf, and nothing in double precision.
-#[test]
-fn sines_of_the_c_library() {
-    let path = file("library.toml", ARM);
-    let out = folder("library");
-    let to = out.to_string_lossy();
-    let scalar = ["--lang", "c", "--scalar", "float", "--sines", "libm"];
-    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
-    let text = std::fs::read_to_string(out.join("library.c")).expect("a source");
+fn double_precision_has_the_digits_of_rust() {
+    let (text, _) = assert_functions::<f64>("double_arm");
     assert!(
-        text.contains("#define ROBOT_DYNAMICS_SINF sinf") && !text.contains("double "),
+        text.contains("robot_dynamics_sin_cos_2(q[0], q[2], &sines_1, &cosines_1);"),
         "{text}"
     );
+}
+
+#[test]
+fn single_precision_has_the_digits_of_rust() {
+    let (text, header) = assert_functions::<f32>("single");
+    assert!(!text.contains("double"), "{text}");
+    assert!(!header.contains("double"), "{header}");
+}
+
+/// With `--sines libm` the functions call those of the C library.
+fn assert_library<F: Number>(name: &str, sine: &str, tolerance: f64) -> String {
+    let path = file(&format!("{name}.toml"), ARM);
+    let out = folder(name);
+    let to = out.to_string_lossy();
+    let scalar = ["--lang", "c", "--scalar", F::WORD, "--sines", "libm"];
+    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
+    let text = std::fs::read_to_string(out.join(format!("{name}.c"))).expect("a source");
+    assert!(text.contains(sine), "{text}");
     if has_gcc() {
-        let call = "x[0] = library_potential_energy((const float[]){0.5f, 0.1f, 0.2f});";
-        let main = main_of("library", &[(call.to_owned(), 1)]);
-        let found = compiled(&out, "library", &main, &["-lm"]);
-        let bits = u32::from_str_radix(found.trim(), 16).expect("bits");
+        let q = literal(&[0.5, 0.1, 0.2].map(F::of));
+        let call = format!("x[0] = {name}_potential_energy({q});");
+        let main = main_of::<F>(name, &[(call, 1)]);
+        let found = compiled(&out, name, &main, &["-lm"]);
+        let bits = u64::from_str_radix(found.trim(), 16).expect("bits");
         let arm = RuntimeRobot::from_file(&path, &ReadOptions::new()).expect("an arm");
         let expected = arm.potential_energy(&[0.5, 0.1, 0.2]).expect("a value");
-        assert!(
-            (f64::from(f32::from_bits(bits)) - expected).abs() < 1e-5,
-            "{found}"
-        );
+        let found = F::of_bits(bits).ratio_to_f64(F::of(1.0));
+        assert!((found - expected).abs() < tolerance, "{found}");
     }
+    text
+}
+
+#[test]
+fn sines_of_the_c_library() {
+    assert_library::<f64>("library", "#define ROBOT_DYNAMICS_SIN sin\n", 1e-13);
+    let of_floats =
+        assert_library::<f32>("library_single", "#define ROBOT_DYNAMICS_SINF sinf\n", 1e-5);
+    assert!(!of_floats.contains("double "), "{of_floats}");
+    let path = file("library.toml", ARM);
     for (option, word) in [("--scalar", "float"), ("--sines", "libm")] {
         let message = errors(&["generate", &path, "--lang", "js", option, word], 2);
         assert!(message.contains("is about `--lang c`"), "{message}");
@@ -267,17 +308,13 @@ fn fields_of_single_precision() {
     arm.set_fields(&fields.map(f64::from)).expect("two fields");
     let parts = [&state[..3], &state[3..6], &state[6..]];
     let expected = arm.evaluate_in("inverse_dynamics", &parts).expect("values");
-    let expected: Vec<_> = expected
-        .iter()
-        .map(|x| format!("{:08x}", x.to_bits()))
-        .collect();
     let texts: Vec<_> = parts.iter().map(|part| literal(part)).collect();
     let call = format!(
         "const tilted_fields arm = {{1.7f, 0.35f}}; tilted_inverse_dynamics(&arm, {}, x);",
         texts.join(", ")
     );
-    let found = compiled(&out, "tilted", &main_of("tilted", &[(call, 3)]), &[]);
-    assert_eq!(found.trim(), expected.join(" "));
+    let found = compiled(&out, "tilted", &main_of::<f32>("tilted", &[(call, 3)]), &[]);
+    assert_eq!(found.trim(), printed(expected).trim());
 }
 
 /// A robot on a base that moves compiles in single precision, as C++ too.

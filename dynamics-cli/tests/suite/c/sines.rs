@@ -1,0 +1,160 @@
+//! The sines that stand in a source, beside those of Rust: alone and in lanes, at angles of any size and at what is none.
+
+use std::fmt::Write as _;
+use std::process::Command;
+
+use super::super::calls::{file, folder, output};
+use super::{Number, has_gcc, succeed};
+
+/// Builds that a user may choose: with fused instructions and without, by a compiler that may fuse as it likes.
+const BUILDS: [&[&str]; 4] = [
+    &["-std=c99", "-O0"],
+    &["-std=c99", "-O2"],
+    &["-std=gnu11", "-O3", "-march=native", "-ffp-contract=fast"],
+    &["-std=gnu99", "-Os", "-march=native"],
+];
+
+/// Rods about axes that are askew: the place of the tip reads the sine and the cosine of every angle.
+fn chain(joints: usize) -> String {
+    let mut table =
+        "convention = 'modified'\ngravity = [0, 0, 0]\nfunctions = ['forward_kinematics']\n"
+            .to_owned();
+    for joint in 0..joints {
+        let _ = writeln!(
+            table,
+            "[[joint]]\nname = 'j{joint}'\ntype = 'revolute'\na = 0.3\nalpha = 0.7"
+        );
+    }
+    table
+}
+
+/// A rod whose gravity is a sine, and whose energy is a cosine.
+const PENDULUM: &str = "convention = 'modified'\ngravity = [1, 0, 0]\nfunctions = ['gravity_vector', \
+                        'potential_energy']\nallow = ['odd_gravity']\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\n\
+                        mass = 1\ncom = [1, 0, 0]\n";
+
+/// Numbers by turns: of any bits, or whole multiples of a small one around the angles that are not reduced in integers.
+fn angles<F: Number>() -> impl Iterator<Item = F> {
+    let mut state = 7_u64;
+    (0_u64..).map(move |i| {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = state;
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^= z >> 31;
+        match i % 2 {
+            0 => F::of_bits(z),
+            _ => F::of((z.cast_signed() >> 11) as f64 * 2.0_f64.powi(-36)),
+        }
+    })
+}
+
+/// The same in C, and a sum of the bits of what is found.
+fn program<F: Number>(name: &str, count: usize, values: &str) -> String {
+    let (word, bits) = (F::WORD, F::BITS);
+    format!(
+        "#include \"{name}.c\"\n#include <stdio.h>\n\
+         static uint64_t state = 7u, sum = 0u;\n\
+         static {word} next(uint64_t i)\n{{\n    uint64_t z = state += 0x9e3779b97f4a7c15u;\n    \
+         z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;\n    z = (z ^ z >> 27) * 0x94d049bb133111ebu;\n    z ^= z >> 31;\n    \
+         {bits} bits = ({bits})z;\n    {word} x;\n    memcpy(&x, &bits, sizeof x);\n    \
+         return i % 2 ? ({word})((double)((int64_t)z >> 11) * 1.4551915228366852e-11) : x;\n}}\n\
+         static void add({word} x)\n{{\n    {bits} bits;\n    memcpy(&bits, &x, sizeof bits);\n    \
+         sum = (sum ^ (x == x ? bits : 0u)) * 0x100000001b3u;\n}}\n\
+         int main(void)\n{{\n    for (uint64_t i = 0; i < {count}u;) {{\n{values}    }}\n    \
+         printf(\"%llx\\n\", (unsigned long long)sum);\n    return 0;\n}}\n"
+    )
+}
+
+/// That sum of Rust's sines and cosines, by turns.
+fn expected<F: Number>(count: usize) -> String {
+    let sines = angles::<F>()
+        .take(count)
+        .flat_map(|x| <[F; 2]>::from(x.sin_cos()));
+    let bits = sines.map(|x| if x == x { x.bits() } else { 0 });
+    let sum = bits.fold(0_u64, |sum, bits| {
+        (sum ^ bits).wrapping_mul(0x100_0000_01b3)
+    });
+    format!("{sum:x}\n")
+}
+
+/// Compares so many angles, in as many lanes as `lanes` says; apart where it says none.
+fn assert_sines<F: Number>(lanes: Option<usize>, count: usize) {
+    if !has_gcc() {
+        return;
+    }
+    let word = F::WORD;
+    let name = lanes.map_or(format!("parts_{word}"), |lanes| {
+        format!("lanes_{lanes}_{word}")
+    });
+    let path = file(
+        &format!("{name}.toml"),
+        lanes.map_or(PENDULUM.to_owned(), chain),
+    );
+    let out = folder(&name);
+    let to = out.to_string_lossy();
+    output(&[
+        "generate", &path, "--lang", "c", "--scalar", word, "--out", &to,
+    ]);
+    let values = match lanes {
+        None => format!(
+            "        const {word} x = next(i++);\n        add(robot_dynamics_sin(x));\n        add(robot_dynamics_cos(x));\n"
+        ),
+        Some(1) => format!(
+            "        {word} s, c;\n        robot_dynamics_sin_cos_1(next(i++), &s, &c);\n        add(s);\n        add(c);\n"
+        ),
+        Some(lanes) => {
+            let source = std::fs::read_to_string(out.join(format!("{name}.c"))).expect("a source");
+            let width = if source.contains("robot_dynamics_4 ") {
+                4
+            } else {
+                2
+            };
+            let angles: Vec<_> = (0..lanes).map(|k| format!("x[{k}]")).collect();
+            format!(
+                "        {word} x[{lanes}];\n        robot_dynamics_{width} s, c;\n        \
+                 for (int k = 0; k < {lanes}; ++k) x[k] = next(i++);\n        \
+                 robot_dynamics_sin_cos_{lanes}({}, &s, &c);\n        \
+                 for (int k = 0; k < {lanes}; ++k) add(s[k]), add(c[k]);\n",
+                angles.join(", ")
+            )
+        }
+    };
+    std::fs::write(out.join("main.c"), program::<F>(&name, count, &values)).expect("a file");
+    let expected = expected::<F>(count);
+    for build in BUILDS {
+        let mut command = Command::new("gcc");
+        command
+            .current_dir(&out)
+            .args(build)
+            .args(["-Wall", "-Wextra", "-Werror", "main.c", "-o", "sines"]);
+        succeed(&mut command);
+        let found = succeed(&mut Command::new(out.join("sines")));
+        assert_eq!(found, expected, "{name}: {build:?}");
+    }
+}
+
+/// Every number of lanes, and the sine and the cosine apart.
+fn assert_all<F: Number>(count: usize) {
+    for lanes in [None, Some(1), Some(2), Some(3), Some(4)] {
+        assert_sines::<F>(lanes, count);
+    }
+}
+
+#[test]
+fn sines_of_double_precision_are_those_of_rust() {
+    assert_all::<f64>(12_000);
+}
+
+#[test]
+fn sines_of_single_precision_are_those_of_rust() {
+    assert_all::<f32>(12_000);
+}
+
+/// `cargo test --release -p dynamics-cli --test suite c::sines -- --ignored`
+#[test]
+#[ignore = "takes a minute: .ci/run runs it"]
+fn sines_at_many_angles_are_those_of_rust() {
+    assert_all::<f64>(12_000_000);
+    assert_all::<f32>(12_000_000);
+}

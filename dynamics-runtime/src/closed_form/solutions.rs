@@ -1,0 +1,318 @@
+//! All joint positions that lead to a pose.
+
+use nalgebra::SVector;
+
+use super::{Found, Real};
+
+/// The most solutions of an arm that has a closed form.
+const MOST: usize = 8;
+
+/// Joint positions that lead to a pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solution<T: Real, const N: usize> {
+    /// The positions, rad or m. Angles are from -pi to pi, unless [`within`](Solutions::within) or
+    /// [`nearest`](Solutions::nearest) has added whole turns.
+    pub q: SVector<T, N>,
+    /// Whether the pose is singular: other positions of two joints do as well, or two solutions cannot be told apart within
+    /// 1e-7 rad (1e-3 rad in single precision). `q` is then one of them.
+    pub is_singular: bool,
+}
+
+/// The solutions of a generated `inverse_kinematics`: none if the pose is out of reach, at most eight.
+///
+/// ```
+/// # extern crate dynamics_runtime as robot_dynamics;
+/// use robot_dynamics::closed_form::Solutions;
+/// # let solutions = Solutions::<f64, 1>::new([true]);
+/// for solution in &solutions {
+///     println!("{} {}", solution.q, solution.is_singular);
+/// }
+/// assert!(solutions.nearest(&[0.1].into()).is_none());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solutions<T: Real, const N: usize> {
+    all: [Solution<T, N>; MOST],
+    count: usize,
+    turns: [bool; N],
+    limits: [Option<[T; 2]>; N],
+}
+
+/// The solutions as they are found, angles by their sines and cosines.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug)]
+pub struct Branches<T: Real, const N: usize> {
+    sines: [[T; N]; MOST],
+    cosines: [[T; N]; MOST],
+    are_singular: [bool; MOST],
+    count: usize,
+}
+
+impl<T: Real, const N: usize> Default for Branches<T, N> {
+    #[inline]
+    fn default() -> Self {
+        let zeros = [[T::from_f64(0.0); N]; MOST];
+        Branches {
+            sines: zeros,
+            cosines: zeros,
+            are_singular: [false; MOST],
+            count: 0,
+        }
+    }
+}
+
+impl<T: Real, const N: usize> Branches<T, N> {
+    /// Adds one.
+    #[inline]
+    pub fn push(&mut self, joints: [Found<T>; N], is_singular: bool) {
+        if self.count < MOST {
+            let (sines, cosines) = (&mut self.sines[self.count], &mut self.cosines[self.count]);
+            self.are_singular[self.count] = is_singular;
+            for (i, joint) in joints.iter().enumerate() {
+                (sines[i], cosines[i]) = (joint.sine, joint.cosine);
+                self.are_singular[self.count] |= joint.is_singular;
+            }
+            self.count += 1;
+        }
+    }
+
+    /// The solutions of an arm of whose joints these turn.
+    pub fn solutions(mut self, turns: [bool; N]) -> Solutions<T, N> {
+        let found = self.sines;
+        let all = self.count * N;
+        let sines = &mut self.sines.as_flattened_mut()[..all];
+        T::angles(sines, &self.cosines.as_flattened()[..all]);
+        let mut solutions = Solutions::new(turns);
+        for branch in 0..self.count {
+            let mut q = self.sines[branch];
+            for i in 0..N {
+                if !turns[i] {
+                    q[i] = found[branch][i];
+                }
+            }
+            solutions.push(q, self.are_singular[branch]);
+        }
+        solutions
+    }
+}
+
+impl<T: Real, const N: usize> Solutions<T, N> {
+    /// No solutions of an arm whose joints turn or slide.
+    #[doc(hidden)]
+    #[inline]
+    pub fn new(turns: [bool; N]) -> Self {
+        let none = Solution {
+            q: SVector::from_element(T::from_f64(0.0)),
+            is_singular: false,
+        };
+        Solutions {
+            all: [none; MOST],
+            count: 0,
+            turns,
+            limits: [None; N],
+        }
+    }
+
+    /// Adds a solution, unless it is not finite.
+    #[inline]
+    fn push(&mut self, q: [T; N], is_singular: bool) {
+        if self.count < MOST && q.iter().all(|q| q.is_finite()) {
+            self.all[self.count] = Solution {
+                q: q.into(),
+                is_singular,
+            };
+            self.count += 1;
+        }
+    }
+
+    /// The solutions, in the order of the equations that they solve.
+    #[inline]
+    pub fn as_slice(&self) -> &[Solution<T, N>] {
+        &self.all[..self.count]
+    }
+
+    /// How many there are.
+    #[inline]
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Whether the pose is out of reach.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The solutions in order.
+    #[inline]
+    pub fn iter(&self) -> core::slice::Iter<'_, Solution<T, N>> {
+        self.as_slice().iter()
+    }
+
+    /// The solutions within the ranges of the joints, `JOINT_LIMITS` of a robot as it is: angles outside of their range get
+    /// whole turns that bring them into it. A joint without a range may be anywhere.
+    #[must_use]
+    pub fn within(&self, limits: &[Option<[f64; 2]>; N]) -> Self {
+        let mut within = Solutions::new(self.turns);
+        within.limits = limits.map(|range| range.map(|range| range.map(T::from_f64)));
+        for solution in self {
+            let mut q = solution.q;
+            let is_within = (0..N).all(|i| match within.brought_into(i, q[i]) {
+                Some(position) => {
+                    q[i] = position;
+                    true
+                }
+                None => false,
+            });
+            if is_within {
+                within.push(q.into(), solution.is_singular);
+            }
+        }
+        within
+    }
+
+    /// The solution whose joints have the least sum of squares of their ways from `seed`, whole turns left out. Behind
+    /// [`within`](Solutions::within) whole turns are added that bring it nearest to the seed within the limits; without limits its
+    /// angles stay as they are. `None` if there is no solution, or the seed is not finite.
+    pub fn nearest(&self, seed: &SVector<T, N>) -> Option<Solution<T, N>> {
+        let mut nearest: Option<(T, Solution<T, N>)> = None;
+        for solution in self {
+            let (mut q, mut distance) = (solution.q, T::from_f64(0.0));
+            for i in 0..N {
+                let near = self.nearest_turn(i, q[i], seed[i]);
+                let way = near - seed[i];
+                distance = distance + way * way;
+                if self.limits[i].is_some() {
+                    q[i] = near;
+                }
+            }
+            let is_nearer = match &nearest {
+                None => distance.is_finite(),
+                Some((least, _)) => distance < *least,
+            };
+            if is_nearer {
+                let solution = Solution { q, ..*solution };
+                nearest = Some((distance, solution));
+            }
+        }
+        nearest.map(|(_, solution)| solution)
+    }
+
+    /// The position of joint i, or one that is whole turns away, within its range.
+    fn brought_into(&self, i: usize, q: T) -> Option<T> {
+        let Some([lower, upper]) = self.limits[i] else {
+            return Some(q);
+        };
+        let is_within = |q: &T| *q >= lower && *q <= upper;
+        if is_within(&q) || !self.turns[i] {
+            return Some(q).filter(is_within);
+        }
+        // The first one above the lower end.
+        let turns = whole_turns(lower - q, true);
+        Some(q + turns).filter(is_within)
+    }
+
+    /// The position of joint i that is whole turns away and nearest to another one, within its range if it has one.
+    fn nearest_turn(&self, i: usize, q: T, seed: T) -> T {
+        if !self.turns[i] {
+            return q;
+        }
+        let near = q + whole_turns(seed - q, false);
+        let Some([lower, upper]) = self.limits[i] else {
+            return near;
+        };
+        // From outside of the range into it.
+        if near < lower {
+            near + whole_turns(lower - near, true)
+        } else if near > upper {
+            near - whole_turns(near - upper, true)
+        } else {
+            near
+        }
+    }
+}
+
+/// None of any arm: a place for those of a batch.
+impl<T: Real, const N: usize> Default for Solutions<T, N> {
+    fn default() -> Self {
+        Solutions::new([true; N])
+    }
+}
+
+/// The multiple of a whole turn that is nearest to an angle, or, upwards, the least that is not below it.
+fn whole_turns<T: Real>(angle: T, upwards: bool) -> T {
+    let turn = core::f64::consts::TAU;
+    let turns = angle.ratio_to_f64(T::from_f64(turn));
+    let whole = turns as i64 as f64;
+    let rest = turns - whole;
+    let whole = match upwards {
+        true if rest > 0.0 => whole + 1.0,
+        true => whole,
+        false if rest > 0.5 => whole + 1.0,
+        false if rest < -0.5 => whole - 1.0,
+        false => whole,
+    };
+    T::from_f64(whole * turn)
+}
+
+impl<'s, T: Real, const N: usize> IntoIterator for &'s Solutions<T, N> {
+    type Item = &'s Solution<T, N>;
+    type IntoIter = core::slice::Iter<'s, Solution<T, N>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::{PI, TAU};
+
+    fn solutions(all: &[[f64; 2]]) -> Solutions<f64, 2> {
+        let mut solutions = Solutions::new([true, false]);
+        for q in all {
+            solutions.push(*q, false);
+        }
+        solutions
+    }
+
+    fn positions(solutions: &Solutions<f64, 2>) -> Vec<[f64; 2]> {
+        solutions.iter().map(|solution| solution.q.into()).collect()
+    }
+
+    #[test]
+    fn whole_turns_bring_angles_into_their_range() {
+        let found = solutions(&[[-3.0, 0.2], [0.5, 0.2], [0.5, 0.9]]);
+        let limits = [Some([3.0, 3.6]), Some([0.0, 0.5])];
+        let within = found.within(&limits);
+        assert_eq!(positions(&within), [[-3.0 + TAU, 0.2]]);
+        assert_eq!(found.within(&[None, None]), {
+            let mut same = found;
+            same.limits = [None; 2];
+            same
+        });
+        // A range below the angle, several turns away, and one of no whole turn.
+        let below = found.within(&[Some([-13.0, -12.0]), None]);
+        assert_eq!(positions(&below).len(), 2);
+        assert!(found.within(&[Some([1.0, 1.1]), None]).is_empty());
+    }
+
+    #[test]
+    fn the_nearest_is_measured_without_whole_turns() {
+        let found = solutions(&[[-3.1, 0.0], [2.0, 0.0]]);
+        let seed = [3.1, 0.0].into();
+        // Beyond pi, which is 0.08 away; without limits the angle stays.
+        assert_eq!(found.nearest(&seed).unwrap().q[0], -3.1);
+        let wide = found.within(&[Some([-TAU, TAU]), None]);
+        assert_eq!(wide.nearest(&seed).unwrap().q[0], -3.1 + TAU);
+        // A whole turn that the limits do not allow.
+        let narrow = found.within(&[Some([-PI, PI]), None]);
+        assert_eq!(narrow.nearest(&seed).unwrap().q[0], 2.0);
+        assert!(found.nearest(&[f64::NAN, 0.0].into()).is_none());
+    }
+
+    #[test]
+    fn numbers_that_are_not_finite_are_no_solutions() {
+        assert!(solutions(&[[f64::NAN, 0.0], [0.0, f64::INFINITY]]).is_empty());
+    }
+}

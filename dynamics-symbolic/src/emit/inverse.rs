@@ -1,0 +1,311 @@
+//! Inverse kinematics as a method: a loop over the solutions of each step inside that of the step before, with the lines between
+//! them that read no later joint.
+
+use super::body::Writer;
+use super::inputs::{constants_like, input_name};
+use super::names::{ident, number_of_joints};
+use crate::function::{Argument, inverse_method};
+use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
+use crate::program::{Operand, Proven};
+use crate::robot::{JointType, Robot, Row, Symbol};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+/// The method for a frame of this name, or for the tip.
+pub fn inverse_kinematics(
+    robot: &Robot,
+    frame: Option<&str>,
+    plan: &Plan,
+    path: &TokenStream,
+) -> TokenStream {
+    let proven = Proven {
+        constants: plan.program.rounded_constants(),
+        program: plan.program.clone(),
+    };
+    let writer = Writer::new(robot, &proven);
+    let method = Method {
+        robot,
+        plan,
+        writer,
+        stages: stages(plan),
+        path,
+    };
+    let [pose, solutions, is_singular] = ["pose", "solutions", "is_singular"].map(ident);
+    let constants = constants_like(&quote!(#pose.data.0[0][0]), path);
+    let inputs = method.inputs();
+    let turns = robot.joints().map(turns);
+    let steps = method.from(0);
+    let body = quote! {
+        let mut #solutions = #path::closed_form::Branches::default();
+        let #is_singular = false;
+        #constants
+        #inputs
+        #steps
+        #solutions.solutions([#(#turns),*])
+    };
+    let documentation = documentation(frame, plan);
+    method_of(
+        frame,
+        plan.joints,
+        plan.target == Target::PoseAndElbow,
+        &documentation,
+        &body,
+        path,
+    )
+}
+
+/// A method without a body.
+pub fn stub_of_inverse(frame: Option<&str>, joints: usize, path: &TokenStream) -> TokenStream {
+    let body = quote!(::core::unimplemented!());
+    method_of(frame, joints, joints == 7, &[], &body, path)
+}
+
+fn method_of(
+    frame: Option<&str>,
+    joints: usize,
+    has_elbow: bool,
+    documentation: &[String],
+    body: &TokenStream,
+    path: &TokenStream,
+) -> TokenStream {
+    let (pose, elbow, n) = (ident("pose"), ident("elbow"), number_of_joints(joints));
+    let generic = (joints == 0).then(|| quote!(, const N: usize));
+    let method = inverse_method(frame);
+    let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
+    let (name, batch) = (named(&method), named(&format!("{method}_batch")));
+    let [of_one, of_many] = [quote!(T), quote!([T])].map(|numbers| {
+        let reference = (numbers.to_string() != "T").then(|| quote!(&));
+        has_elbow.then(|| quote!(#elbow: #reference #numbers,))
+    });
+    let solutions = quote!(#path::closed_form::Solutions<T, #n>);
+    let about_many = format!(
+        " [`{method}`](Self::{method}) of many poses. The error says which argument has another number of states than `pose`."
+    );
+    let [all, i, one] = ["solutions", "i", "one"].map(ident);
+    let lengths = has_elbow.then(|| quote!(("elbow", #elbow.len()),));
+    let argument = has_elbow.then(|| quote!(#elbow[#i]));
+    quote! {
+        #(#[doc = #documentation])*
+        #[inline(never)]
+        #[allow(unused_variables, clippy::all)]
+        pub fn #name<T: #path::closed_form::Real #generic>(
+            &self,
+            #pose: &#path::nalgebra::Matrix4<T>,
+            #of_one
+        ) -> #solutions {
+            #body
+        }
+
+        #path::__with_std! {
+            #[doc = #about_many]
+            pub fn #batch<T: #path::closed_form::Real #generic>(
+                &self,
+                #pose: &[#path::nalgebra::Matrix4<T>],
+                #of_many
+                #all: &mut [#solutions],
+            ) -> ::core::result::Result<(), #path::LengthMismatch> {
+                #path::LengthMismatch::test(#pose.len(), &[#lengths ("solutions", #all.len())])?;
+                for (#i, #one) in #all.iter_mut().enumerate() {
+                    *#one = self.#name(&#pose[#i], #argument);
+                }
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
+
+fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
+    let frame = frame.map_or("tip".to_owned(), |frame| format!("frame `{frame}`"));
+    let read = match plan.target {
+        Target::Pose => "",
+        Target::PoseAndElbow => {
+            " `elbow` is the angle, rad, of the half plane that begins at the line from the shoulder to the wrist and holds the \
+             elbow, about this line, from the one that holds the direction of the first axis; if axis and line are parallel, \
+             from any."
+        }
+        Target::Position => " Of the pose the position alone is read.",
+        Target::PositionAndAngle => {
+            " Of the pose the position and the angle in the plane of the arm are read."
+        }
+    };
+    let most = plan.branches();
+    let operations = plan.program.operations();
+    let count = operations.multiplications + operations.additions + operations.divisions;
+    vec![
+        format!(
+            " Inverse kinematics in closed form: all joint positions that lead the {frame} to `pose`, a homogeneous transform as \
+             `forward_kinematics` gives it, at most {most}; none if it is out of reach.{read}"
+        ),
+        String::new(),
+        format!(
+            " Each solution has been proven to lead to the pose. Equations of one joint each, whose coefficients take {count} \
+             multiplications and additions. A pose that is not finite has no solution; never panics, never allocates."
+        ),
+    ]
+}
+
+fn turns(row: &Row) -> bool {
+    row.joint_type == JointType::Revolute
+}
+
+struct Method<'a> {
+    robot: &'a Robot,
+    plan: &'a Plan,
+    writer: Writer<'a>,
+    /// For each line the number of steps that must be done before it.
+    stages: Vec<usize>,
+    path: &'a TokenStream,
+}
+
+/// For each instruction the number of steps whose joints it depends on.
+fn stages(plan: &Plan) -> Vec<usize> {
+    let program = &plan.program;
+    let behind = |is_solved: &dyn Fn(&Step) -> bool| {
+        let step = plan.steps.iter().position(is_solved);
+        step.map_or(0, |step| step + 1)
+    };
+    let of_input = |input: &Symbol| match input.argument() {
+        Some((Argument::Position, joint)) => behind(&|step| step.joint() == Some(joint)),
+        Some((Argument::Pose, place)) => behind(&|step| step.numbers().contains(&place)),
+        _ => 0,
+    };
+    let inputs: Vec<usize> = program.inputs.iter().map(of_input).collect();
+    let mut stages: Vec<usize> = Vec::with_capacity(program.instructions.len());
+    for instruction in &program.instructions {
+        let of_operand = |operand: &Operand| match operand {
+            Operand::Constant(_) => 0,
+            Operand::Input(index) => inputs[*index as usize],
+            Operand::Result(index) => stages[*index as usize],
+        };
+        let operands = instruction.operands();
+        stages.push(operands.iter().map(of_operand).max().unwrap_or(0));
+    }
+    stages
+}
+
+impl Method<'_> {
+    /// Fields, and the entries of the pose that are read.
+    fn inputs(&self) -> TokenStream {
+        let (program, pose) = (&self.plan.program, ident("pose"));
+        let fields = super::inputs::constant_inputs(self.robot, program, self.path);
+        let elbow = (self.plan.target == Target::PoseAndElbow).then(|| {
+            let path = self.path;
+            let [sine, cosine] = [ELBOW, ELBOW + 1].map(|place| self.number(place));
+            let elbow = ident("elbow");
+            quote!(let (#sine, #cosine) = #path::Scalar::sin_cos(#elbow);)
+        });
+        let entries = program.inputs.iter().filter_map(|symbol| match symbol {
+            Symbol::Entry(Argument::Pose, k) if *k < ELBOW => {
+                let name = ident(&input_name(self.robot, symbol, &[]));
+                let (row, column) = if *k < 9 { (k / 3, k % 3) } else { (k - 9, 3) };
+                let [row, column] = [row, column].map(Literal::usize_unsuffixed);
+                Some(quote!(let #name = #pose.data.0[#column][#row];))
+            }
+            _ => None,
+        });
+        quote!(#fields #elbow #(#entries)*)
+    }
+
+    /// The lines of a stage.
+    fn lines(&self, stage: usize) -> TokenStream {
+        let lines = (0..self.stages.len())
+            .filter(|&line| self.stages[line] == stage && self.writer.names[line].is_some());
+        self.writer.lets(&lines.collect::<Vec<_>>())
+    }
+
+    /// A step and all behind it, where those before it are done.
+    fn from(&self, step: usize) -> TokenStream {
+        let lines = self.lines(step);
+        let Some(&Step { solved, rule }) = self.plan.steps.get(step) else {
+            let solution = self.solution();
+            return quote!(#lines #solution);
+        };
+        let path = self.path;
+        let first = self.plan.first_outputs()[step];
+        let outputs = &self.plan.program.outputs[first..first + rule.coefficients()];
+        let coefficients: Vec<_> = outputs
+            .iter()
+            .map(|output| self.writer.output(*output))
+            .collect();
+        let rest = self.from(step + 1);
+        let solve = Ident::new(name_of(rule), proc_macro2::Span::call_site());
+        let value = quote!(#path::closed_form::#solve(#(#coefficients),*));
+        match solved {
+            Solved::Nothing => quote!(#lines if #value { #rest }),
+            Solved::Numbers(place) => {
+                let (pattern, is_singular) = self.pattern(rule, place);
+                quote!(#lines let #pattern = #value; #is_singular #rest)
+            }
+            Solved::Joint(joint) => {
+                let found = self.found(joint);
+                let bound = self.bound(joint, &found);
+                if rule.solutions() == 1 {
+                    quote!(#lines let #found = &#value; #bound #rest)
+                } else {
+                    quote!(#lines for #found in #value.as_slice() { #bound #rest })
+                }
+            }
+        }
+    }
+
+    /// The variables of numbers that a step finds, and whether these are any that do.
+    fn pattern(&self, rule: Rule, place: usize) -> (TokenStream, Option<TokenStream>) {
+        let numbers = (place..place + rule.numbers()).map(|place| self.number(place));
+        match rule {
+            Rule::Direction => {
+                let (is_one, is_any) = (ident("is_singular"), ident("is_any"));
+                let pattern = quote!(([#(#numbers),*], #is_any));
+                (pattern, Some(quote!(let #is_one = #is_one || #is_any;)))
+            }
+            _ => (quote!(#(#numbers)*), None),
+        }
+    }
+
+    /// The variable of a number behind the entries of the pose.
+    fn number(&self, place: usize) -> Ident {
+        let symbol = Symbol::Entry(Argument::Pose, place);
+        ident(&input_name(self.robot, &symbol, &[]))
+    }
+
+    fn found(&self, joint: usize) -> Ident {
+        ident(&format!("joint_{}", joint + 1))
+    }
+
+    /// Sine and cosine, or the position, of a joint that was found, where they are read.
+    fn bound(&self, joint: usize, found: &Ident) -> TokenStream {
+        let inputs = self.plan.program.inputs.iter();
+        let read = inputs.filter_map(|symbol| {
+            let part = match symbol {
+                Symbol::Sine(i) | Symbol::Position(i) if *i == joint => quote!(sine),
+                Symbol::Cosine(i) if *i == joint => quote!(cosine),
+                _ => return None,
+            };
+            let name = ident(&input_name(self.robot, symbol, &[]));
+            Some(quote!(let #name = #found.#part;))
+        });
+        read.collect()
+    }
+
+    /// All joints, in their order.
+    fn solution(&self) -> TokenStream {
+        let (solutions, is_singular) = (ident("solutions"), ident("is_singular"));
+        let joints = (0..self.plan.joints).map(|joint| self.found(joint));
+        quote!(#solutions.push([#(*#joints),*], #is_singular);)
+    }
+}
+
+/// The function of the runtime that solves an equation.
+fn name_of(rule: Rule) -> &'static str {
+    match rule {
+        Rule::Turn => "turn",
+        Rule::Slide => "slide",
+        Rule::Turns => "turns",
+        Rule::Distance => "turns_at_distance",
+        Rule::ExactTurns => "turns_by",
+        Rule::InclinedTurns => "inclined_turns",
+        Rule::Slides => "slides",
+        Rule::Root => "root",
+        Rule::Direction => "direction",
+        Rule::Condition => "is_reached",
+    }
+}

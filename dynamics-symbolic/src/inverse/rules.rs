@@ -1,0 +1,410 @@
+//! Equations in which one joint is the only unknown.
+//!
+//! In A Z B = L (see `view`), Z is the motion of one joint, A that of the joints before it and B that of the joints behind.
+//! A point p that B does not move is at A Z p = L p. What A does not change of this point is an equation in the one joint: a
+//! height over a plane, the distance from a point, or the distance from an axis. The same holds of directions.
+//!
+//! Sources: Pieper, The kinematics of manipulators under computer control (1968), for axes that meet; Craig, Introduction to
+//! Robotics, 4.5 and 4.6. Equations of these forms are those of Paden and Kahan (Murray, Li, Sastry 1994, 3.3).
+
+use super::plan::Rule;
+use super::view::{Points, View, are_parallel, moved};
+use crate::expr::Expr;
+use crate::linear::Vector3;
+use crate::robot::JointType;
+
+type Vector<'g> = Vector3<Expr<'g>>;
+
+/// An equation of one joint of a view.
+pub(super) struct Equation<'g> {
+    /// Which joint of the view.
+    pub(super) joint: usize,
+    /// Whether the view is that of the inverse equation.
+    pub(super) is_inverse: bool,
+    pub(super) rule: Rule,
+    pub(super) coefficients: Vec<Expr<'g>>,
+}
+
+impl<'g> Equation<'g> {
+    /// Of the joint as it moves in the equation that is no inverse.
+    fn of(view: &View<'g>, joint: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
+        if view.is_inverse {
+            let opposite = match rule {
+                Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::InclinedTurns => &[1][..],
+                // A reflection in the x axis.
+                Rule::Distance => &[1, 5, 7],
+                Rule::Slide | Rule::Slides => &[0],
+                Rule::Root | Rule::Direction | Rule::Condition => &[],
+            };
+            for &k in opposite {
+                coefficients[k] = -coefficients[k];
+            }
+        }
+        Equation {
+            joint,
+            is_inverse: view.is_inverse,
+            rule,
+            coefficients,
+        }
+    }
+}
+
+/// A vector that stays what it is in the frame of the last joint, and the same in the frame behind the joint in question.
+#[derive(Clone, Copy)]
+struct Pair<'g> {
+    /// Behind the joint.
+    near: Vector<'g>,
+    /// In the last frame, where L leads.
+    far: Vector<'g>,
+}
+
+/// All equations of the joints of a view: first those with one solution.
+pub(super) fn equations<'g>(view: &View<'g>) -> Vec<Equation<'g>> {
+    let joints = 0..view.joints.len();
+    let of_type = |joint_type| {
+        let joints = joints.clone();
+        joints.filter(move |&t| view.joints[t].joint_type == joint_type)
+    };
+    let turning = || of_type(JointType::Revolute);
+    let sliding = || of_type(JointType::Prismatic);
+    let single = first_turn(view).into_iter();
+    let single = single.chain(sliding().filter_map(|t| slide(view, t)));
+    let double = turning()
+        .filter_map(|t| angle_between(view, t))
+        .chain(front_heights(view))
+        .chain(turning().flat_map(|t| heights(view, t)))
+        .chain(turning().filter_map(|t| distance(view, t)))
+        .chain(front_distance(view))
+        .chain(sliding().filter_map(|t| slides(view, t)));
+    single.chain(double).collect()
+}
+
+/// A vector x before a turn about z, y behind it, and the square of their length.
+struct Turned<'g> {
+    x: Vector<'g>,
+    y: Vector<'g>,
+    size: Expr<'g>,
+}
+
+/// Z x = L x: the first joint turns a known direction, or a known point, to where it is. The angle from x to y about z has the
+/// cosine x.y and the sine (x x y)_z, both times the square of their distance from the axis.
+fn first_turn<'g>(view: &View<'g>) -> Option<Equation<'g>> {
+    if view.joints.first()?.joint_type != JointType::Revolute {
+        return None;
+    }
+    let Turned { x, y, size } = turned_direction(view).or_else(|| turned_point(view))?;
+    let (cosine, sine) = (x[0] * y[0] + x[1] * y[1], x[0] * y[1] - x[1] * y[0]);
+    let length = x[0] * x[0] + x[1] * x[1];
+    let coefficients = vec![cosine, sine, length, size];
+    Some(Equation::of(view, 0, Rule::Turn, coefficients))
+}
+
+/// A direction that the joints behind the first do not turn.
+fn turned_direction<'g>(view: &View<'g>) -> Option<Turned<'g>> {
+    let mut all = directions_behind(view, 0).into_iter();
+    let pair = all.find(|pair| !are_parallel(pair.near, view.z()))?;
+    let y = view.target.direction(pair.far);
+    view.allows(&y.0).then_some(Turned {
+        x: pair.near,
+        y,
+        size: view.graph.one(),
+    })
+}
+
+/// A point that the joints behind the first do not move, or move along its axis alone.
+fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
+    let Pair { near: x, far } = point_behind(view, 0, Some(view.z()))?;
+    let y = view.target.point(far);
+    let is_on_axis = x[0].is_zero() && x[1].is_zero();
+    let stays = !matches!(
+        view.points(1..view.joints.len()),
+        Points::Lines(_) | Points::Line { each: false, .. }
+    );
+    let beside = x[0] * x[0] + x[1] * x[1];
+    let size = if stays { x.dot(x) } else { beside };
+    (!is_on_axis && view.allows(&y.0[..2])).then_some(Turned { x, y, size })
+}
+
+/// y.(L p) = y.(A Z B p) with y at right angles to all that slides and along all that turns, but for joint t, which slides by d:
+/// d = (y.(L p) - y.(A B p)) / y.z
+fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+    let last = view.joints.len();
+    (t + 1..=last).rev().find_map(|end| {
+        let pair = point_from(view, t, end)?;
+        let heights = view.heights(0..end, Some(t));
+        let to_joint = view.way(0, t);
+        let along = |y: &Vector<'g>| to_joint.inverse().direction(*y)[2];
+        // The joint's own axis, as far as it is a combination of these.
+        let parts = heights.iter().map(|y| *y * along(y));
+        let y = parts.reduce(|sum, part| sum + part)?;
+        let slope = along(&y);
+        if slope.is_zero() {
+            return None;
+        }
+        let here = to_joint.point(pair.near);
+        let there = view.target.point(pair.far);
+        let d = y.dot(there - here) / slope;
+        view.allows(&[d])
+            .then(|| Equation::of(view, t, Rule::Slide, vec![d]))
+    })
+}
+
+/// y.(Z^-1 L p) = y.(B p): a height that joints right behind the first do not change, over a point that the others do not move.
+fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
+    let last = view.joints.len();
+    if view.joints.first()?.joint_type != JointType::Revolute {
+        return None;
+    }
+    (2..=last).rev().find_map(|end| {
+        let heights = view.heights(1..end, None);
+        let near = heights.iter().map(|y| view.links[0].direction(*y));
+        let y = near.into_iter().find(|y| !are_parallel(*y, view.z()))?;
+        let pair = point_from(view, 0, end)?;
+        let v = view.target.point(pair.far);
+        let height = y.dot(pair.near);
+        let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
+        let size = v.dot(v) + height * height;
+        let coefficients = vec![a, b, height - y[2] * v[2], size];
+        view.allows(&coefficients)
+            .then(|| Equation::of(view, 0, Rule::Turns, coefficients))
+    })
+}
+
+/// y.(L x) = y.(Z x): the angle between a direction before joint t and one behind it, if the other joints turn neither.
+///
+/// If both are equally inclined to the axis, y_z = s x_z = m, they are one direction where its angle vanishes, and the discriminant
+/// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. The runtime has 1 - s w from the cross
+/// product: (1 - s w) (1 + s w) = |y x L x|^2.
+fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+    let last = view.joints.len();
+    if t == 0 || t + 1 == last {
+        return None;
+    }
+    let [y] = view.directions(0..t)[..] else {
+        return None;
+    };
+    let [pair] = directions_behind(view, t)[..] else {
+        return None;
+    };
+    let (m, x) = (view.way(0, t).inverse().direction(y), pair.near);
+    let v = view.target.direction(pair.far);
+    let [a, b] = rotated(m, x);
+    let constant = m[2] * x[2];
+    let c = y.dot(v) - constant;
+    let across = y.cross(v);
+    let across = across.dot(across);
+    let is_equal = (m[2] * m[2] - x[2] * x[2]).is_zero();
+    let (rule, last) = if m[2].is_zero() && x[2].is_zero() {
+        (Rule::ExactTurns, vec![across])
+    } else if is_equal {
+        let along = y.dot(v);
+        let is_same = (m[2] - x[2]).is_zero();
+        let along = if is_same { along } else { -along };
+        let twice = m[2] * m[2] + m[2] * m[2];
+        (Rule::InclinedTurns, vec![along, across, twice])
+    } else {
+        (Rule::Turns, vec![view.graph.one()])
+    };
+    let coefficients = [&[a, b, c], &last[..]].concat();
+    let depends = !(a.is_zero() && b.is_zero());
+    (depends && view.allows(&coefficients)).then(|| Equation::of(view, t, rule, coefficients))
+}
+
+/// y.(L p) = y.(A Z p): a height that the joints before t do not change.
+fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+    if t == 0 {
+        return None;
+    }
+    let pair = point_behind(view, t, None)?;
+    let way = view.way(0, t);
+    let near = |y: &Vector<'g>| way.inverse().direction(*y);
+    let heights = view.heights(0..t, None);
+    let y = heights
+        .into_iter()
+        .find(|y| !are_parallel(near(y), view.z()))?;
+    let [a, b] = rotated(near(&y), pair.near);
+    if a.is_zero() && b.is_zero() {
+        return None;
+    }
+    let v = view.target.point(pair.far);
+    let known = y.dot(way.point(view.z() * pair.near[2]));
+    let size = v.dot(v) + known * known;
+    let coefficients = vec![a, b, y.dot(v) - known, size];
+    view.allows(&coefficients)
+        .then(|| Equation::of(view, t, Rule::Turns, coefficients))
+}
+
+/// |L p - o|^2 = |Z p - o|^2: the distance from a point that the joints before t do not move, or from an axis that they have
+/// in common with t.
+pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+    if t == 0 {
+        return None;
+    }
+    let z = view.z();
+    let way = view.way(0, t);
+    let (o, axis) = match view.points(0..t) {
+        Points::One(o) => (o, None),
+        Points::Line {
+            point, direction, ..
+        } => (point, Some(direction)),
+        _ => return None,
+    };
+    let near = way.inverse().point(o);
+    let axis = match axis {
+        Some(axis) if !are_parallel(way.inverse().direction(axis), z) => return None,
+        axis => axis,
+    };
+    let pair = point_behind(view, t, axis.map(|_| z))?;
+    let flat = |v: Vector<'g>| match axis {
+        Some(_) => v - z * v[2],
+        None => v,
+    };
+    let (near, p) = (flat(near), flat(pair.near));
+    let apart = view.target.point(pair.far) - o;
+    let apart = axis.map_or(apart, |axis| apart - axis * apart.dot(axis));
+    by_distance(view, t, (near, p), apart.dot(apart))
+}
+
+/// |y - Z x|^2 = found for joint t: a cos q + b sin q = (|x|^2 + |y|^2 - found) / 2 in the plane.
+fn by_distance<'g>(
+    view: &View<'g>,
+    t: usize,
+    (y, x): (Vector<'g>, Vector<'g>),
+    found: Expr<'g>,
+) -> Option<Equation<'g>> {
+    let [a, b] = rotated(y, x);
+    if a.is_zero() && b.is_zero() {
+        return None;
+    }
+    let along = y[2] - x[2];
+    let rest = along * along;
+    let beside = |v: Vector<'g>| v[0] * v[0] + v[1] * v[1];
+    let known = beside(x) + beside(y) + rest;
+    let coefficients = vec![a, b, known, found, x[0], x[1], y[0], y[1], rest];
+    view.allows(&coefficients)
+        .then(|| Equation::of(view, t, Rule::Distance, coefficients))
+}
+
+/// |L p - Z o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.
+fn front_distance<'g>(view: &View<'g>) -> Option<Equation<'g>> {
+    let last = view.joints.len();
+    if view.joints.first()?.joint_type != JointType::Revolute {
+        return None;
+    }
+    (2..=last).rev().find_map(|end| {
+        let Points::One(o) = moved(&view.links[0], view.points(1..end)) else {
+            return None;
+        };
+        let pair = point_from(view, 0, end)?;
+        let v = view.target.point(pair.far);
+        let apart = pair.near - o;
+        by_distance(view, 0, (v, o), apart.dot(apart))
+    })
+}
+
+/// |L p - o|^2 = |p + d z - o|^2, a quadratic equation in d, with o and p as in `distance`.
+fn slides<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+    if t == 0 {
+        return None;
+    }
+    let back = view.way(0, t).inverse();
+    let (o, axis) = match view.points(0..t) {
+        Points::One(o) => (o, None),
+        Points::Line {
+            point, direction, ..
+        } => (point, Some(direction)),
+        _ => return None,
+    };
+    let near = axis.map(|axis| back.direction(axis));
+    if near.is_some_and(|axis| !axis[2].is_zero()) {
+        return None;
+    }
+    let pair = point_behind(view, t, near)?;
+    let across = |v: Vector<'g>, axis: Option<Vector<'g>>| match axis {
+        Some(axis) => v - axis * v.dot(axis),
+        None => v,
+    };
+    let e = across(pair.near - back.point(o), near);
+    let apart = across(view.target.point(pair.far) - o, axis);
+    let found = apart.dot(apart);
+    let beside = e[0] * e[0] + e[1] * e[1];
+    let coefficients = vec![-e[2], found - beside, found + beside];
+    view.allows(&coefficients)
+        .then(|| Equation::of(view, t, Rule::Slides, coefficients))
+}
+
+/// The coefficients of cos q and sin q in y.(Rz(q) x).
+fn rotated<'g>(y: Vector<'g>, x: Vector<'g>) -> [Expr<'g>; 2] {
+    [y[0] * x[0] + y[1] * x[1], y[1] * x[0] - y[0] * x[1]]
+}
+
+/// Directions that the joints behind joint t do not turn; if there is none behind it, its own x axis first.
+fn directions_behind<'g>(view: &View<'g>, t: usize) -> Vec<Pair<'g>> {
+    let last = view.joints.len();
+    if t + 1 == last {
+        let same = |v| Pair { near: v, far: v };
+        return view.axes().map(same).to_vec();
+    }
+    let on = view.directions(t + 1..last);
+    let far = view.way(t + 1, last - 1).inverse();
+    let pair = |v: &Vector<'g>| Pair {
+        near: view.links[t].direction(*v),
+        far: far.direction(*v),
+    };
+    on.iter().map(pair).collect()
+}
+
+/// A point that the joints behind joint t do not move, or only along an axis if one is given, in the frame behind t.
+fn point_behind<'g>(view: &View<'g>, t: usize, axis: Option<Vector<'g>>) -> Option<Pair<'g>> {
+    let last = view.joints.len();
+    if t + 1 == last {
+        return Some(Pair {
+            near: view.tip,
+            far: view.tip,
+        });
+    }
+    let points = view.points(t + 1..last);
+    let far = view.way(t + 1, last - 1).inverse();
+    let near = chosen(view, moved(&view.links[t], points), axis)?;
+    let back = view.links[t].inverse().point(near);
+    Some(Pair {
+        near,
+        far: far.point(back),
+    })
+}
+
+/// One of the points.
+fn chosen<'g>(view: &View<'g>, points: Points<'g>, axis: Option<Vector<'g>>) -> Option<Vector<'g>> {
+    match points {
+        Points::All => Some(view.origin()),
+        Points::One(p) => Some(p),
+        Points::Line {
+            point, each: true, ..
+        } => Some(point),
+        Points::Line {
+            point, direction, ..
+        } if axis.is_some_and(|axis| are_parallel(direction, axis)) => Some(point),
+        Points::Lines(direction) if axis.is_some_and(|axis| are_parallel(direction, axis)) => {
+            Some(view.origin())
+        }
+        Points::Lines(_) | Points::Line { .. } | Points::None => None,
+    }
+}
+
+/// A point that the joints from `end` on do not move: behind joint t if the joints between the two stand at zero, and in the
+/// last frame.
+fn point_from<'g>(view: &View<'g>, t: usize, end: usize) -> Option<Pair<'g>> {
+    let last = view.joints.len();
+    if end == last {
+        let near = view.way(t, last - 1).point(view.tip);
+        return Some(Pair {
+            near,
+            far: view.tip,
+        });
+    }
+    let point = chosen(view, view.points(end..last), None)?;
+    Some(Pair {
+        near: view.way(t, end).point(point),
+        far: view.way(end, last - 1).inverse().point(point),
+    })
+}

@@ -1,0 +1,213 @@
+//! The proof of a plan of inverse kinematics: each of its branches leads to the pose from which it starts.
+//!
+//! The pose is that of the textbook definition at random joints in the prime field. Roots are those of the field, each with both
+//! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the definition is asked
+//! for the pose at the joints that were found.
+
+use super::assignment::{Assignment, HALF, Number};
+use super::definition::Definition;
+use crate::exact::{SplitMix64, circle_point};
+use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
+use crate::robot::Robot;
+
+/// At so many joints the branches are tried. The root of a random number is in the field for every second one, and a branch
+/// has six at most.
+const MOST_DRAWS: u64 = 2_000;
+
+/// A solution of one step.
+#[derive(Clone, Copy)]
+struct Solution {
+    sin_cos: (Number, Number),
+    q: Number,
+}
+
+/// The branches of a plan at one pose.
+struct Branches<'p> {
+    robot: &'p Robot,
+    plan: &'p Plan,
+    frame: Option<usize>,
+    pose: [Number; 12],
+    constants: Vec<Option<Number>>,
+    first_outputs: Vec<usize>,
+    /// Whether each branch has been seen to lead to its pose.
+    are_right: Vec<bool>,
+    is_wrong: bool,
+}
+
+/// Whether every branch of a plan, for a frame or for the tip, leads to the pose from which it starts.
+pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
+    let mut fixed = Assignment::new(robot, 0);
+    Definition::read(&mut fixed, robot);
+    fixed.note_program(&plan.program);
+    let digest = fixed.digest();
+    let mut are_right = vec![false; plan.branches()];
+    for draw in 0..MOST_DRAWS {
+        let mut point = Assignment::new(robot, SplitMix64::number(digest, draw));
+        let definition = Definition::new(&mut point, robot);
+        let Some(pose) = definition.pose_of(frame) else {
+            return false;
+        };
+        if point.is_unfaithful() {
+            return false;
+        }
+        let (s, c) = circle_point(&mut SplitMix64::new(draw));
+        point.set_pose(pose);
+        point.set_behind_pose(ELBOW, &[s, c]);
+        let mut branches = Branches {
+            robot,
+            plan,
+            frame,
+            pose,
+            constants: plan.program.constants.evaluate(&mut point),
+            first_outputs: plan.first_outputs(),
+            are_right,
+            is_wrong: false,
+        };
+        branches.follow(&mut point, 0, 0);
+        if branches.is_wrong {
+            return false;
+        }
+        are_right = branches.are_right;
+        // The joints from which the pose was made meet a condition; other branches of such an arm need not.
+        let has_condition = plan.steps.iter().any(|step| step.solved == Solved::Nothing);
+        if !are_right.contains(&false) || has_condition && are_right.contains(&true) {
+            return true;
+        }
+    }
+    false
+}
+
+impl Branches<'_> {
+    /// Takes the steps from this one on, in the branch of that number among those that the steps before make.
+    fn follow(&mut self, point: &mut Assignment, step: usize, branch: usize) {
+        let Some(&current @ Step { rule, .. }) = self.plan.steps.get(step) else {
+            self.compare(point, branch);
+            return;
+        };
+        let outputs = self
+            .plan
+            .program
+            .evaluate_with(self.constants.clone(), point);
+        let first = self.first_outputs[step];
+        let coefficients = &outputs[first..first + rule.coefficients()];
+        let coefficients: Option<Vec<Number>> = coefficients.iter().copied().collect();
+        let Some(coefficients) = coefficients else {
+            return;
+        };
+        match current.solved {
+            // Branches that do not meet the condition have no solution.
+            Solved::Nothing => {
+                if coefficients[..3].iter().all(|x| x.is_zero()) {
+                    self.follow(point, step + 1, branch);
+                }
+            }
+            Solved::Numbers(place) => {
+                if let Some(numbers) = numbers(rule, &coefficients) {
+                    point.set_behind_pose(place, &numbers);
+                    self.follow(point, step + 1, branch);
+                }
+            }
+            Solved::Joint(joint) => {
+                let solutions = solutions(rule, &coefficients).into_iter().flatten();
+                for (k, Solution { sin_cos: (s, c), q }) in solutions.enumerate() {
+                    if s * s + c * c != Number::ONE {
+                        self.is_wrong = true;
+                        return;
+                    }
+                    point.move_joint(joint, (s, c), q);
+                    self.follow(point, step + 1, branch * rule.solutions() + k);
+                }
+            }
+        }
+    }
+
+    /// Whether the joints of a branch lead to the pose, as far as it is read.
+    fn compare(&mut self, point: &mut Assignment, branch: usize) {
+        let definition = Definition::new(point, self.robot);
+        let from = match self.plan.target {
+            Target::Position => 9,
+            Target::Pose | Target::PoseAndElbow | Target::PositionAndAngle => 0,
+        };
+        let reached = definition.pose_of(self.frame);
+        let is_right = reached.is_some_and(|reached| reached[from..] == self.pose[from..]);
+        self.are_right[branch] |= is_right;
+        self.is_wrong |= !is_right;
+    }
+}
+
+/// A root, or a direction; none if a root is not in the field. Of two roots either will do: it turns the elbow by half a turn,
+/// or the other way.
+fn numbers(rule: Rule, coefficients: &[Number]) -> Option<Vec<Number>> {
+    match (rule, coefficients) {
+        (Rule::Root, [square]) => Some(vec![square.square_root()?]),
+        (Rule::Direction, [x, y, z, ..]) => {
+            let length = (*x * *x + *y * *y + *z * *z).square_root()?;
+            let by = length.inverse()?;
+            Some([x, y, z].map(|x| *x * by).to_vec())
+        }
+        _ => None,
+    }
+}
+
+/// The solutions of a step; none if a root is not in the field.
+fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
+    let slide = |q: Number| Solution {
+        sin_cos: (Number::ZERO, Number::ONE),
+        q,
+    };
+    match (rule, coefficients) {
+        (Rule::Turn, [cosine, sine, length, _]) => {
+            let by = length.inverse()?;
+            Some(vec![turn((*sine * by, *cosine * by))])
+        }
+        (Rule::Turns, [a, b, c, _]) => turns([*a, *b, *c], None),
+        (Rule::ExactTurns, [a, b, c, discriminant]) => turns([*a, *b, *c], Some(*discriminant)),
+        (Rule::InclinedTurns, [a, b, c, along, across, twice]) => {
+            let by = (Number::ONE + *along).inverse()?;
+            let discriminant = *across * by * (Number::ONE + *along - *twice);
+            turns([*a, *b, *c], Some(discriminant))
+        }
+        (Rule::Distance, [a, b, known, found, vectors @ ..]) => {
+            let turns = turns([*a, *b, HALF * (*known - *found)], None)?;
+            let is_right = |turn: &Solution| is_at_distance(turn.sin_cos, vectors, *found);
+            // A turn off the circle, which is refused, for a distance that the turn does not have.
+            let refused = turn((Number::ZERO, Number::ZERO));
+            let checked = turns
+                .into_iter()
+                .map(|turn| if is_right(&turn) { turn } else { refused });
+            Some(checked.collect())
+        }
+        (Rule::Slide, [d]) => Some(vec![slide(*d)]),
+        (Rule::Slides, [b, discriminant, _]) => {
+            let root = discriminant.square_root()?;
+            Some(vec![slide(*b + root), slide(*b - root)])
+        }
+        _ => None,
+    }
+}
+
+/// The turn by that sine and cosine.
+fn turn((s, c): (Number, Number)) -> Solution {
+    Solution {
+        sin_cos: (s, c),
+        q: Number::ZERO,
+    }
+}
+
+/// a cos q + b sin q = c, with a^2 + b^2 - c^2 as the discriminant unless one is given.
+fn turns([a, b, c]: [Number; 3], discriminant: Option<Number>) -> Option<Vec<Solution>> {
+    let square = a * a + b * b;
+    let discriminant = discriminant.unwrap_or(square - c * c);
+    let (root, by) = (discriminant.square_root()?, square.inverse()?);
+    let with = |root: Number| turn(((b * c + a * root) * by, (a * c - b * root) * by));
+    Some(vec![with(root), with(-root)])
+}
+
+/// |y - Rz(q) x|^2 + rest = found
+fn is_at_distance((s, c): (Number, Number), vectors: &[Number], found: Number) -> bool {
+    let &[x0, x1, y0, y1, rest] = vectors else {
+        return false;
+    };
+    let (u, v) = (c * x0 - s * x1 - y0, s * x0 + c * x1 - y1);
+    u * u + v * v + rest == found
+}

@@ -1,0 +1,141 @@
+//! Closed forms of inverse kinematics: which arms have one, and that its proof refuses damage.
+
+use std::fmt::Write;
+
+use dynamics_symbolic::inverse::{Plan, Solved, plan};
+use dynamics_symbolic::program::{Instruction, Program};
+use dynamics_symbolic::prove::prove_inverse;
+use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::{inverse::Unsolved, proven_plan};
+use expect_test::expect_file;
+
+/// One line for each step.
+fn shown(plan: &Plan) -> String {
+    let operations = plan.program.operations();
+    let mut text = format!(
+        "{} solutions, {} operations, {:?}\n",
+        plan.branches(),
+        operations.total(),
+        plan.target
+    );
+    for step in &plan.steps {
+        let what = match step.solved {
+            Solved::Joint(joint) => format!("joint {}", joint + 1),
+            Solved::Numbers(place) => format!("numbers from {place}"),
+            Solved::Nothing => "nothing".to_owned(),
+        };
+        writeln!(text, "    {what}: {:?}", step.rule).expect("memory");
+    }
+    text
+}
+
+/// The plans of the data files, or why there is none.
+#[test]
+fn plans_of_the_data_files() {
+    let mut text = String::new();
+    for name in arms::NAMES {
+        let shown = match proven_plan(&arms::robot(name), None) {
+            Ok(plan) => shown(&plan),
+            Err(why) => format!("none, because {why}\n"),
+        };
+        writeln!(text, "{name}: {}", shown.trim_end()).expect("memory");
+    }
+    expect_file!["../golden/closed_forms.txt"].assert_eq(&text);
+}
+
+/// Lengths that are fields of the struct: the class does not depend on them.
+#[test]
+fn lengths_may_be_fields() {
+    let mut robot = arms::robot("puma560");
+    let numbers = proven_plan(&robot, None).expect("a spherical wrist");
+    robot.fields = vec!["upper".to_owned(), "fore".to_owned()];
+    robot.rows[1].a = Value::Field(0);
+    robot.rows[3].d = Value::Field(1);
+    let plan = proven_plan(&robot, None).expect("the same class");
+    assert_eq!(plan.steps, numbers.steps);
+}
+
+/// A step that makes the axes of the wrist miss each other, however short, is no spherical wrist.
+#[test]
+fn axes_that_nearly_meet_do_not() {
+    let mut robot = arms::robot("puma560");
+    robot.rows[4].a = arms::decimal(1e-6);
+    assert_eq!(proven_plan(&robot, None).err(), Some(Unsolved::NoThreeAxes));
+}
+
+/// The plan with another program.
+fn with_program(plan: &Plan, program: Program) -> Plan {
+    Plan {
+        program,
+        ..plan.clone()
+    }
+}
+
+fn is_proven(robot: &Robot, plan: &Plan) -> bool {
+    prove_inverse(robot, None, plan)
+}
+
+/// Another operation, and another sign of a coefficient, anywhere in the program.
+#[test]
+fn every_damage_is_found() {
+    for name in ["puma560", "ur5", "stanford", "scara", "elbow_3r"] {
+        let robot = arms::robot(name);
+        let right = proven_plan(&robot, None).expect(name);
+        let program = &right.program;
+        for index in 0..program.instructions.len() {
+            let mut damaged = program.clone();
+            damaged.instructions[index] = match damaged.instructions[index] {
+                Instruction::Add(a, b) => Instruction::Sub(a, b),
+                Instruction::Sub(a, b) => Instruction::Add(a, b),
+                Instruction::Mul(a, b) => Instruction::Add(a, b),
+                Instruction::Div(a, b) => Instruction::Mul(a, b),
+            };
+            let sizes = only_sizes(&right, index);
+            let plan = with_program(&right, damaged);
+            assert_eq!(is_proven(&robot, &plan), sizes, "{name}: operation {index}");
+        }
+    }
+}
+
+/// Whether an operation serves nothing but the sizes by which rounding is judged, which no proof is about.
+fn only_sizes(plan: &Plan, index: usize) -> bool {
+    use dynamics_symbolic::inverse::Rule;
+    use dynamics_symbolic::program::Operand;
+    let firsts = plan.first_outputs();
+    let steps = plan.steps.iter().zip(firsts);
+    let proven = steps.flat_map(|(step, first)| {
+        let count = match step.rule {
+            Rule::Turn | Rule::Turns | Rule::Condition => 3,
+            Rule::Slides => 2,
+            Rule::Direction => 3,
+            rule => rule.coefficients(),
+        };
+        first..first + count
+    });
+    let mut needed = vec![false; plan.program.instructions.len()];
+    let mut stack: Vec<Operand> = proven
+        .map(|output| plan.program.outputs[output].operand)
+        .collect();
+    while let Some(operand) = stack.pop() {
+        if let Operand::Result(result) = operand {
+            let result = result as usize;
+            if !needed[result] {
+                needed[result] = true;
+                stack.extend(plan.program.instructions[result].operands());
+            }
+        }
+    }
+    !needed[index]
+}
+
+/// A plan whose equation leaves out a solution, or takes one that is none, is not proven.
+#[test]
+fn steps_in_another_order_are_refused() {
+    let robot = arms::robot("puma560");
+    let right = proven_plan(&robot, None).expect("a spherical wrist");
+    assert!(is_proven(&robot, &right));
+    let other = arms::robot("ur5");
+    assert!(!is_proven(&other, &right));
+    let refused = plan(&robot, None, &|_| false);
+    assert!(refused.is_err());
+}

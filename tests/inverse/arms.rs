@@ -1,0 +1,176 @@
+//! Arms of each class that has a closed form, by their geometry alone.
+
+use robot_dynamics::robot_dynamics;
+
+macro_rules! arm {
+    ($(#[$meaning:meta])* $name:ident, [$($rows:tt)*] $($more:tt)*) => {
+        robot_dynamics! {
+            $(#[$meaning])*
+            pub(crate) struct $name;
+
+            convention: standard,
+            gravity: [0, 0, -9.81],
+            joints: [$($rows)*],
+            $($more)*
+            functions: [forward_kinematics, link_poses, jacobian, inverse_kinematics],
+        }
+    };
+}
+
+arm! {
+    /// Spherical wrist, axes 2 and 3 parallel.
+    Puma560, [
+        q1: revolute { d: 0.67183, alpha: PI/2 },
+        q2: revolute { a: 0.4318 },
+        q3: revolute { a: 0.0203, d: 0.15005, alpha: -PI/2 },
+        q4: revolute { d: 0.4318, alpha: PI/2 },
+        q5: revolute { alpha: -PI/2 },
+        q6: revolute {},
+    ]
+}
+
+arm! {
+    /// Three parallel axes.
+    Ur5, [
+        q1: revolute { d: 0.089159, alpha: PI/2 },
+        q2: revolute { a: -0.425 },
+        q3: revolute { a: -0.39225 },
+        q4: revolute { d: 0.10915, alpha: PI/2 },
+        q5: revolute { d: 0.09465, alpha: -PI/2 },
+        q6: revolute { d: 0.0823 },
+    ]
+}
+
+arm! {
+    /// Spherical wrist behind a joint that slides.
+    Stanford, [
+        q1: revolute { d: 0.412, alpha: -PI/2 },
+        q2: revolute { d: 0.154, alpha: PI/2 },
+        q3: prismatic { a: 0.0203, theta: -PI/2 },
+        q4: revolute { alpha: -PI/2 },
+        q5: revolute { alpha: PI/2 },
+        q6: revolute {},
+    ]
+}
+
+arm! {
+    /// A shoulder of three axes that meet, a base and a tool.
+    Shoulder, [
+        q1: revolute { alpha: PI/2 },
+        q2: revolute { alpha: -PI/2 },
+        q3: revolute { d: 0.4, a: 0.1, alpha: PI/2 },
+        q4: revolute { a: 0.35 },
+        q5: revolute { a: 0.1, alpha: PI/2 },
+        q6: revolute { d: 0.2 },
+    ]
+    base: { xyz: [0.1, -0.2, 0.3], rpy: [0.3, deg(-20), 0.7] },
+    tool: { xyz: [0.05, 0.02, 0.1], rpy: [0.1, 0.2, deg(35)] },
+}
+
+arm! {
+    /// A wrist of three rolls, whose axes are inclined by 60 degrees, on a turning base with a step: a1 is not 0.
+    ThreeRolls, [
+        q1: revolute { d: 0.5, a: 0.15, alpha: deg(-90), theta: 0.3 },
+        q2: revolute { a: 0.6 },
+        q3: revolute { a: 0.1, alpha: deg(-90) },
+        q4: revolute { d: 0.7, alpha: deg(60) },
+        q5: revolute { alpha: deg(-60) },
+        q6: revolute { d: 0.12 },
+    ]
+}
+
+arm! {
+    /// A gantry with a spherical wrist.
+    GantryWithWrist, [
+        q1: prismatic { alpha: -PI/2 },
+        q2: prismatic { d: 0.1, theta: -PI/2, alpha: -PI/2 },
+        q3: prismatic { d: 0.2 },
+        q4: revolute { alpha: PI/2 },
+        q5: revolute { alpha: -PI/2 },
+        q6: revolute { d: 0.1 },
+    ]
+}
+
+arm! {
+    /// Seven joints with a spherical shoulder and a spherical wrist, a step at the elbow and a tool.
+    SevenJoints, [
+        q1: revolute { d: 0.36, alpha: -PI/2 },
+        q2: revolute { alpha: PI/2 },
+        q3: revolute { d: 0.42, a: 0.05, alpha: PI/2 },
+        q4: revolute { a: -0.05, alpha: -PI/2 },
+        q5: revolute { d: 0.4, alpha: -PI/2 },
+        q6: revolute { alpha: PI/2 },
+        q7: revolute { d: 0.126 },
+    ]
+    tool: { xyz: [0.02, 0, 0.1], rpy: [0.1, 0.2, deg(35)] },
+}
+
+arm! {
+    /// KUKA LBR iiwa 14.
+    Iiwa14, [
+        q1: revolute { d: 0.36, alpha: -PI/2 },
+        q2: revolute { alpha: PI/2 },
+        q3: revolute { d: 0.42, alpha: PI/2 },
+        q4: revolute { alpha: -PI/2 },
+        q5: revolute { d: 0.4, alpha: -PI/2 },
+        q6: revolute { alpha: PI/2 },
+        q7: revolute { d: 0.126 },
+    ]
+}
+
+arm! {
+    /// Four parallel axes.
+    Scara, [
+        q1: revolute { d: 0.387, a: 0.325 },
+        q2: revolute { a: 0.275, alpha: PI },
+        q3: prismatic {},
+        q4: revolute {},
+    ]
+}
+
+arm! {
+    /// Three joints that reach a position.
+    Elbow3r, [
+        q1: revolute { d: 0.4, alpha: PI/2 },
+        q2: revolute { a: 0.45 },
+        q3: revolute { a: 0.38 },
+    ]
+}
+
+arm! {
+    /// A plane arm, which reaches a position and an angle.
+    RrrPlanar, [
+        q1: revolute { a: 0.5 },
+        q2: revolute { a: 0.4 },
+        q3: revolute { a: 0.25 },
+    ]
+}
+
+arm! {
+    /// A turn, a lift and a reach.
+    Cylindrical, [
+        q1: revolute { d: 0.35 },
+        q2: prismatic { d: 0.2, alpha: -PI/2 },
+        q3: prismatic { d: 0.3 },
+    ]
+}
+
+arm! {
+    /// Two joints in a plane, of which a part of all positions is reached.
+    TwoLink, [
+        q1: revolute { a: 0.5 },
+        q2: revolute { a: 0.4 },
+    ]
+}
+
+/// Hands each arm to the macro `$then`: its name, its number of joints, and whether it reads the rotation of a pose.
+macro_rules! for_each_arm {
+    ($then:ident) => {
+        $then! {
+            Puma560: 6, true; Ur5: 6, true; Stanford: 6, true; Shoulder: 6, true; ThreeRolls: 6, true;
+            GantryWithWrist: 6, true; SevenJoints: 7, true; Iiwa14: 7, true; Scara: 4, true; Elbow3r: 3, false;
+            RrrPlanar: 3, true; Cylindrical: 3, false; TwoLink: 2, false;
+        }
+    };
+}
+pub(crate) use for_each_arm;
