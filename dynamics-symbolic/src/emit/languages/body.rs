@@ -88,7 +88,7 @@ impl<'a> Body<'a> {
     }
 
     /// The angles whose sines or cosines are read, each once.
-    fn angles(&self) -> Vec<Angle> {
+    pub(super) fn angles(&self) -> Vec<Angle> {
         let mut angles: Vec<Angle> = Vec::new();
         for (index, symbol) in in_order(self.program) {
             if !is_of_angle(symbol) {
