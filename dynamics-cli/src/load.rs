@@ -160,22 +160,35 @@ fn mistaken(mut mistakes: Vec<FileMistake>, lines: &Lines) -> Failure {
     }
 }
 
-/// The functions that a model asks for but `taylor_series`, which is no program over numbers: a remark says so.
+/// The functions that a model asks for but `taylor_series` and closed forms of inverse kinematics, which are no programs over
+/// numbers: a remark says so.
 pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
-    const LEFT_OUT: &str =
-        "`taylor_series` is left out: `generate --lang rust` and the macro write it";
     let series = Request::from(Function::TaylorSeries);
     let requests = model.requests.iter().map(|(request, _)| request);
     let others: Vec<_> = requests
         .filter(|request| **request != series)
         .cloned()
         .collect();
+    let mut left_out = Vec::new();
+    if others.len() < model.requests.len() {
+        left_out.push("`taylor_series`");
+    }
+    if !model.inverses.is_empty() {
+        left_out.push("`inverse_kinematics`");
+    }
+    let be = if left_out.len() == 1 { "is" } else { "are" };
+    let names = left_out.join(" and ");
+    let writers = match left_out[..] {
+        ["`inverse_kinematics`"] => "`generate --lang rust`, `c` or `js` and the macro write it",
+        _ => "`generate --lang rust` and the macro write it",
+    };
+    let remark = format!("{names} {be} left out: {writers}");
     if others.is_empty() {
-        let message = format!("{LEFT_OUT}, and nothing else is asked for");
+        let message = format!("{remark}, and nothing else is asked for");
         return Err(Failure::after(String::new(), message));
     }
-    if others.len() < model.requests.len() {
-        let _ = writeln!(std::io::stderr(), "{LEFT_OUT}");
+    if !left_out.is_empty() {
+        let _ = writeln!(std::io::stderr(), "{remark}");
     }
     Ok(others)
 }

@@ -56,6 +56,7 @@ pub fn function_names() -> TokenStream {
         pub fn first_argument(result: &str) -> &'static str {
             match result {
                 #(#first)*
+                "elbow" | "solutions" => "pose",
                 _ => "q",
             }
         }

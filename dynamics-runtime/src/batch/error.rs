@@ -18,6 +18,21 @@ pub struct LengthMismatch {
     pub expected: usize,
 }
 
+impl LengthMismatch {
+    /// Whether arguments have the number of states that is expected.
+    #[doc(hidden)]
+    pub fn test(expected: usize, lengths: &[(&'static str, usize)]) -> Result<(), LengthMismatch> {
+        let other = lengths.iter().find(|(_, found)| *found != expected);
+        other.map_or(Ok(()), |&(argument, found)| {
+            Err(LengthMismatch {
+                argument,
+                found,
+                expected,
+            })
+        })
+    }
+}
+
 impl fmt::Display for LengthMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let LengthMismatch {

@@ -231,6 +231,13 @@ impl<T: Real, const N: usize> Solutions<T, N> {
     }
 }
 
+/// None of any arm: a place for those of a batch.
+impl<T: Real, const N: usize> Default for Solutions<T, N> {
+    fn default() -> Self {
+        Solutions::new([true; N])
+    }
+}
+
 /// The multiple of a whole turn that is nearest to an angle, or, upwards, the least that is not below it.
 fn whole_turns<T: Real>(angle: T, upwards: bool) -> T {
     let turn = core::f64::consts::TAU;

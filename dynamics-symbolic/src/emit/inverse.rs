@@ -68,12 +68,22 @@ fn method_of(
     body: &TokenStream,
     path: &TokenStream,
 ) -> TokenStream {
-    let (pose, n) = (ident("pose"), number_of_joints(joints));
-    let elbow = has_elbow
-        .then(|| ident("elbow"))
-        .map(|elbow| quote!(#elbow: T,));
+    let (pose, elbow, n) = (ident("pose"), ident("elbow"), number_of_joints(joints));
     let generic = (joints == 0).then(|| quote!(, const N: usize));
-    let name = Ident::new(&inverse_method(frame), proc_macro2::Span::call_site());
+    let method = inverse_method(frame);
+    let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
+    let (name, batch) = (named(&method), named(&format!("{method}_batch")));
+    let [of_one, of_many] = [quote!(T), quote!([T])].map(|numbers| {
+        let reference = (numbers.to_string() != "T").then(|| quote!(&));
+        has_elbow.then(|| quote!(#elbow: #reference #numbers,))
+    });
+    let solutions = quote!(#path::closed_form::Solutions<T, #n>);
+    let about_many = format!(
+        " [`{method}`](Self::{method}) of many poses. The error says which argument has another number of states than `pose`."
+    );
+    let [all, i, one] = ["solutions", "i", "one"].map(ident);
+    let lengths = has_elbow.then(|| quote!(("elbow", #elbow.len()),));
+    let argument = has_elbow.then(|| quote!(#elbow[#i]));
     quote! {
         #(#[doc = #documentation])*
         #[inline(never)]
@@ -81,14 +91,30 @@ fn method_of(
         pub fn #name<T: #path::closed_form::Real #generic>(
             &self,
             #pose: &#path::nalgebra::Matrix4<T>,
-            #elbow
-        ) -> #path::closed_form::Solutions<T, #n> {
+            #of_one
+        ) -> #solutions {
             #body
+        }
+
+        #path::__with_std! {
+            #[doc = #about_many]
+            pub fn #batch<T: #path::closed_form::Real #generic>(
+                &self,
+                #pose: &[#path::nalgebra::Matrix4<T>],
+                #of_many
+                #all: &mut [#solutions],
+            ) -> ::core::result::Result<(), #path::LengthMismatch> {
+                #path::LengthMismatch::test(#pose.len(), &[#lengths ("solutions", #all.len())])?;
+                for (#i, #one) in #all.iter_mut().enumerate() {
+                    *#one = self.#name(&#pose[#i], #argument);
+                }
+                ::core::result::Result::Ok(())
+            }
         }
     }
 }
 
-fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
+pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
     let frame = frame.map_or("tip".to_owned(), |frame| format!("frame `{frame}`"));
     let read = match plan.target {
         Target::Pose => "",
@@ -132,7 +158,7 @@ struct Method<'a> {
 }
 
 /// For each instruction the number of steps whose joints it depends on.
-fn stages(plan: &Plan) -> Vec<usize> {
+pub(super) fn stages(plan: &Plan) -> Vec<usize> {
     let program = &plan.program;
     let behind = |is_solved: &dyn Fn(&Step) -> bool| {
         let step = plan.steps.iter().position(is_solved);
@@ -269,7 +295,7 @@ impl Method<'_> {
 }
 
 /// The function of the runtime that solves an equation.
-fn name_of(rule: Rule) -> &'static str {
+pub(super) fn name_of(rule: Rule) -> &'static str {
     match rule {
         Rule::Turn => "turn",
         Rule::Slide => "slide",

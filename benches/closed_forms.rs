@@ -1,0 +1,73 @@
+//! Inverse kinematics in closed form: the time of all solutions of a pose, and how far they are from it.
+//!
+//! `taskset -c 0 cargo bench -p benches --bench closed_forms`. Poses are those of random positions of the joints. The arms are
+//! those of `tests/inverse`, one of each class.
+
+#[path = "../tests/inverse/arms.rs"]
+mod arms;
+
+use std::hint::black_box;
+
+use arms::*;
+use measuring::table::Table;
+use measuring::{median, seconds};
+use robot_dynamics::nalgebra::{Matrix4, SVector};
+use testkit::random::Random;
+
+const POSES: usize = 1_000;
+const RUNS: usize = 31;
+
+/// Seven joints have one more argument.
+macro_rules! solutions {
+    ($arm:ident, $pose:ident, 7) => {
+        $arm.inverse_kinematics($pose, 0.3)
+    };
+    ($arm:ident, $pose:ident, $n:tt) => {
+        $arm.inverse_kinematics($pose)
+    };
+}
+
+macro_rules! rows {
+    ($($name:ident: $n:tt, $reads_rotation:literal;)*) => {{
+        let mut table = Table::new(
+            "Inverse kinematics in closed form",
+            &["arm", "joints", "solutions", "ns for all", "largest error of the pose"],
+        );
+        $({
+            let arm = $name;
+            let mut random = Random::seeded(1);
+            let joints = (0..POSES).map(|_| SVector::<f64, $n>::from_fn(|_, _| random.between(-3.1, 3.1)));
+            let poses: Vec<Matrix4<f64>> = joints.map(|q| arm.forward_kinematics(&q)).collect();
+            let (mut count, mut error) = (0, 0.0_f64);
+            for pose in &poses {
+                let solutions = solutions!(arm, pose, $n);
+                count += solutions.len();
+                for solution in &solutions {
+                    let miss = (arm.forward_kinematics(&solution.q) - pose).abs();
+                    let first = if $reads_rotation { 0 } else { 3 };
+                    error = error.max(miss.columns(first, 4 - first).max());
+                }
+            }
+            let solve_all = || {
+                for pose in &poses {
+                    let pose = black_box(pose);
+                    black_box(solutions!(arm, pose, $n));
+                }
+            };
+            let times = (0..RUNS).map(|_| 1e9 * seconds(solve_all).1 / POSES as f64);
+            let time = median(times);
+            table.row([
+                stringify!($name).to_owned(),
+                $n.to_string(),
+                format!("{:.1}", count as f64 / POSES as f64),
+                format!("{time:.0}"),
+                format!("{error:.0e}"),
+            ]);
+        })*
+        println!("{}", table.text());
+    }};
+}
+
+fn main() {
+    for_each_arm!(rows);
+}
