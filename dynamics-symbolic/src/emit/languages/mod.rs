@@ -7,12 +7,14 @@
 mod arrangement;
 mod body;
 mod c;
+mod closed_form;
 mod comments;
 mod javascript;
 mod matlab;
 mod python;
 
 pub use c::{CNumbers, CSource, c_source, c_source_in};
+pub use closed_form::{inverse_in_c, inverse_in_javascript};
 pub use comments::description;
 pub use javascript::javascript_module;
 pub use matlab::matlab_files;
