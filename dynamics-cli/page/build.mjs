@@ -12,7 +12,17 @@ const licence = (name) => {
 };
 const notices = ["three", "uplot"].map(licence).join("\n\n");
 
+// The shaders of three.js are indented, in strings that nothing else makes shorter.
+const shaders = {
+  name: "shaders",
+  setup: ({ onLoad }) =>
+    onLoad({ filter: /three\.(module|core)\.js$/ }, ({ path }) => ({
+      contents: readFileSync(path, "utf8").replace(/\\n(\\t)+/g, "\\n"),
+    })),
+};
+
 await build({
+  plugins: [shaders],
   entryPoints: { page: "src/main.js" },
   outdir: out,
   bundle: true,

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{
-    CNumbers, c_source_in, casadi_requests, casadi_source, javascript_module, matlab_files,
-    python_module, snake_case,
+    CNumbers, c_source_in, casadi_requests, casadi_source, inverse_in_c, inverse_in_javascript,
+    javascript_module, matlab_files, python_module, snake_case,
 };
+use dynamics_symbolic::proven_plan;
 
 use crate::failure::Failure;
 use crate::load::{file_of, programs, read_with_names, requests};
@@ -18,13 +19,20 @@ use crate::write::{make_folder, write};
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
     let numbers = c_numbers(given)?;
-    let model = read_with_names(path, given)?;
+    let mut model = read_with_names(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
         Some("rust") => {
             let name = given.get_one::<String>("name");
             vec![rust(path, model, name.map(String::as_str))?]
         }
-        language => other(language, numbers, path, &model)?,
+        language => {
+            let mut inverses = inverses(language, path, &mut model)?;
+            // A file of inverse kinematics alone.
+            if inverses.is_empty() || !model.requests.is_empty() {
+                inverses.splice(0..0, other(language, numbers, path, &model)?);
+            }
+            inverses
+        }
     };
     let out = given.get_one::<PathBuf>("out");
     let folder = out.map_or(Path::new("."), PathBuf::as_path);
@@ -68,6 +76,32 @@ fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
         (Some("float"), Some(_)) => CNumbers::FloatWithLibrary,
         (_, Some(_)) => CNumbers::DoubleWithLibrary,
         _ => CNumbers::Double,
+    })
+}
+
+/// Names and texts of the files of inverse kinematics in closed form, in the languages that have them: they are no longer
+/// asked for then.
+fn inverses(
+    language: Option<&str>,
+    path: &Path,
+    model: &mut Model,
+) -> Result<Vec<(String, String)>, Failure> {
+    if model.inverses.is_empty() || !matches!(language, Some("c" | "js")) {
+        return Ok(Vec::new());
+    }
+    let robot = &model.robot;
+    let mut plans = Vec::new();
+    for (frame, _) in core::mem::take(&mut model.inverses) {
+        let plan = proven_plan(robot, frame).map_err(|why| {
+            let message =
+                format!("the inverse kinematics of this arm have no closed form, because {why}");
+            Failure::of_file(path, message)
+        })?;
+        plans.push((frame.map(|frame| robot.frames[frame].name.as_str()), plan));
+    }
+    Ok(match language {
+        Some("c") => inverse_in_c(robot, &plans).to_vec(),
+        _ => vec![inverse_in_javascript(robot, &plans)],
     })
 }
 

@@ -178,7 +178,11 @@ pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
     }
     let be = if left_out.len() == 1 { "is" } else { "are" };
     let names = left_out.join(" and ");
-    let remark = format!("{names} {be} left out: `generate --lang rust` and the macro write it");
+    let writers = match left_out[..] {
+        ["`inverse_kinematics`"] => "`generate --lang rust`, `c` or `js` and the macro write it",
+        _ => "`generate --lang rust` and the macro write it",
+    };
+    let remark = format!("{names} {be} left out: {writers}");
     if others.is_empty() {
         let message = format!("{remark}, and nothing else is asked for");
         return Err(Failure::after(String::new(), message));

@@ -11,6 +11,7 @@ mod force;
 mod function;
 mod motion;
 mod questions;
+mod reach;
 mod results;
 mod robot;
 

@@ -12,6 +12,7 @@ mod dual_numbers;
 mod exact;
 mod free_fall;
 mod identities;
+mod inverse_kinematics;
 mod second_derivatives;
 mod table;
 mod taylor;

@@ -4,16 +4,19 @@ import { element } from "./dom.js";
 import { short } from "./format.js";
 import { baseSliders, jointSliders } from "./freedom_sliders.js";
 import { lawsOf } from "./laws.js";
+import { reachPanel } from "./reach_panel.js";
 import { slider } from "./slider.js";
 
-const MODES = { motion: "Motion", free: "Free motion", pose: "Pose" };
+const MODES = { motion: "Motion", reach: "Reach", free: "Free motion", pose: "Pose" };
 const SAID = {
   motion: "From start to end, from rest to rest; inverse dynamics gives the torques.",
+  reach: "From the start to where the tip is at the target, dragged in the picture or typed: inverse kinematics, then inverse dynamics.",
   free: "From the start under given torques; forward dynamics gives the motion.",
   pose: "One state; inverse dynamics gives the torques that it takes.",
 };
 const SAID_OF_BASE = {
   motion: "The base is held where it is, and the joints go from start to end, from rest to rest; inverse dynamics gives the torques, and the force and the moment that hold the base.",
+  reach: "The base is held where it is. From the start to where the tip is at the target, dragged in the picture or typed: inverse kinematics, then inverse dynamics.",
   free: "Base and joints move freely from the start; forward dynamics gives the motion.",
   pose: "One state; inverse dynamics gives the torques that it takes, and the force and the moment on the base.",
 };
@@ -54,7 +57,8 @@ function branchOf({ rows }, index) {
 export function controls(model) {
   const { state, joints, first } = model;
   const sliders = [];
-  const tabs = Object.entries(MODES).map(([mode, text]) =>
+  const modes = Object.entries(MODES).filter(([mode]) => mode !== "reach" || joints.length > 0);
+  const tabs = modes.map(([mode, text]) =>
     element("button", { type: "button", role: "tab", "data-key": `mode-${mode}`, onclick: () => model.setMode(mode) }, text),
   );
   const list = element("div", { class: "tabs", role: "tablist", "aria-label": "Kind of motion" }, tabs);
@@ -82,12 +86,14 @@ export function controls(model) {
   });
 
   const profiles = { cycloidal: "cycloidal", quintic: "quintic polynomial", cubic: "cubic polynomial" };
+  const paths = { joints: "each joint by itself", line: "straight line of the tip" };
   const laws = lawsOf(model.table);
   const texts = model.table.floating ? SAID_OF_BASE : SAID;
   const hasFriction = model.table.rows.some(
     (row) => row.viscous !== 0 || row.coulomb.some((force) => force !== 0) || row.stribeck,
   );
 
+  let reaching = null;
   function build() {
     tabs.forEach((tab) => {
       const isSelected = tab.dataset.key === `mode-${state.mode}`;
@@ -100,12 +106,19 @@ export function controls(model) {
     if (state.mode !== "pose") {
       asked.push(element("label", { class: "choice" }, element("span", {}, "duration, s"), duration), refusedDuration);
     }
-    if (state.mode === "motion") {
+    if (state.mode === "motion" || state.mode === "reach") {
       const set = (profile) => {
         state.profile = profile;
         model.changed();
       };
       asked.push(choice({ about: "profile", key: "profile", options: profiles, get: () => state.profile, set }));
+    }
+    if (state.mode === "reach") {
+      const set = (path) => {
+        state.path = path;
+        model.changed();
+      };
+      asked.push(choice({ about: "way", key: "path", options: paths, get: () => state.path, set }));
     }
     if (state.mode === "free") {
       const set = (law) => {
@@ -125,7 +138,9 @@ export function controls(model) {
     }
     settings.replaceChildren(...asked);
     sliders.length = 0;
+    reaching = state.mode === "reach" ? reachPanel(model) : null;
     rows.replaceChildren(
+      ...(reaching ? [reaching.group] : []),
       ...(model.table.floating ? [baseGroup()] : []),
       ...joints.flatMap((row, joint) => {
         const made = jointSliders(model, joint).map(slider);
@@ -175,10 +190,15 @@ export function controls(model) {
   const parameters = element("div", { class: "fields" }, element("h3", {}, "Parameters"), fields.map((one) => one.row));
   model.on("mode", build);
   model.on("units", () => {
-    [...sliders, ...fields].forEach((one) => one.show());
+    [...sliders, ...fields, ...(reaching ? [reaching] : [])].forEach((one) => one.show());
     limited();
   });
   model.on("selection", mark);
+  model.on("reached", () => {
+    sliders.forEach((one) => one.show());
+    reaching?.show();
+  });
+  model.on("tip", () => state.mode === "reach" && build());
   build();
 
   const reset = element("button", {

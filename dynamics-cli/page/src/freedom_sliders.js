@@ -73,10 +73,11 @@ export function jointSliders(model, joint) {
   const start = {
     ...position,
     ...entry(of, "q", joint),
-    label: state.mode === "motion" ? "start" : indexed("q", null),
+    label: state.mode === "motion" || state.mode === "reach" ? "start" : indexed("q", null),
     key: `q-${joint}`,
     about: `${row.name}, position${state.mode === "pose" ? "" : " at the start"}`,
   };
+  if (state.mode === "reach") return [start];
   if (state.mode === "motion") {
     const end = { ...position, ...entry(of, "end", joint), label: "end", key: `end-${joint}`, about: `${row.name}, position at the end` };
     return [start, end];
@@ -100,7 +101,7 @@ export function baseSliders(model) {
     key: `pose-${k}`,
     about: `base, ${name}${state.mode === "free" ? " at the start" : ""}`,
   }));
-  if (state.mode === "motion") return pose;
+  if (state.mode === "motion" || state.mode === "reach") return pose;
   const { rows, floating } = model.table;
   const weight = 9.81 * rows.reduce((sum, { mass }) => sum + mass, floating.mass);
   const each = model.freedoms.slice(0, model.ofBase).map(({ name, axis, velocity, force, type }, k) => {

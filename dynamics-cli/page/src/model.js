@@ -3,7 +3,10 @@
 import { chain, reach } from "./chain.js";
 import { bind, evaluate } from "./equations.js";
 import { units } from "./format.js";
+import { WORLD, placed, rollPitchYaw } from "./frames.js";
+import { lineTrajectory } from "./line_trajectory.js";
 import { FREEDOMS, poseOf } from "./moving_base.js";
+import { carrying, descend, settle, solutions } from "./reach.js";
 import { refusal } from "./refusal.js";
 import { events } from "./store.js";
 import { freeTrajectory, prescribedTrajectory } from "./trajectory.js";
@@ -62,6 +65,12 @@ export function createModel(make, module, first) {
     qdd: [...zeros],
     end: first.to ?? from.map((q, i) => endOf(q, joints[i], ranges[i])),
     torque: [...zeros],
+    /** Where the tip is to be: x, y, z, roll, pitch and yaw; and what is found for it. */
+    target: null,
+    hasRotation: true,
+    path: "joints",
+    reached: { found: [], chosen: 0, missing: null },
+    isDragged: false,
     profile: "cycloidal",
     law: "none",
     hasFriction: true,
@@ -124,8 +133,63 @@ export function createModel(make, module, first) {
       tell("play");
     },
 
+    /** What inverse kinematics is asked for. */
+    problem() {
+      const { hasRotation, tip, target } = state;
+      const [x, y, z, ...rpy] = target;
+      const frame = placed(WORLD, { xyz: [x, y, z], rpy });
+      const limits = joints.map((row) => row.limits);
+      return { table: model.table, base: model.start(), tip, target: frame, hasRotation, limits, ranges, joints, size };
+    },
+
+    /** Solves for the target: all solutions, or while it `isDragged` the nearest one alone. The motion goes to it. */
+    seek(isDragged = false) {
+      const problem = model.problem();
+      state.isDragged = isDragged;
+      if (isDragged) {
+        const near = descend(problem, state.end);
+        const { q, isReached, ...missing } = near.isReached ? near : settle(problem, state.end);
+        state.end = q;
+        state.reached = { found: isReached ? [q] : [], chosen: 0, missing: isReached ? null : missing };
+      } else {
+        const { found, nearest } = solutions(problem, state.end);
+        state.reached = { found, chosen: 0, missing: nearest };
+        state.end = found[0] ?? nearest.q;
+      }
+      state.isPlaying = false;
+      model.recompute();
+      model.setTime(model.trajectory.duration);
+      tell("reached");
+      tell("play");
+    },
+
+    /** The motion goes to one of the solutions, or begins there. */
+    choose(index, isStart = false) {
+      const { found } = state.reached;
+      if (isStart) found[index].forEach((x, i) => (state.q[i] = x));
+      else [state.end, state.reached.chosen] = [[...found[index]], index];
+      tell("reached");
+      model.changed();
+    },
+
+    /** The target becomes where the tip is at the end; its rotation is asked for where six joints carry the tip. */
+    placeTarget() {
+      const { tips } = chain(model.table, state.end, model.start());
+      const { x, y, z, o } = tips[state.tip];
+      state.hasRotation = carrying(model.table, state.tip) >= 6;
+      state.target = [...o, ...rollPitchYaw([0, 1, 2].map((k) => [x[k], y[k], z[k]]))];
+    },
+
     setMode(mode) {
       state.mode = mode;
+      if (mode === "reach") {
+        model.placeTarget();
+        model.seek();
+        state.t = 0;
+        tell("mode");
+        tell("time");
+        return;
+      }
       state.isPlaying = false;
       state.t = 0;
       model.recompute();
@@ -150,7 +214,8 @@ export function createModel(make, module, first) {
       Object.assign(values, changes);
       model.table = next;
       tell("fields");
-      model.changed();
+      if (state.mode === "reach") model.seek();
+      else model.changed();
       return null;
     },
 
@@ -166,7 +231,10 @@ export function createModel(make, module, first) {
 
     setTip(tip) {
       state.tip = tip;
-      model.recompute();
+      if (state.mode === "reach") {
+        model.placeTarget();
+        model.seek();
+      } else model.recompute();
       tell("tip");
     },
 
@@ -181,8 +249,11 @@ export function createModel(make, module, first) {
       const { table: current } = model;
       const base = model.start();
       const { key } = model.tip();
+      const isReach = state.mode === "reach";
       model.trajectory =
-        state.mode === "motion"
+        isReach && state.path === "line" && !state.isDragged
+          ? lineTrajectory(equations, model.problem(), { base, from: [...q], duration, profile, key })
+          : state.mode === "motion" || isReach
           ? prescribedTrajectory(equations, { base, from: [...q], to: [...end], duration, profile, key })
           : state.mode === "free"
             ? freeTrajectory(equations, {

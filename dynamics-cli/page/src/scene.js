@@ -164,6 +164,18 @@ export function room(canvas, up, size) {
       ask();
     },
 
+    /** The point under a place on the canvas that is as deep as `p`. */
+    under([x, y], p) {
+      const { clientWidth: width, clientHeight: height } = canvas;
+      const { z } = new Vector3(...p).project(camera);
+      return new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, z).unproject(camera).toArray();
+    },
+
+    /** While something is dragged the view stays. */
+    hold(isHeld) {
+      controls.enabled = !isHeld;
+    },
+
     /** Where a point is on the canvas, in pixels; null behind the camera. */
     onCanvas(p) {
       const seen = new Vector3(...p).project(camera);

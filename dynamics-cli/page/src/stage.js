@@ -5,6 +5,7 @@ import { corners, drawn, solids } from "./arm.js";
 import { chain } from "./chain.js";
 import { element, indexed } from "./dom.js";
 import { add, cross, distance, dot, length, scaled, subtract, unit } from "./frames.js";
+import { handle } from "./handle.js";
 import { labels } from "./labels.js";
 import { colorOf } from "./plots.js";
 import { across, room as makeRoom } from "./scene.js";
@@ -52,6 +53,7 @@ export function stage(model) {
     const arm = solids(room, table, size);
     const notes = annotations(room, table, size);
     const marks = labels(room, layer);
+    handle(model, room, view);
     const links = drawn(table);
     const trace = line("#f08c00", 2.4);
     trace.visible = false;

@@ -53,7 +53,7 @@ function stay(found, { base, q, qd }) {
 }
 
 /** With energies and the way of the tip that the function `key` places. */
-function measured(equations, trajectory, { key }) {
+export function measured(equations, trajectory, { key }) {
   const { base, q, qd } = trajectory;
   const kinetic = q.map((at, k) => equations.kinetic_energy(at, qd[k]));
   const potential = q.map((at, k) => equations.potential_energy(base[k], at));
@@ -63,7 +63,7 @@ function measured(equations, trajectory, { key }) {
 }
 
 /** Cubics through positions and velocities, and through velocities and accelerations, of two samples. */
-function between(found, t) {
+export function between(found, t) {
   const { t: times } = found;
   const last = times.length - 1;
   const sample = (at) => Object.fromEntries(["base", "q", "qd", "qdd", "tau"].map((name) => [name, found[name][at]]));

@@ -192,6 +192,82 @@ async function refusals(page, name) {
   await page.click("mode-motion");
 }
 
+/** Solutions of inverse kinematics, typed and dragged, and motions to them. */
+async function reach(page, { name }) {
+  await page.click("mode-reach");
+  await computed(page);
+  // The generated function has the tip of each solution where the target is.
+  const worst = () =>
+    page.evaluate(`(() => {
+      const { state, equations, size } = robotPage;
+      const { x, y, z, o } = robotPage.problem().target;
+      const expected = [0, 1, 2].map((k) => [x[k], y[k], z[k], o[k]]);
+      return state.reached.found.map((q) => Math.max(...equations[robotPage.tip().key](robotPage.start(), q).slice(0, 3).flatMap((row, i) =>
+        row.map((entry, j) => Math.abs(entry - expected[i][j]) * (j === 3 ? 1 / size : Number(state.hasRotation))))));
+    })()`);
+  const told = () => page.evaluate(`document.querySelector('[data-key="reached"]').textContent`);
+  const errors = await worst();
+  check(`${name}, solutions`, errors.length > 0 && Math.max(...errors) < 1e-8, `errors ${errors}`);
+  if (name === "puma560") check(`${name}, solutions`, errors.length === 8, await told());
+  const last = errors.length - 1;
+  await page.click(`solution-${last}`);
+  await computed(page);
+  const ended = await page.evaluate(`Math.max(...robotPage.trajectory.q.at(-1).map((x, i) => Math.abs(x - robotPage.state.reached.found[${last}][i])))`);
+  check(`${name}, motion to a solution`, ended < 1e-12, `it ends ${ended} beside`);
+  const torques = await page.evaluate("robotPage.trajectory.tau.flat().every(Number.isFinite)");
+  check(`${name}, motion to a solution`, torques, "torques are not finite");
+  await page.click("start-0");
+  await page.click(`solution-${last}`);
+  await computed(page);
+  const begun = await page.evaluate("robotPage.trajectory.q[0].every((x, i) => x === robotPage.state.reached.found[0][i])");
+  check(`${name}, motion between solutions`, begun, "it does not begin at the first one");
+  // The handle is dragged: the tip follows, and the view stays.
+  await page.set("time", 0);
+  await page.drawn();
+  const place = () => page.evaluate(`(() => { const { left, top } = document.querySelector("canvas").getBoundingClientRect(); const [x, y] = document.querySelector(".view").dataset.handle.split(" ").map(Number); return { x: left + x, y: top + y }; })()`);
+  await page.evaluate("document.querySelector('.view').scrollIntoView()");
+  const before = await page.evaluate("robotPage.state.target.slice(0, 3)");
+  const { x, y } = await place();
+  await page.call("Input.dispatchMouseEvent", { type: "mousePressed", x, y, button: "left", clickCount: 1 });
+  await page.call("Input.dispatchMouseEvent", { type: "mouseMoved", x: x + 4, y: y + 6, button: "left" });
+  await page.drawn();
+  await page.call("Input.dispatchMouseEvent", { type: "mouseReleased", x: x + 4, y: y + 6, button: "left", clickCount: 1 });
+  await page.drawn();
+  const after = await page.evaluate("robotPage.state.target.slice(0, 3)");
+  check(`${name}, handle`, Math.hypot(...after.map((value, k) => value - before[k])) > 1e-4, "it is not dragged");
+  const seen = await place();
+  check(`${name}, handle`, Math.hypot(seen.x - x - 4, seen.y - y - 6) < 3, "it does not follow the pointer");
+  check(`${name}, handle`, Math.max(0, ...(await worst())) < 1e-8, "the tip is not there");
+  // A wheel follows no line.
+  if (name !== "brick") await straight(page, name);
+  await page.set("target-0", 100 * (await page.evaluate("robotPage.size")));
+  await computed(page);
+  check(`${name}, out of reach`, (await told()).startsWith("No solution found: "), await told());
+  await page.set("path", "joints", "change");
+  await page.click("mode-motion");
+}
+
+/** From a pose that is not singular a short way: the tip stays on the line. */
+async function straight(page, name) {
+  const joints = await page.evaluate("robotPage.joints.length");
+  for (let k = 0; k < joints; k++) {
+    await page.evaluate(`robotPage.state.q[${k}] = robotPage.ranges[${k}][0] + ${0.4 + 0.05 * k} * (robotPage.ranges[${k}][1] - robotPage.ranges[${k}][0])`);
+    await page.evaluate(`robotPage.state.end[${k}] = robotPage.state.q[${k}] + 0.02 * (robotPage.ranges[${k}][1] - robotPage.ranges[${k}][0])`);
+  }
+  await page.evaluate("robotPage.placeTarget(), robotPage.seek()");
+  await page.set("path", "line", "change");
+  await computed(page);
+  const off = await page.evaluate(`(() => {
+    const { tip, ended, tau } = robotPage.trajectory;
+    const [from, to] = [tip[0], tip.at(-1)];
+    const way = to.map((x, k) => x - from[k]);
+    const square = way.reduce((sum, x) => sum + x * x, 0);
+    const beside = tip.map((p) => { const d = p.map((x, k) => x - from[k]); const s = d.reduce((sum, x, k) => sum + x * way[k], 0) / square; return Math.hypot(...d.map((x, k) => x - s * way[k])); });
+    return [Math.max(...beside), ended?.reason ?? null, tau.flat().every(Number.isFinite)];
+  })()`);
+  check(`${name}, straight line`, off[0] < 1e-8 && off[1] === null && off[2], JSON.stringify(off));
+}
+
 /** Where the table places the tip in the last link: all fixed joints on the way are in it. */
 async function tip(page, { name, tip: expected }) {
   const found = await page.evaluate(`[...document.querySelectorAll(".cells tbody tr")].find((row) => row.querySelector("th").textContent === "tip").querySelector("td").textContent`);
@@ -298,11 +374,13 @@ await withBrowser(program, async (browser) => {
     if (given.refuses) await refusals(page, name);
     if (given.tip) await tip(page, given);
     if (given.moves) await moves(page, given);
+    if (await page.evaluate("robotPage.joints.length > 0")) await reach(page, given);
     clean(page, name);
     await page.close();
     const phone = await open(browser, file, { ...PHONE, scheme: "dark", isReduced: true });
     await readable(phone, given);
-    for (const mode of given.ofBase > 0 ? ["pose", "free"] : []) {
+    const reaches = (await phone.evaluate("robotPage.joints.length > 0")) ? ["reach"] : [];
+    for (const mode of [...reaches, ...(given.ofBase > 0 ? ["pose", "free"] : [])]) {
       await phone.click(`mode-${mode}`);
       await computed(phone);
       await readable(phone, given);

@@ -2,6 +2,7 @@
 
 mod c;
 mod calls;
+mod closed_forms;
 mod command;
 mod convert;
 mod evaluate;

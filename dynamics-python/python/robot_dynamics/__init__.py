@@ -12,6 +12,7 @@ from ._errors import Mistake, SingularMassMatrix, TableError
 from ._motion import Law, SimulationError, Trajectory, Work
 from ._native import Function
 from ._questions import Compared, Formulas, Operations, Report
+from ._reach import NotReached
 from ._robot import Robot
 
 __all__ = [
@@ -20,6 +21,7 @@ __all__ = [
     "Function",
     "Law",
     "Mistake",
+    "NotReached",
     "Operations",
     "Report",
     "Robot",

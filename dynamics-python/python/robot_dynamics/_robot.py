@@ -15,6 +15,7 @@ from . import _native, _toml
 from ._motion import Law, Trajectory, simulate
 from ._native import Function
 from ._questions import Formulas, Operations, Report
+from ._reach import reach
 
 _OPTIONS = ("functions", "chain", "ignore", "round_angles", "fields")
 """Keywords that are no entries of a table."""
@@ -202,6 +203,48 @@ class Robot:
             "tool_wrench": tool_wrench,
         }
         return simulate(self._arm, q, qd, base, {**given, **settings})
+
+    def reach(
+        self,
+        target: ArrayLike | Sequence[ArrayLike],
+        start: ArrayLike | None = None,
+        *,
+        frame: str | Sequence[str] | None = None,
+        posture: ArrayLike | None = None,
+        tolerance: tuple[float, float] = (1e-9, 1e-9),
+        attempts: int = 100,
+        seed: int = 1,
+    ) -> NDArray[np.float64]:
+        """Joint positions at which the tip, or a frame, reaches a target, within the limits: numeric inverse kinematics.
+
+        A target is a pose `(4, 4)`, a position `(3,)`, a rotation `(3, 3)`, or `(2, 3)`: an axis of the frame and the direction
+        in the world along which it is to point. Several frames, `frame=["left", "right"]`, have a target each. Of the
+        functions, `forward_kinematics` and `jacobian` of these frames are needed.
+
+        The search begins at `start`, zeros where it is left out, and at random positions after it, the same for one `seed`. Where
+        the targets leave a freedom, the joints go towards `posture`. `tolerance` is in m and rad. `NotReached`, a
+        `ValueError`, says why nothing was found, and what came nearest.
+        """
+        asked = {"start": start, "posture": posture, "tolerance": tolerance, "attempts": attempts, "seed": seed}
+        return reach(self._arm, target, frame, {**asked, "most": 1})[0]
+
+    def reach_all(
+        self,
+        target: ArrayLike | Sequence[ArrayLike],
+        start: ArrayLike | None = None,
+        *,
+        frame: str | Sequence[str] | None = None,
+        tolerance: tuple[float, float] = (1e-9, 1e-9),
+        attempts: int = 200,
+        seed: int = 1,
+        most: int = 64,
+    ) -> list[NDArray[np.float64]]:
+        """Distinct joint positions at which a target is reached, the nearest to `start` first, as `reach` finds them.
+
+        All attempts are made, or as many as it takes to find `most`. Those that few starts lead to may be missing.
+        """
+        asked = {"start": start, "posture": None, "tolerance": tolerance, "attempts": attempts, "seed": seed}
+        return reach(self._arm, target, frame, {**asked, "most": max(most, 2)})
 
     def identified(
         self, base_parameters: ArrayLike, friction: ArrayLike | None = None

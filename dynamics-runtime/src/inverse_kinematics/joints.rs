@@ -113,14 +113,14 @@ impl<D: Size> Joints<D> {
                 return q[joint];
             }
             let [low, high] = self.range(joint);
-            let mut turned = q[joint] - TAU * libm::round((q[joint] - start[joint]) / TAU);
-            while turned < low {
-                turned += TAU;
+            let turns = |way: f64| TAU * libm::ceil(way / TAU);
+            let near = q[joint] - TAU * libm::round((q[joint] - start[joint]) / TAU);
+            let turned = near + turns((low - near).max(0.0)) - turns((near - high).max(0.0));
+            if turned >= low && turned <= high {
+                turned
+            } else {
+                q[joint]
             }
-            while turned > high {
-                turned -= TAU;
-            }
-            turned
         })
     }
 }

@@ -97,7 +97,8 @@ use crate::size::Size;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// All is computed in doubles. Nothing is allocated where the compiler knows the number of joints.
+/// All is computed in doubles. Where the compiler knows the number of joints, [`solve`](InverseKinematics::solve) allocates
+/// nothing.
 #[derive(Clone, Debug)]
 pub struct InverseKinematics<D: Size, P> {
     places: P,
@@ -148,8 +149,8 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         self
     }
 
-    /// The secondary aim: where the targets leave the joints a freedom, they are as near to this posture as the limits let them
-    /// come from where the targets were reached first.
+    /// The secondary aim: where the targets leave the joints a freedom, they move towards this posture from where the targets
+    /// were reached first, as long as they come nearer.
     pub fn posture(mut self, posture: D::Vector) -> Self {
         self.posture = Some(posture);
         self

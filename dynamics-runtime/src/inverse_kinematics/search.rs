@@ -19,8 +19,8 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
     /// Joint positions at which the only frame, or the tip, reaches a target: a [`Target`], or a pose as a
     /// `&Matrix4<f64>`.
     ///
-    /// The search begins at `start`, and what it finds is the nearer to it the fewer `attempts` it took. Whole turns of joints are
-    /// those nearest to `start` within the limits.
+    /// The search begins at `start`; what further attempts find may be anywhere within the limits. Whole turns of joints are
+    /// those nearest to `start`, as far as limits allow them.
     ///
     /// # Errors
     ///

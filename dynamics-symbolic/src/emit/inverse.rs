@@ -114,7 +114,7 @@ fn method_of(
     }
 }
 
-fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
+pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
     let frame = frame.map_or("tip".to_owned(), |frame| format!("frame `{frame}`"));
     let read = match plan.target {
         Target::Pose => "",
@@ -158,7 +158,7 @@ struct Method<'a> {
 }
 
 /// For each instruction the number of steps whose joints it depends on.
-fn stages(plan: &Plan) -> Vec<usize> {
+pub(super) fn stages(plan: &Plan) -> Vec<usize> {
     let program = &plan.program;
     let behind = |is_solved: &dyn Fn(&Step) -> bool| {
         let step = plan.steps.iter().position(is_solved);
@@ -295,7 +295,7 @@ impl Method<'_> {
 }
 
 /// The function of the runtime that solves an equation.
-fn name_of(rule: Rule) -> &'static str {
+pub(super) fn name_of(rule: Rule) -> &'static str {
     match rule {
         Rule::Turn => "turn",
         Rule::Slide => "slide",

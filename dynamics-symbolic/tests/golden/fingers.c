@@ -1,5 +1,8 @@
 #include "fingers.h"
 
+#include <stdint.h>
+#include <string.h>
+
 /* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
@@ -17,8 +20,14 @@
 #endif
 #endif
 
-#include <stdint.h>
-#include <string.h>
+/* In front of a loop over states: no state reads what another one writes. */
+#if defined(__clang__)
+#define ROBOT_DYNAMICS_LANES _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define ROBOT_DYNAMICS_LANES _Pragma("GCC ivdep")
+#else
+#define ROBOT_DYNAMICS_LANES
+#endif
 
 #ifdef __FAST_MATH__
 #error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"
@@ -180,6 +189,19 @@ ROBOT_DYNAMICS_APART void robot_dynamics_sin_cos(double x, double *sine, double 
     if (x < 0.0) *sine = -*sine;
 }
 
+/** Sines and cosines of a column of angles. */
+ROBOT_DYNAMICS_APART void robot_dynamics_sin_cos_column(const double *x, double *sines, double *cosines, size_t n)
+{
+    uint64_t unusual = 0u;
+    size_t k;
+    ROBOT_DYNAMICS_LANES
+    for (k = 0; k < n; ++k) {
+        unusual |= !((x[k] >= -1e5) & (x[k] <= 1e5));
+        robot_dynamics_sin_cos_of_1(x + k, sines + k, cosines + k);
+    }
+    for (k = 0; unusual && k < n; ++k) robot_dynamics_sin_cos(x[k], sines + k, cosines + k);
+}
+
 /** Sine and cosine of one angle. */
 ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_1(double x, double *sine, double *cosine)
 {
@@ -299,6 +321,43 @@ ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fi
     forward_kinematics[3][3] = 1.0;
 }
 
+ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip_batch(const fingers_fields *arm, const double *const *q, double *const *forward_kinematics, size_t n)
+{
+    const fingers_fields own = *arm;
+    double angles[64], sines[1][64], cosines[1][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_2 = sines[0][k];
+            const double c_2 = cosines[0][k];
+            const double p_width = own.width;
+            const double p_length = own.length;
+            const double t_1 = ROBOT_DYNAMICS_FMA(p_length, c_2, p_width);
+            const double t_2 = p_length * s_2;
+            forward_kinematics[0][start + k] = c_2;
+            forward_kinematics[1][start + k] = -s_2;
+            forward_kinematics[2][start + k] = 0.0;
+            forward_kinematics[3][start + k] = t_1;
+            forward_kinematics[4][start + k] = s_2;
+            forward_kinematics[5][start + k] = c_2;
+            forward_kinematics[6][start + k] = 0.0;
+            forward_kinematics[7][start + k] = t_2;
+            forward_kinematics[8][start + k] = 0.0;
+            forward_kinematics[9][start + k] = 0.0;
+            forward_kinematics[10][start + k] = 1.0;
+            forward_kinematics[11][start + k] = 0.0;
+            forward_kinematics[12][start + k] = 0.0;
+            forward_kinematics[13][start + k] = 0.0;
+            forward_kinematics[14][start + k] = 0.0;
+            forward_kinematics[15][start + k] = 1.0;
+        }
+    }
+}
+
 ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip(const fingers_fields *arm, const double q[2], double jacobian[6][2])
 {
     double s_1, c_1; robot_dynamics_sin_cos_1(q[0], &s_1, &c_1);
@@ -319,6 +378,38 @@ ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip(const fingers_fields *arm, 
     jacobian[5][1] = 0.0;
 }
 
+ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip_batch(const fingers_fields *arm, const double *const *q, double *const *jacobian, size_t n)
+{
+    const fingers_fields own = *arm;
+    double angles[64], sines[1][64], cosines[1][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_1 = sines[0][k];
+            const double c_1 = cosines[0][k];
+            const double p_length = own.length;
+            const double t_1 = p_length * s_1;
+            const double t_2 = p_length * c_1;
+            jacobian[0][start + k] = -t_1;
+            jacobian[1][start + k] = 0.0;
+            jacobian[2][start + k] = t_2;
+            jacobian[3][start + k] = 0.0;
+            jacobian[4][start + k] = 0.0;
+            jacobian[5][start + k] = 0.0;
+            jacobian[6][start + k] = 0.0;
+            jacobian[7][start + k] = 0.0;
+            jacobian[8][start + k] = 0.0;
+            jacobian[9][start + k] = 0.0;
+            jacobian[10][start + k] = 1.0;
+            jacobian[11][start + k] = 0.0;
+        }
+    }
+}
+
 ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip(const fingers_fields *arm, const double q[2], const double wrench[6], double wrench_torques[2])
 {
     double s_2, c_2; robot_dynamics_sin_cos_1(q[1], &s_2, &c_2);
@@ -330,6 +421,31 @@ ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip(const fingers_fields
     const double t_2 = ROBOT_DYNAMICS_FMA(p_length, t_1, wrench_6);
     wrench_torques[0] = 0.0;
     wrench_torques[1] = t_2;
+}
+
+ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip_batch(const fingers_fields *arm, const double *const *q, const double *const *wrench, double *const *wrench_torques, size_t n)
+{
+    const fingers_fields own = *arm;
+    double angles[64], sines[1][64], cosines[1][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_2 = sines[0][k];
+            const double c_2 = cosines[0][k];
+            const double p_length = own.length;
+            const double wrench_1 = wrench[0][start + k];
+            const double wrench_2 = wrench[1][start + k];
+            const double wrench_6 = wrench[5][start + k];
+            const double t_1 = ROBOT_DYNAMICS_FMA(-s_2, wrench_1, c_2 * wrench_2);
+            const double t_2 = ROBOT_DYNAMICS_FMA(p_length, t_1, wrench_6);
+            wrench_torques[0][start + k] = 0.0;
+            wrench_torques[1][start + k] = t_2;
+        }
+    }
 }
 
 ROBOT_DYNAMICS_DEVICE void fingers_pinch(const fingers_fields *arm, const double q[2], double mass_matrix[2][2], double jacobian_left_tip[6][2], double jacobian_right_tip[6][2])
@@ -374,4 +490,59 @@ ROBOT_DYNAMICS_DEVICE void fingers_pinch(const fingers_fields *arm, const double
     jacobian_right_tip[4][1] = 0.0;
     jacobian_right_tip[5][0] = 0.0;
     jacobian_right_tip[5][1] = 1.0;
+}
+
+ROBOT_DYNAMICS_DEVICE void fingers_pinch_batch(const fingers_fields *arm, const double *const *q, double *const *mass_matrix, double *const *jacobian_left_tip, double *const *jacobian_right_tip, size_t n)
+{
+    const fingers_fields own = *arm;
+    double angles[64], sines[2][64], cosines[2][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[1], cosines[1], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_1 = sines[0][k];
+            const double c_1 = cosines[0][k];
+            const double s_2 = sines[1][k];
+            const double c_2 = cosines[1][k];
+            const double p_length = own.length;
+            const double t_1 = p_length * p_length;
+            const double t_2 = p_length * s_1;
+            const double t_3 = p_length * c_1;
+            const double t_4 = p_length * s_2;
+            const double t_5 = p_length * c_2;
+            mass_matrix[0][start + k] = 0.0;
+            mass_matrix[1][start + k] = 0.0;
+            mass_matrix[2][start + k] = 0.0;
+            mass_matrix[3][start + k] = t_1;
+            jacobian_left_tip[0][start + k] = -t_2;
+            jacobian_left_tip[1][start + k] = 0.0;
+            jacobian_left_tip[2][start + k] = t_3;
+            jacobian_left_tip[3][start + k] = 0.0;
+            jacobian_left_tip[4][start + k] = 0.0;
+            jacobian_left_tip[5][start + k] = 0.0;
+            jacobian_left_tip[6][start + k] = 0.0;
+            jacobian_left_tip[7][start + k] = 0.0;
+            jacobian_left_tip[8][start + k] = 0.0;
+            jacobian_left_tip[9][start + k] = 0.0;
+            jacobian_left_tip[10][start + k] = 1.0;
+            jacobian_left_tip[11][start + k] = 0.0;
+            jacobian_right_tip[0][start + k] = 0.0;
+            jacobian_right_tip[1][start + k] = -t_4;
+            jacobian_right_tip[2][start + k] = 0.0;
+            jacobian_right_tip[3][start + k] = t_5;
+            jacobian_right_tip[4][start + k] = 0.0;
+            jacobian_right_tip[5][start + k] = 0.0;
+            jacobian_right_tip[6][start + k] = 0.0;
+            jacobian_right_tip[7][start + k] = 0.0;
+            jacobian_right_tip[8][start + k] = 0.0;
+            jacobian_right_tip[9][start + k] = 0.0;
+            jacobian_right_tip[10][start + k] = 0.0;
+            jacobian_right_tip[11][start + k] = 1.0;
+        }
+    }
 }

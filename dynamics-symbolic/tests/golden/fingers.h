@@ -4,6 +4,9 @@
  * Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.
  * Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.
  *
+ * Functions whose names end in `_batch` take columns of states, with the digits of the functions of one state, and are
+ * turned into lanes by `-O3 -march=native`. A column that is written may be one that is read, and overlaps no other.
+ *
  * Sines are in the source. Values have the digits of Rust's in a build for the same processor, whatever the compiler
  * and its level: products are fused with sums where Rust fuses them, if the processor has an instruction for it. That is
  * so of gcc and clang without -ffast-math, and not so of the registers of an x87, nor of what depends on an exponential
@@ -24,6 +27,8 @@
 /* Joints that move, and their names from the base outwards. */
 #define FINGERS_DOF 2
 #define FINGERS_JOINT_NAMES {"left", "right"}
+
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -65,6 +70,13 @@ typedef struct {
 ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fields *arm, const double q[2], double forward_kinematics[4][4]);
 
 /**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `forward_kinematics[i]`: entry i of `forward_kinematics` by rows of 4, one of 16.
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip_batch(const fingers_fields *arm, const double *const *q, double *const *forward_kinematics, size_t n);
+
+/**
  * Geometric Jacobian of the frame `Left tip`'s origin, 6 x N, rows vx vy vz wx wy wz, in the base frame.
  *
  * `q`: joint positions, rad.
@@ -90,6 +102,13 @@ ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fi
 ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip(const fingers_fields *arm, const double q[2], double jacobian[6][2]);
 
 /**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `jacobian[i]`: entry i of `jacobian` by rows of 2, one of 12.
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip_batch(const fingers_fields *arm, const double *const *q, double *const *jacobian, size_t n);
+
+/**
  * Joint torques J(q)^T w of a wrench at the frame `Right tip`, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.
  *
  * `q`: joint positions, rad; `wrench`: force (N) on the frame `Right tip` and moment (N m) about its origin, fx fy fz nx ny nz in the axes of `jacobian`, that the surroundings apply.
@@ -97,6 +116,14 @@ ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip(const fingers_fields *arm, 
  * Operations: 3 multiplications, 2 additions, sine and cosine of one angle.
  */
 ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip(const fingers_fields *arm, const double q[2], const double wrench[6], double wrench_torques[2]);
+
+/**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `wrench[i]`: entry i of `wrench`, one of 6.
+ * `wrench_torques[i]`: entry i of `wrench_torques`, one of 2.
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip_batch(const fingers_fields *arm, const double *const *q, const double *const *wrench, double *const *wrench_torques, size_t n);
 
 /**
  * (`mass_matrix`, `jacobian_left_tip`, `jacobian_right_tip`) at one state, as one program.
@@ -121,6 +148,15 @@ ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip(const fingers_fields
  * M22 = length^2
  */
 ROBOT_DYNAMICS_DEVICE void fingers_pinch(const fingers_fields *arm, const double q[2], double mass_matrix[2][2], double jacobian_left_tip[6][2], double jacobian_right_tip[6][2]);
+
+/**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `mass_matrix[i]`: entry i of `mass_matrix` by rows of 2, one of 4.
+ * `jacobian_left_tip[i]`: entry i of `jacobian_left_tip` by rows of 2, one of 12.
+ * `jacobian_right_tip[i]`: entry i of `jacobian_right_tip` by rows of 2, one of 12.
+ */
+ROBOT_DYNAMICS_DEVICE void fingers_pinch_batch(const fingers_fields *arm, const double *const *q, double *const *mass_matrix, double *const *jacobian_left_tip, double *const *jacobian_right_tip, size_t n);
 
 #ifdef __cplusplus
 }

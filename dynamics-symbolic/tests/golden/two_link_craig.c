@@ -1,5 +1,8 @@
 #include "two_link_craig.h"
 
+#include <stdint.h>
+#include <string.h>
+
 /* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
@@ -17,8 +20,14 @@
 #endif
 #endif
 
-#include <stdint.h>
-#include <string.h>
+/* In front of a loop over states: no state reads what another one writes. */
+#if defined(__clang__)
+#define ROBOT_DYNAMICS_LANES _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define ROBOT_DYNAMICS_LANES _Pragma("GCC ivdep")
+#else
+#define ROBOT_DYNAMICS_LANES
+#endif
 
 #ifdef __FAST_MATH__
 #error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"
@@ -224,6 +233,19 @@ ROBOT_DYNAMICS_INLINE double robot_dynamics_cos(double x)
     return value;
 }
 
+/** Sines and cosines of a column of angles. */
+ROBOT_DYNAMICS_APART void robot_dynamics_sin_cos_column(const double *x, double *sines, double *cosines, size_t n)
+{
+    uint64_t unusual = 0u;
+    size_t k;
+    ROBOT_DYNAMICS_LANES
+    for (k = 0; k < n; ++k) {
+        unusual |= !((x[k] >= -1e5) & (x[k] <= 1e5));
+        robot_dynamics_sin_cos_of_1(x + k, sines + k, cosines + k);
+    }
+    for (k = 0; unusual && k < n; ++k) robot_dynamics_sin_cos(x[k], sines + k, cosines + k);
+}
+
 #ifdef ROBOT_DYNAMICS_VECTORS
 typedef double robot_dynamics_2 __attribute__((vector_size(16)));
 typedef uint64_t robot_dynamics_bits_2 __attribute__((vector_size(16)));
@@ -310,7 +332,13 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dy
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
 {
     const double rounding = diagonal * 2.220446049250313e-16 * 8.0;
-    return pivot - rounding > 0.0 && pivot + rounding > 0.0;
+    return (pivot - rounding > 0.0) & (pivot + rounding > 0.0);
+}
+
+ROBOT_DYNAMICS_DEVICE static double robot_dynamics_nan(void)
+{
+    const double zero = 0.0;
+    return zero / zero;
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_fields *arm, const double q[2], double mass_matrix[2][2])
@@ -335,6 +363,39 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_field
     mass_matrix[1][1] = t_6;
 }
 
+ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix_batch(const two_link_craig_fields *arm, const double *const *q, double *const *mass_matrix, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[1][64], cosines[1][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double c_2 = cosines[0][k];
+            const double p_m1 = own.m1;
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double t_1 = p_m2 + p_m1;
+            const double t_2 = p_l1 * t_1;
+            const double t_3 = p_m2 * p_l2;
+            const double t_4 = c_2 * t_3;
+            const double t_5 = p_l1 * t_4;
+            const double t_6 = p_l2 * t_3;
+            const double t_7 = t_6 + t_5;
+            const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_5);
+            const double t_9 = t_7 + t_8;
+            mass_matrix[0][start + k] = t_9;
+            mass_matrix[1][start + k] = t_7;
+            mass_matrix[2][start + k] = t_7;
+            mass_matrix[3][start + k] = t_6;
+        }
+    }
+}
+
 ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_fields *arm, const double q[2], const double qd[2], double coriolis_vector[2])
 {
     const double s_2 = robot_dynamics_sin(q[1]);
@@ -353,6 +414,37 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_f
     const double t_8 = qd_1 * t_4;
     coriolis_vector[0] = -t_7;
     coriolis_vector[1] = t_8;
+}
+
+ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, double *const *coriolis_vector, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[1][64], cosines[1][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_2 = sines[0][k];
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double qd_1 = qd[0][start + k];
+            const double qd_2 = qd[1][start + k];
+            const double t_1 = p_m2 * p_l2;
+            const double t_2 = p_l1 * s_2;
+            const double t_3 = t_1 * t_2;
+            const double t_4 = qd_1 * t_3;
+            const double t_5 = ROBOT_DYNAMICS_FMA(qd_2, t_3, t_4);
+            const double t_6 = t_4 + t_5;
+            const double t_7 = qd_2 * t_6;
+            const double t_8 = qd_1 * t_4;
+            coriolis_vector[0][start + k] = -t_7;
+            coriolis_vector[1][start + k] = t_8;
+        }
+    }
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fields *arm, const double q[2], double gravity_vector[2])
@@ -378,6 +470,42 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fi
     const double t_8 = p_g * t_5;
     gravity_vector[0] = t_7;
     gravity_vector[1] = t_8;
+}
+
+ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector_batch(const two_link_craig_fields *arm, const double *const *q, double *const *gravity_vector, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[2][64], cosines[2][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[1], cosines[1], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_1 = sines[0][k];
+            const double c_1 = cosines[0][k];
+            const double s_2 = sines[1][k];
+            const double c_2 = cosines[1][k];
+            const double p_m1 = own.m1;
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double p_g = own.g;
+            const double t_1 = p_m2 + p_m1;
+            const double t_2 = p_l1 * t_1;
+            const double t_3 = p_m2 * p_l2;
+            const double t_4 = ROBOT_DYNAMICS_FMA(-s_1, s_2, c_1 * c_2);
+            const double t_5 = t_3 * t_4;
+            const double t_6 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
+            const double t_7 = p_g * t_6;
+            const double t_8 = p_g * t_5;
+            gravity_vector[0][start + k] = t_7;
+            gravity_vector[1][start + k] = t_8;
+        }
+    }
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_fields *arm, const double q[2], const double qd[2], const double qdd[2], double inverse_dynamics[2])
@@ -416,6 +544,55 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_
     const double t_17 = t_12 + t_16;
     inverse_dynamics[0] = t_17;
     inverse_dynamics[1] = t_12;
+}
+
+ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, const double *const *qdd, double *const *inverse_dynamics, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[2][64], cosines[2][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[1], cosines[1], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_1 = sines[0][k];
+            const double c_1 = cosines[0][k];
+            const double s_2 = sines[1][k];
+            const double c_2 = cosines[1][k];
+            const double p_m1 = own.m1;
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double p_g = own.g;
+            const double qd_1 = qd[0][start + k];
+            const double qd_2 = qd[1][start + k];
+            const double qdd_1 = qdd[0][start + k];
+            const double qdd_2 = qdd[1][start + k];
+            const double t_1 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
+            const double t_2 = p_m2 + p_m1;
+            const double t_3 = p_l1 * t_2;
+            const double t_4 = p_m2 * p_l2;
+            const double t_5 = p_l2 * t_4;
+            const double t_6 = qdd_1 + qdd_2;
+            const double t_7 = c_2 * t_4;
+            const double t_8 = s_2 * t_4;
+            const double t_9 = qd_1 * qd_1;
+            const double t_10 = ROBOT_DYNAMICS_FMA(-p_l1, t_9, p_g * s_1);
+            const double t_11 = ROBOT_DYNAMICS_FMA(-t_8, t_10, t_5 * t_6);
+            const double t_12 = ROBOT_DYNAMICS_FMA(t_7, t_1, t_11);
+            const double t_13 = qd_1 + qd_2;
+            const double t_14 = t_13 * t_13;
+            const double t_15 = ROBOT_DYNAMICS_FMA(-t_8, t_14, t_7 * t_6);
+            const double t_16 = ROBOT_DYNAMICS_FMA(p_l1, t_15, t_1 * t_3);
+            const double t_17 = t_12 + t_16;
+            inverse_dynamics[0][start + k] = t_17;
+            inverse_dynamics[1][start + k] = t_12;
+        }
+    }
 }
 
 ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_fields *arm, const double q[2], const double qd[2], const double tau[2], double forward_dynamics[2])
@@ -470,6 +647,78 @@ ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_f
     return 0;
 }
 
+ROBOT_DYNAMICS_DEVICE size_t two_link_craig_forward_dynamics_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, const double *const *tau, double *const *forward_dynamics, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[2][64], cosines[2][64];
+    double regular[64];
+    uint64_t refused = 0u;
+    size_t first = 0;
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[1], cosines[1], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_1 = sines[0][k];
+            const double c_1 = cosines[0][k];
+            const double s_2 = sines[1][k];
+            const double c_2 = cosines[1][k];
+            int is_regular = 1;
+            const double p_m1 = own.m1;
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double p_g = own.g;
+            const double qd_1 = qd[0][start + k];
+            const double qd_2 = qd[1][start + k];
+            const double tau_1 = tau[0][start + k];
+            const double tau_2 = tau[1][start + k];
+            const double t_1 = p_m2 + p_m1;
+            const double t_2 = p_l1 * t_1;
+            const double t_3 = p_g * c_1;
+            const double t_4 = p_m2 * p_l2;
+            const double t_5 = c_2 * t_4;
+            const double t_6 = s_2 * t_4;
+            const double t_7 = qd_1 * qd_1;
+            const double t_8 = ROBOT_DYNAMICS_FMA(-p_l1, t_7, p_g * s_1);
+            const double t_9 = ROBOT_DYNAMICS_FMA(-t_6, t_8, t_5 * t_3);
+            const double t_10 = qd_1 + qd_2;
+            const double t_11 = t_10 * t_10;
+            const double t_12 = t_6 * t_11;
+            const double t_13 = t_9 - tau_2;
+            const double t_14 = p_l2 * t_4;
+            const double t_15 = p_l1 * t_5;
+            const double t_16 = t_14 + t_15;
+            const double t_17 = 1.0 / t_14;
+            const double t_18 = t_16 * t_17;
+            const double t_19 = ROBOT_DYNAMICS_FMA(-t_2, t_3, tau_1);
+            const double t_20 = ROBOT_DYNAMICS_FMA(p_l1, t_12, t_19);
+            const double t_21 = t_20 - t_9;
+            const double t_22 = ROBOT_DYNAMICS_FMA(t_13, t_18, t_21);
+            const double t_23 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_15);
+            const double t_24 = t_16 + t_23;
+            const double t_25 = ROBOT_DYNAMICS_FMA(-t_16, t_18, t_24);
+            const double t_26 = 1.0 / t_25;
+            const double t_27 = t_22 * t_26;
+            const double t_28 = ROBOT_DYNAMICS_FMA(t_18, t_27, t_13 * t_17);
+            is_regular &= robot_dynamics_is_pivot(t_14, t_14);
+            is_regular &= robot_dynamics_is_pivot(t_25, t_24);
+            regular[k] = is_regular ? 1.0 : robot_dynamics_nan();
+            refused |= !is_regular;
+            forward_dynamics[0][start + k] = t_27 * regular[k];
+            forward_dynamics[1][start + k] = -t_28 * regular[k];
+        }
+        for (k = 0; first == 0 && refused && k < count; ++k) {
+            if (regular[k] != regular[k]) first = start + k + 1;
+        }
+    }
+    return first;
+}
+
 ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_fields *arm, const double q[2], const double qd[2])
 {
     const double c_2 = robot_dynamics_cos(q[1]);
@@ -493,6 +742,40 @@ ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_
     return t_11;
 }
 
+ROBOT_DYNAMICS_DEVICE void two_link_craig_kinetic_energy_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, double *kinetic_energy, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[1][64], cosines[1][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double c_2 = cosines[0][k];
+            const double p_m1 = own.m1;
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double qd_1 = qd[0][start + k];
+            const double qd_2 = qd[1][start + k];
+            const double t_1 = p_m2 * p_l2;
+            const double t_2 = p_l1 * qd_1;
+            const double t_3 = c_2 * t_2;
+            const double t_4 = qd_1 + qd_2;
+            const double t_5 = t_3 * t_4;
+            const double t_6 = p_m2 + p_m1;
+            const double t_7 = t_2 * t_2;
+            const double t_8 = p_l2 * t_1;
+            const double t_9 = t_8 * t_4;
+            const double t_10 = ROBOT_DYNAMICS_FMA(t_4, t_9, t_6 * t_7);
+            const double t_11 = ROBOT_DYNAMICS_FMA(t_1, t_5, 0.5 * t_10);
+            kinetic_energy[start + k] = t_11;
+        }
+    }
+}
+
 ROBOT_DYNAMICS_DEVICE double two_link_craig_potential_energy(const two_link_craig_fields *arm, const double q[2])
 {
     robot_dynamics_2 sines_1, cosines_1;
@@ -513,4 +796,37 @@ ROBOT_DYNAMICS_DEVICE double two_link_craig_potential_energy(const two_link_crai
     const double t_5 = ROBOT_DYNAMICS_FMA(s_1, t_3, c_1 * t_4);
     const double t_6 = p_g * t_5;
     return t_6;
+}
+
+ROBOT_DYNAMICS_DEVICE void two_link_craig_potential_energy_batch(const two_link_craig_fields *arm, const double *const *q, double *potential_energy, size_t n)
+{
+    const two_link_craig_fields own = *arm;
+    double angles[64], sines[2][64], cosines[2][64];
+    size_t start, k;
+    for (start = 0; start < n; start += 64) {
+        const size_t count = n - start < 64 ? n - start : 64;
+        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
+        robot_dynamics_sin_cos_column(angles, sines[1], cosines[1], count);
+        ROBOT_DYNAMICS_LANES
+        for (k = 0; k < count; ++k) {
+            const double s_1 = sines[0][k];
+            const double c_1 = cosines[0][k];
+            const double s_2 = sines[1][k];
+            const double c_2 = cosines[1][k];
+            const double p_m1 = own.m1;
+            const double p_m2 = own.m2;
+            const double p_l1 = own.l1;
+            const double p_l2 = own.l2;
+            const double p_g = own.g;
+            const double t_1 = p_m2 + p_m1;
+            const double t_2 = p_m2 * p_l2;
+            const double t_3 = ROBOT_DYNAMICS_FMA(c_2, t_2, p_l1 * t_1);
+            const double t_4 = s_2 * t_2;
+            const double t_5 = ROBOT_DYNAMICS_FMA(s_1, t_3, c_1 * t_4);
+            const double t_6 = p_g * t_5;
+            potential_energy[start + k] = t_6;
+        }
+    }
 }

@@ -4,6 +4,9 @@
  * Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.
  * Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.
  *
+ * Functions whose names end in `_batch` take columns of states, with the digits of the functions of one state, and are
+ * turned into lanes by `-O3 -march=native`. A column that is written may be one that is read, and overlaps no other.
+ *
  * Sines are in the source. Values have the digits of Rust's in a build for the same processor, whatever the compiler
  * and its level: products are fused with sums where Rust fuses them, if the processor has an instruction for it. That is
  * so of gcc and clang without -ffast-math, and not so of the registers of an x87, nor of what depends on an exponential
@@ -24,6 +27,8 @@
 /* Joints that move, and their names from the base outwards. */
 #define TWO_LINK_CRAIG_DOF 2
 #define TWO_LINK_CRAIG_JOINT_NAMES {"joint1", "joint2"}
+
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -56,6 +61,13 @@ typedef struct {
 ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_fields *arm, const double q[2], double mass_matrix[2][2]);
 
 /**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `mass_matrix[i]`: entry i of `mass_matrix` by rows of 2, one of 4.
+ */
+ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix_batch(const two_link_craig_fields *arm, const double *const *q, double *const *mass_matrix, size_t n);
+
+/**
  * Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, friction and acceleration.
  *
  * `q`: joint positions, rad; `qd`: joint velocities, rad per s.
@@ -69,6 +81,14 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_field
  * with s2 = sin(q2)
  */
 ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_fields *arm, const double q[2], const double qd[2], double coriolis_vector[2]);
+
+/**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `qd[i]`: entry i of `qd`, one of 2.
+ * `coriolis_vector[i]`: entry i of `coriolis_vector`, one of 2.
+ */
+ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, double *const *coriolis_vector, size_t n);
 
 /**
  * Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at rest without springs.
@@ -86,6 +106,13 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_f
 ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fields *arm, const double q[2], double gravity_vector[2]);
 
 /**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `gravity_vector[i]`: entry i of `gravity_vector`, one of 2.
+ */
+ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector_batch(const two_link_craig_fields *arm, const double *const *q, double *const *gravity_vector, size_t n);
+
+/**
  * Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of springs, F of friction.
  *
  * `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
@@ -101,6 +128,15 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fi
 ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_fields *arm, const double q[2], const double qd[2], const double qdd[2], double inverse_dynamics[2]);
 
 /**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `qd[i]`: entry i of `qd`, one of 2.
+ * `qdd[i]`: entry i of `qdd`, one of 2.
+ * `inverse_dynamics[i]`: entry i of `inverse_dynamics`, one of 2.
+ */
+ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, const double *const *qdd, double *const *inverse_dynamics, size_t n);
+
+/**
  * Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
  *
  * `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
@@ -110,6 +146,16 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_
  * Returns 0; or, where M(q) is not positive definite to working precision or not finite, the number of the joint whose pivot failed, counted from 1, and writes nothing.
  */
 ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_fields *arm, const double q[2], const double qd[2], const double tau[2], double forward_dynamics[2]);
+
+/**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `qd[i]`: entry i of `qd`, one of 2.
+ * `tau[i]`: entry i of `tau`, one of 2.
+ * `forward_dynamics[i]`: entry i of `forward_dynamics`, one of 2.
+ * Returns 0; or the number of the first state, counted from 1, that the function of one state refuses. All values of such a state are NaN.
+ */
+ROBOT_DYNAMICS_DEVICE size_t two_link_craig_forward_dynamics_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, const double *const *tau, double *const *forward_dynamics, size_t n);
 
 /**
  * Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.
@@ -124,6 +170,14 @@ ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_f
 ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_fields *arm, const double q[2], const double qd[2]);
 
 /**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `qd[i]`: entry i of `qd`, one of 2.
+ * `kinetic_energy`: the value.
+ */
+ROBOT_DYNAMICS_DEVICE void two_link_craig_kinetic_energy_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, double *kinetic_energy, size_t n);
+
+/**
  * Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs, 1/2 stiffness (q - rest)^2, J.
  *
  * `q`: joint positions, rad.
@@ -134,6 +188,13 @@ ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_
  * with s1 = sin(q1), s12 = sin(q1 + q2)
  */
 ROBOT_DYNAMICS_DEVICE double two_link_craig_potential_energy(const two_link_craig_fields *arm, const double q[2]);
+
+/**
+ * The same at `n` states, in columns with one number for each state.
+ * `q[i]`: entry i of `q`, one of 2.
+ * `potential_energy`: the value.
+ */
+ROBOT_DYNAMICS_DEVICE void two_link_craig_potential_energy_batch(const two_link_craig_fields *arm, const double *const *q, double *potential_energy, size_t n);
 
 #ifdef __cplusplus
 }

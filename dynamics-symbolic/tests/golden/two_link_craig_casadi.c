@@ -24,6 +24,9 @@
 #pragma GCC diagnostic ignored "-Wunused-variable"
 #endif
 
+#include <stdint.h>
+#include <string.h>
+
 /* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
@@ -40,9 +43,6 @@
 #define ROBOT_DYNAMICS_FMA(a, b, c) ((a) * (b) + (c))
 #endif
 #endif
-
-#include <stdint.h>
-#include <string.h>
 
 #ifdef __FAST_MATH__
 #error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"

@@ -71,7 +71,13 @@ fn expected<F: Number>(count: usize) -> String {
     let sines = angles::<F>()
         .take(count)
         .flat_map(|x| <[F; 2]>::from(x.sin_cos()));
-    let bits = sines.map(|x| if x == x { x.bits() } else { 0 });
+    let bits = sines.map(|x| {
+        if x.ratio_to_f64(F::of(1.0)).is_nan() {
+            0
+        } else {
+            x.bits()
+        }
+    });
     let sum = bits.fold(0_u64, |sum, bits| {
         (sum ^ bits).wrapping_mul(0x100_0000_01b3)
     });

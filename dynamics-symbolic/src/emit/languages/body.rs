@@ -87,8 +87,41 @@ impl<'a> Body<'a> {
         of_angles.into_iter().flatten().chain(others).collect()
     }
 
+    /// One line for each input whose symbol is one of those.
+    pub(super) fn inputs_that(&self, is_one: impl Fn(&Symbol) -> bool) -> Vec<String> {
+        let symbols = in_order(self.program).into_iter();
+        let ones = symbols.filter(|(_, symbol)| is_one(symbol));
+        ones.map(|(index, symbol)| {
+            (self.language.declare)(&self.inputs[index], &self.input(symbol))
+        })
+        .collect()
+    }
+
+    /// The variable of an input.
+    pub(super) fn input_name(&self, index: usize) -> &str {
+        &self.inputs[index]
+    }
+
+    /// One line for each result whose index is one of those.
+    pub(super) fn lines_that(&self, is_one: impl Fn(usize) -> bool) -> Vec<String> {
+        let lines = self.lines.iter().zip(&self.names).enumerate();
+        let ones = lines.filter(|(index, _)| is_one(*index));
+        ones.filter_map(|(_, (line, name))| {
+            Some((self.language.declare)(
+                name.as_ref()?,
+                &self.line(line.as_ref()?),
+            ))
+        })
+        .collect()
+    }
+
+    /// The output of that index.
+    pub(super) fn output_of(&self, index: usize) -> String {
+        self.output(self.program.outputs[index])
+    }
+
     /// The angles whose sines or cosines are read, each once.
-    fn angles(&self) -> Vec<Angle> {
+    pub(super) fn angles(&self) -> Vec<Angle> {
         let mut angles: Vec<Angle> = Vec::new();
         for (index, symbol) in in_order(self.program) {
             if !is_of_angle(symbol) {

@@ -8,6 +8,7 @@ mod arrangement;
 mod body;
 mod c;
 mod casadi;
+mod closed_form;
 mod comments;
 mod javascript;
 mod matlab;
@@ -15,6 +16,7 @@ mod python;
 
 pub use c::{CNumbers, CSource, c_source, c_source_in};
 pub use casadi::{CasadiSource, casadi_requests, casadi_source};
+pub use closed_form::{inverse_in_c, inverse_in_javascript};
 pub use comments::description;
 pub use javascript::javascript_module;
 pub use matlab::matlab_files;

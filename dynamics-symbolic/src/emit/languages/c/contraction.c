@@ -1,4 +1,7 @@
 
+#include <stdint.h>
+#include <string.h>
+
 /* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF

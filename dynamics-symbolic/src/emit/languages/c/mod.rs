@@ -1,5 +1,6 @@
 //! C99, which is C++ and device code as well: a header and a source.
 
+mod batch;
 pub(super) mod precision;
 mod sines;
 
@@ -92,7 +93,11 @@ impl Writer<'_> {
         };
         let declaration = |(request, proven): &(Request, Proven)| {
             let documentation = comment(&lines(self.robot, request, proven, REFUSAL));
-            format!("\n{documentation}{};\n", self.signature(request, proven))
+            let signature = self.signature(request, proven);
+            format!(
+                "\n{documentation}{signature};\n{}",
+                self.batch_declaration(request, proven)
+            )
         };
         let declarations: String = functions.iter().map(declaration).collect();
         format!(
@@ -105,7 +110,7 @@ impl Writer<'_> {
              /* {counted}, and their names from the base outwards. */\n\
              #define {upper}_DOF {}\n\
              #define {upper}_JOINT_NAMES {{{}}}\n\n\
-             #ifdef __cplusplus\nextern \"C\" {{\n#endif\n\
+             #include <stddef.h>\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\
              {fields}{declarations}\
              \n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
             self.robot.dof(),
@@ -119,8 +124,14 @@ impl Writer<'_> {
             "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.",
             "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.",
         ];
+        let of_batches = [
+            "",
+            "Functions whose names end in `_batch` take columns of states, with the digits of the functions of one state, and are",
+            "turned into lanes by `-O3 -march=native`. A column that is written may be one that is read, and overlaps no other.",
+            "",
+        ];
         let mut lines = title_lines(self.robot, conventions).to_vec();
-        lines.push(String::new());
+        lines.extend(of_batches.map(str::to_owned));
         lines.extend(self.precision.digits.iter().map(|&line| line.to_owned()));
         comment(&lines)
     }
@@ -128,7 +139,9 @@ impl Writer<'_> {
     fn source(&self, functions: &[(Request, Proven)]) -> String {
         let functions = functions.iter();
         let bodies: String = functions
-            .map(|(request, proven)| self.function(request, proven))
+            .flat_map(|(request, proven)| {
+                [self.function(request, proven), self.batch(request, proven)]
+            })
             .collect();
         let functions = self.precision.functions(&bodies);
         format!("#include \"{}.h\"\n{functions}{bodies}", self.name)
@@ -137,14 +150,7 @@ impl Writer<'_> {
     fn function(&self, request: &Request, proven: &Proven) -> String {
         let body = Body::new(self.robot, proven, &self.precision.language);
         let statements = body.statements(request);
-        let is_unread = |argument: &&str| {
-            let reads = [format!("{argument}["), format!("{argument}->")];
-            let is_read = |statement: &String| reads.iter().any(|read| reads_name(statement, read));
-            !statements.iter().any(is_read)
-        };
-        let unread = argument_names(self.robot, request)
-            .into_iter()
-            .filter(is_unread);
+        let unread = self.unread(request, &statements).into_iter();
         let mut lines: Vec<_> = unread
             .map(|argument| format!("(void){argument};"))
             .collect();
@@ -163,6 +169,17 @@ impl Writer<'_> {
         }
         let signature = self.signature(request, proven);
         format!("\n{signature}\n{{\n{}}}\n", indented(&lines, 4))
+    }
+
+    /// The arguments that no statement reads.
+    fn unread(&self, request: &Request, statements: &[String]) -> Vec<&'static str> {
+        let is_unread = |argument: &&str| {
+            let reads = [format!("{argument}["), format!("{argument}->")];
+            let is_read = |statement: &String| reads.iter().any(|read| reads_name(statement, read));
+            !statements.iter().any(is_read)
+        };
+        let names = argument_names(self.robot, request).into_iter();
+        names.filter(is_unread).collect()
     }
 
     fn signature(&self, request: &Request, proven: &Proven) -> String {

@@ -26,10 +26,12 @@ pub(in super::super) struct Precision {
     pub(in super::super) language: Language,
     /// The type.
     pub(super) word: &'static str,
+    /// The unsigned integer of as many bytes.
+    pub(super) unsigned: &'static str,
     /// What multiplies and adds.
     fused: &'static str,
     /// The sines that stand in the source.
-    sines: Option<&'static Sines>,
+    pub(super) sines: Option<&'static Sines>,
     /// The functions of the C library: by which call, and what stands at the top of a source.
     library: &'static [(&'static str, &'static str)],
     /// What the title of a header says of the digits.
@@ -56,14 +58,21 @@ impl Precision {
         if !library.is_empty() {
             library.insert(0, "\n#include <math.h>\n");
         }
+        let lanes = bodies.contains("ROBOT_DYNAMICS_LANES").then_some(LANES);
         let contraction = CONTRACTION.replace("BUILTIN", self.fused);
         let sines = self.sines.map(|sines| sines.functions(bodies));
         let own = self.language.called(bodies);
-        library.concat() + &contraction + &sines.unwrap_or_default() + &own
+        library.concat()
+            + &contraction
+            + lanes.unwrap_or_default()
+            + &sines.unwrap_or_default()
+            + &own
     }
 }
 
 const CONTRACTION: &str = include_str!("contraction.c");
+
+const LANES: &str = include_str!("lanes.c");
 
 const DOUBLE: Precision = Precision {
     language: Language {
@@ -78,6 +87,7 @@ const DOUBLE: Precision = Precision {
 const DOUBLE_WITH_LIBRARY: Precision = Precision {
     language: OF_DOUBLE,
     word: "double",
+    unsigned: "uint64_t",
     fused: "__builtin_fma",
     sines: None,
     library: &[
@@ -101,6 +111,7 @@ const FLOAT: Precision = Precision {
 const FLOAT_WITH_LIBRARY: Precision = Precision {
     language: OF_FLOAT,
     word: "float",
+    unsigned: "uint32_t",
     fused: "__builtin_fmaf",
     sines: None,
     library: &[
@@ -142,6 +153,7 @@ const OF_DOUBLE: Language = Language {
     own_functions: &[
         ("robot_dynamics_sign(", SIGN),
         ("robot_dynamics_is_pivot(", IS_PIVOT),
+        ("robot_dynamics_nan(", NAN),
     ],
 };
 
@@ -155,6 +167,7 @@ const OF_FLOAT: Language = Language {
     own_functions: &[
         ("robot_dynamics_sign(", FLOAT_SIGN),
         ("robot_dynamics_is_pivot(", FLOAT_IS_PIVOT),
+        ("robot_dynamics_nan(", FLOAT_NAN),
     ],
     ..OF_DOUBLE
 };
@@ -199,7 +212,7 @@ const IS_PIVOT: &str = "
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
 {
     const double rounding = diagonal * 2.220446049250313e-16 * 8.0;
-    return pivot - rounding > 0.0 && pivot + rounding > 0.0;
+    return (pivot - rounding > 0.0) & (pivot + rounding > 0.0);
 }
 ";
 
@@ -208,6 +221,22 @@ const FLOAT_IS_PIVOT: &str = "
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(float pivot, float diagonal)
 {
     const float rounding = diagonal * 1.1920929e-7f * 8.0f;
-    return pivot - rounding > 0.0f && pivot + rounding > 0.0f;
+    return (pivot - rounding > 0.0f) & (pivot + rounding > 0.0f);
+}
+";
+
+const NAN: &str = "
+ROBOT_DYNAMICS_DEVICE static double robot_dynamics_nan(void)
+{
+    const double zero = 0.0;
+    return zero / zero;
+}
+";
+
+const FLOAT_NAN: &str = "
+ROBOT_DYNAMICS_DEVICE static float robot_dynamics_nan(void)
+{
+    const float zero = 0.0f;
+    return zero / zero;
 }
 ";

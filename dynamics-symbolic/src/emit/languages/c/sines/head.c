@@ -1,7 +1,4 @@
 
-#include <stdint.h>
-#include <string.h>
-
 #ifdef __FAST_MATH__
 #error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"
 #endif

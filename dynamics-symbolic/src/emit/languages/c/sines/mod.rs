@@ -9,7 +9,7 @@ use core::fmt::Write as _;
 /// The sines of one precision.
 pub(super) struct Sines {
     pub(super) real: &'static str,
-    word: &'static str,
+    pub(super) word: &'static str,
     /// The place of the bit of the sign.
     sign: &'static str,
     zero: &'static str,
@@ -112,7 +112,8 @@ impl Sines {
             .filter(|n| is_called(&format!("sin_cos_{n}")))
             .collect();
         let parts: Vec<_> = PARTS.iter().filter(|part| is_called(part.name)).collect();
-        if groups.is_empty() && parts.is_empty() {
+        let has_columns = is_called("sin_cos_column");
+        if groups.is_empty() && parts.is_empty() && !has_columns {
             return String::new();
         }
         let mut text = HEAD.to_owned();
@@ -121,6 +122,9 @@ impl Sines {
         text.push_str(include_str!("any.c"));
         for part in parts {
             text.push_str(&part.text());
+        }
+        if has_columns {
+            text.push_str(include_str!("column.c"));
         }
         let mut last = 1;
         for &count in &groups {

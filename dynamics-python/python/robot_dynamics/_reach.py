@@ -1,0 +1,75 @@
+"""Numeric inverse kinematics."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+
+_SHAPES = ((3,), (2, 3), (3, 3), (4, 4))
+
+
+class NotReached(ValueError):
+    """No joint positions were found at which the targets are reached."""
+
+    def __init__(self, reason: str, q: NDArray[np.float64], position: float, rotation: float) -> None:
+        super().__init__(reason, q, position, rotation)
+        self.reason = reason
+        self.q = q
+        """The joint positions that came nearest, within the limits."""
+        self.position = position
+        """The distance that is missing there, m."""
+        self.rotation = rotation
+        """The angle that is missing there, rad."""
+
+    def __str__(self) -> str:
+        return self.reason
+
+
+def reach(
+    arm: _native.Arm,
+    target: ArrayLike | Sequence[ArrayLike],
+    frame: str | Sequence[str] | None,
+    asked: dict[str, Any],
+) -> list[NDArray[np.float64]]:
+    """Joint positions that are found."""
+    if frame is None or isinstance(frame, str):
+        targets = [(frame, _numbers(target))]
+    else:
+        targets = [(name, _numbers(one)) for name, one in zip(frame, target, strict=True)]  # type: ignore[arg-type]
+    joints = len(arm.joint_names)
+    start, posture = asked["start"], asked["posture"]
+    plan = {
+        **asked,
+        "targets": targets,
+        "start": [0.0] * joints if start is None else _positions("start", start, joints),
+        "posture": None if posture is None else _positions("posture", posture, joints),
+    }
+    found, failed = arm.reach(plan)
+    if failed is None:
+        return [np.array(q) for q, _, _ in found]
+    reason, is_setting = failed
+    if is_setting:
+        raise ValueError(reason)
+    ((q, position, rotation),) = found
+    raise NotReached(reason, np.array(q), position, rotation)
+
+
+def _numbers(target: object) -> list[float]:
+    numbers: NDArray[np.float64] = np.asarray(target, dtype=np.float64)
+    if numbers.shape not in _SHAPES:
+        raise ValueError(f"the target has the shape {numbers.shape}: expected one of {_SHAPES}")
+    entries: list[float] = numbers.ravel().tolist()
+    return entries
+
+
+def _positions(name: str, given: ArrayLike, joints: int) -> list[float]:
+    positions = np.asarray(given, dtype=np.float64)
+    if positions.shape != (joints,):
+        raise ValueError(f"`{name}` has the shape {positions.shape}: expected ({joints},)")
+    entries: list[float] = positions.tolist()
+    return entries

@@ -1,0 +1,140 @@
+//! Numeric inverse kinematics.
+
+use dynamics_evaluation::RuntimeRobot;
+use dynamics_runtime::inverse_kinematics::{NotReached, Places, Reached, Target};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Vector3};
+use dynamics_runtime::{InverseKinematics, SizedKinematics as _};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+
+use crate::robot::Arm;
+
+/// What is asked for.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct Asked {
+    /// Frames by their names, none for the tip, each with the numbers of its target: a position, an axis and its direction, a
+    /// rotation or a pose, by rows.
+    targets: Vec<(Option<String>, Vec<f64>)>,
+    start: Vec<f64>,
+    posture: Option<Vec<f64>>,
+    tolerance: [f64; 2],
+    attempts: usize,
+    seed: u64,
+    /// The most solutions.
+    most: usize,
+}
+
+/// Joint positions, and what is missing there, m and rad.
+type Found = (Vec<f64>, f64, f64);
+
+/// Why there are none, and whether something else was asked for than targets can be.
+type Failed = (String, bool);
+
+/// The target that so many numbers say.
+fn target(numbers: &[f64]) -> PyResult<Target> {
+    let vector = |first: usize| Vector3::from_column_slice(&numbers[first..first + 3]);
+    let rotation = |width: usize| Matrix3::from_fn(|i, j| numbers[width * i + j]);
+    match numbers.len() {
+        3 => Ok(Target::position(vector(0))),
+        6 => Ok(Target::pointing(vector(0), vector(3))),
+        9 => Ok(Target::rotation(rotation(3))),
+        16 => {
+            let origin = Vector3::new(numbers[3], numbers[7], numbers[11]);
+            Ok(Target::rotation(rotation(4)).at(origin))
+        }
+        _ => Err(PyValueError::new_err("a target of other numbers")),
+    }
+}
+
+/// The joint positions that are found, or those that came nearest with the reason.
+fn search<P: Places<Dyn>>(
+    solver: InverseKinematics<Dyn, P>,
+    targets: &[Target],
+    asked: &Asked,
+) -> (Vec<Found>, Option<Failed>) {
+    let [position, rotation] = asked.tolerance;
+    let solver = solver
+        .tolerance(position, rotation)
+        .attempts(asked.attempts)
+        .seed(asked.seed);
+    let solver = match &asked.posture {
+        Some(posture) => solver.posture(DVector::from_column_slice(posture)),
+        None => solver,
+    };
+    let start = DVector::from_column_slice(&asked.start);
+    let found = match asked.most {
+        1 => solver
+            .solve_all(targets, &start)
+            .map(|reached| vec![reached]),
+        most => solver.solutions(targets, &start, most),
+    };
+    let entries = |q: &DVector<f64>| q.as_slice().to_vec();
+    match found {
+        Ok(found) => {
+            let found = found.iter().map(|Reached::<Dyn> { q, residual, .. }| {
+                (entries(q), residual.position, residual.rotation)
+            });
+            (found.collect(), None)
+        }
+        Err(error) => {
+            let NotReached::<Dyn> {
+                q,
+                residual,
+                attempts,
+                ..
+            } = &error;
+            let failed = (error.to_string(), *attempts == 0);
+            (
+                vec![(entries(q), residual.position, residual.rotation)],
+                Some(failed),
+            )
+        }
+    }
+}
+
+#[pymethods]
+impl Arm {
+    /// Joint positions at which frames reach their targets; or those that came nearest, and why.
+    fn reach(&self, py: Python<'_>, asked: Asked) -> PyResult<(Vec<Found>, Option<Failed>)> {
+        let runtime_error =
+            |error: &dyn std::error::Error| PyRuntimeError::new_err(error.to_string());
+        let mut programs = Vec::new();
+        let mut targets = Vec::new();
+        for (frame, numbers) in &asked.targets {
+            targets.push(target(numbers)?);
+            let of_frame = frame
+                .as_ref()
+                .map_or_else(String::new, |frame| format!("_{frame}"));
+            for function in ["forward_kinematics", "jacobian"] {
+                let derived = self.derived(py, &format!("{function}{of_frame}"))?;
+                programs.push((derived.request.clone(), derived.proven.clone()));
+            }
+        }
+        let robot = RuntimeRobot::of_programs(self.description.robot.clone(), &programs);
+        let robot = self.with_values(&robot.map_err(|error| runtime_error(&error))?)?;
+        let places = asked
+            .targets
+            .iter()
+            .map(|(frame, _)| robot.place(frame.as_deref()));
+        let places = places.collect::<Result<Vec<_>, _>>();
+        let places = places.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok(py.detach(|| match &places[..] {
+            [place] => search(InverseKinematics::new(place), &targets, &asked),
+            _ => {
+                let frames = places
+                    .iter()
+                    .map(|place| |q: &DVector<f64>| (place.tip_pose(q), place.tip_jacobian(q)));
+                let frames: Vec<_> = frames.collect();
+                let Some(first) = places.first() else {
+                    return (Vec::new(), Some(("no frame was given".to_owned(), true)));
+                };
+                search(
+                    InverseKinematics::of_frames(first, frames),
+                    &targets,
+                    &asked,
+                )
+            }
+        }))
+    }
+}

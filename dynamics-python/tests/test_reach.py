@@ -1,0 +1,74 @@
+"""Numeric inverse kinematics."""
+
+import numpy as np
+import pytest
+
+import robot_dynamics as rd
+from conftest import DATA, panda
+
+KINEMATICS = ["forward_kinematics", "jacobian"]
+
+
+@pytest.fixture(scope="module")
+def reaching() -> rd.Robot:
+    return panda(functions=KINEMATICS)
+
+
+def test_poses_within_limits_are_reached(reaching: rd.Robot) -> None:
+    low, high = reaching.joint_limits.T
+    for q in np.random.default_rng(3).uniform(low, high, (20, 7)):
+        pose = reaching.forward_kinematics(q)
+        found = reaching.reach(pose, start=(low + high) / 2)
+        np.testing.assert_allclose(reaching.forward_kinematics(found), pose, atol=3e-9)
+        assert np.all((low <= found) & (found <= high))
+        np.testing.assert_array_equal(found, reaching.reach(pose, start=(low + high) / 2))
+
+
+def test_parts_of_a_pose(reaching: rd.Robot) -> None:
+    q = reaching.joint_limits.mean(axis=1) + 0.2
+    pose = reaching.forward_kinematics(q)
+    place = reaching.forward_kinematics(reaching.reach(pose[:3, 3], q - 0.1))
+    np.testing.assert_allclose(place[:3, 3], pose[:3, 3], atol=2e-9)
+    turned = reaching.forward_kinematics(reaching.reach(pose[:3, :3], q - 0.1))
+    np.testing.assert_allclose(turned[:3, :3], pose[:3, :3], atol=2e-9)
+    pointing = reaching.forward_kinematics(reaching.reach([[0, 0, 1], [1, 2, 0]], q))
+    np.testing.assert_allclose(pointing[:3, 2], np.array([1, 2, 0]) / 5**0.5, atol=2e-9)
+    near = reaching.reach(pose, q, posture=q + 0.1)
+    assert np.linalg.norm(near - q - 0.1) < np.linalg.norm(np.full(7, 0.1))
+
+
+def test_all_solutions_of_a_puma() -> None:
+    puma = rd.Robot.from_file(DATA / "robots" / "puma560.json", functions=KINEMATICS)
+    q = np.array([0.3, -1.0, 0.7, 0.2, 0.5, -0.4])
+    found = puma.reach_all(puma.forward_kinematics(q), q)
+    assert len(found) == 8
+    np.testing.assert_allclose(found[0], q, atol=1e-9)
+
+
+def test_frames_of_a_tree() -> None:
+    functions = [f"{name}({hand})" for name in KINEMATICS for hand in ("left_hand", "camera")]
+    torso = rd.Robot.from_file(DATA / "files" / "torso.toml", functions=functions, fields={"load": 1})
+    q = np.linspace(0.1, 0.4, torso.dof)
+    hands = ["left_hand", "camera"]
+    poses = [getattr(torso, f"forward_kinematics_{hand}")(q) for hand in hands]
+    found = torso.reach(poses, frame=hands)
+    for hand, pose in zip(hands, poses):
+        reached = getattr(torso, f"forward_kinematics_{hand}")(found)
+        np.testing.assert_allclose(reached, pose, atol=3e-9)
+
+
+def test_why_nothing_is_found(reaching: rd.Robot) -> None:
+    with pytest.raises(rd.NotReached, match="target 1 is .* m from the base") as raised:
+        reaching.reach([3, 0, 0])
+    tip = reaching.forward_kinematics(raised.value.q)[:3, 3]
+    assert raised.value.position == pytest.approx(np.linalg.norm(tip - [3, 0, 0]))
+    with pytest.raises(ValueError, match="target 1 is none"):
+        reaching.reach([np.nan, 0, 0])
+    with pytest.raises(ValueError, match="shape"):
+        reaching.reach([1, 2])
+    with pytest.raises(ValueError, match="no frame was given"):
+        reaching.reach([], frame=[])
+    with pytest.raises(ValueError, match="`start` has the shape"):
+        reaching.reach([0.5, 0, 0.5], [0, 0])
+    with pytest.raises(ValueError, match="`forward_kinematics_hand` was not asked for"):
+        reaching.reach([0.5, 0, 0.5], frame="hand")

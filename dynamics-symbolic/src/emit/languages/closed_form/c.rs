@@ -1,0 +1,139 @@
+//! Closed forms in C99.
+
+use super::super::body::number;
+use super::super::comments::comment;
+use super::super::{Language, free_name, indented, snake_case};
+use super::{Kind, Words, Writer, description, statements};
+use crate::function::inverse_method;
+use crate::inverse::{Plan, Target};
+use crate::robot::Robot;
+
+/// The functions that solve equations in one joint.
+const SOLVERS: &str = include_str!("solvers.c");
+
+const WORDS: Words = Words {
+    language: Language {
+        declare: |name, value| format!("const double {name} = {value};"),
+        entry: |_, i| {
+            if i < 9 {
+                format!("pose[{}][{}]", i / 3, i % 3)
+            } else {
+                format!("pose[{}][3]", i - 9)
+            }
+        },
+        number,
+        is_single: false,
+        times: " * ",
+        over: " / ",
+        field: |field| format!("arm->{}", free_name(field, "")),
+        sine: "sin",
+        cosine: "cos",
+        of_angles: None,
+        fused: None,
+        exponential: "exp",
+        sign: "sign",
+        test_pivot: |_, _, _| String::new(),
+        own_functions: &[],
+    },
+    declare: |kind, name, value| match kind {
+        Kind::Number => format!("const double {name} = {value};"),
+        Kind::Joint => format!("const found {name} = {value};"),
+        Kind::Direction => format!("const direction_of {name} = {value};"),
+    },
+    each: |name, call| {
+        vec![
+            format!("const roots {name}_roots = {call};"),
+            format!("for (int {name}_k = 0; {name}_k < {name}_roots.count; ++{name}_k) {{"),
+            format!("  const found {name} = {name}_roots.both[{name}_k];"),
+        ]
+    },
+    part: |name, part| match part {
+        "isSingular" => format!("{name}.is_singular"),
+        part => format!("{name}.{part}"),
+    },
+    keep: |joints, singular| {
+        let singular = if singular.is_empty() { "0" } else { singular };
+        vec![
+            format!(
+                "const found joints[{}] = {{{}}};",
+                joints.len(),
+                joints.join(", ")
+            ),
+            format!(
+                "count += keep(joints, turning, {}, {singular}, q[count], &is_singular[count]);",
+                joints.len()
+            ),
+        ]
+    },
+};
+
+/// Names and texts of the header and of the source of inverse kinematics for frames, or for the tip, each with its plan.
+pub fn inverse_in_c(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> [(String, String); 2] {
+    let name = snake_case(&robot.name);
+    let upper = name.to_uppercase();
+    let has_fields = !robot.fields.is_empty();
+    let include = has_fields.then(|| format!("#include \"{name}.h\"\n\n"));
+    let declarations: String = plans
+        .iter()
+        .map(|(frame, plan)| {
+            let mut lines = description(*frame, plan);
+            lines.push(String::new());
+            lines.extend(CONVENTIONS.map(str::to_owned));
+            format!(
+                "\n{}{};\n",
+                comment(&lines),
+                signature(robot, &name, *frame, plan)
+            )
+        })
+        .collect();
+    let header = format!(
+        "#ifndef {upper}_INVERSE_H\n#define {upper}_INVERSE_H\n\n{}#ifdef __cplusplus\nextern \"C\" {{\n#endif\n{declarations}\n\
+         #ifdef __cplusplus\n}}\n#endif\n\n#endif\n",
+        include.unwrap_or_default()
+    );
+    let bodies: String = plans
+        .iter()
+        .map(|(frame, plan)| function(robot, &name, *frame, plan))
+        .collect();
+    let source = format!("#include \"{name}_inverse.h\"\n{SOLVERS}{bodies}");
+    [
+        (format!("{name}_inverse.h"), header),
+        (format!("{name}_inverse.c"), source),
+    ]
+}
+
+const CONVENTIONS: [&str; 4] = [
+    "pose has rows, as forward_kinematics writes them; q angles from -pi to pi, rad, or m. Returns the number of",
+    "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach or not finite.",
+    "is_singular is 1 where two angles cannot be told apart within 1e-7 rad. Nothing is allocated, no state is kept.",
+    "Sines, arc tangents and roots are those of math.h.",
+];
+
+fn signature(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> String {
+    let arm = (!robot.fields.is_empty()).then(|| format!("const {name}_fields *arm, "));
+    let elbow = (plan.target == Target::PoseAndElbow).then_some("double elbow, ");
+    let (joints, most) = (plan.joints, plan.branches());
+    format!(
+        "int {name}_{}({}const double pose[4][4], {}double q[{most}][{joints}], int is_singular[{most}])",
+        inverse_method(frame),
+        arm.unwrap_or_default(),
+        elbow.unwrap_or_default()
+    )
+}
+
+fn function(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> String {
+    let turning: Vec<_> = Writer::turns(robot)
+        .map(|turns| if turns { "1" } else { "0" })
+        .collect();
+    let mut lines = vec![
+        format!("static const int turning[] = {{{}}};", turning.join(", ")),
+        "int count = 0;".to_owned(),
+    ];
+    lines.extend(statements(robot, plan, &WORDS));
+    lines.push("return count;".to_owned());
+    format!(
+        "\n{}\n{{\n{}}}\n",
+        signature(robot, name, frame, plan),
+        indented(&lines, 4)
+    )
+}

@@ -1,0 +1,179 @@
+//! Inverse kinematics in closed form as C99 and JavaScript, each in a file of its own with the functions that solve its
+//! equations: a loop over the solutions of each step inside that of the step before, as the Rust method has it.
+
+mod c;
+mod javascript;
+
+pub use c::inverse_in_c;
+pub use javascript::inverse_in_javascript;
+
+use super::Language;
+use super::body::Body;
+use crate::emit::inverse::{name_of, stages};
+use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
+use crate::program::Proven;
+use crate::robot::{Robot, Symbol};
+
+/// How a language writes the steps.
+struct Words {
+    language: Language,
+    /// The statement that gives a value of that kind its name.
+    declare: fn(Kind, &str, &str) -> String,
+    /// The beginning of a loop in which the joint of that name is each of the solutions of a call.
+    each: fn(&str, &str) -> Vec<String>,
+    /// The parts of a joint that was found, or of a direction.
+    part: fn(&str, &str) -> String,
+    /// The statements that keep a solution: its joints, and whether it is singular besides.
+    keep: fn(&[String], &str) -> Vec<String>,
+}
+
+/// What a statement declares.
+#[derive(Clone, Copy)]
+enum Kind {
+    Number,
+    Joint,
+    Direction,
+}
+
+struct Writer<'a> {
+    plan: &'a Plan,
+    words: &'a Words,
+    body: Body<'a>,
+    /// For each line the number of steps that must be done before it.
+    stages: Vec<usize>,
+}
+
+/// The statements of a plan behind the declarations of its results.
+fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
+    let proven = Proven {
+        constants: plan.program.rounded_constants(),
+        program: plan.program.clone(),
+    };
+    let writer = Writer {
+        plan,
+        words,
+        body: Body::new(robot, &proven, &words.language),
+        stages: stages(plan),
+    };
+    let mut statements = writer.inputs();
+    writer.from(0, &[], 0, &mut statements);
+    statements
+}
+
+/// The name of a joint that was found.
+fn joint(number: usize) -> String {
+    format!("joint_{}", number + 1)
+}
+
+impl Writer<'_> {
+    /// Fields, sines of angles that are made of them, and what is read of the arguments.
+    fn inputs(&self) -> Vec<String> {
+        let is_known = |symbol: &Symbol| match symbol {
+            Symbol::Sine(_) | Symbol::Cosine(_) | Symbol::Position(_) => false,
+            Symbol::Entry(_, place) => *place < ELBOW,
+            _ => true,
+        };
+        let mut inputs = self.body.inputs_that(is_known);
+        if self.plan.target == Target::PoseAndElbow {
+            let Language { sine, cosine, .. } = self.words.language;
+            for (place, function) in [(ELBOW, sine), (ELBOW + 1, cosine)] {
+                let value = format!("{function}(elbow)");
+                inputs.push((self.words.language.declare)(&self.number(place), &value));
+            }
+        }
+        inputs
+    }
+
+    /// The variable of a number behind the entries of the pose.
+    fn number(&self, place: usize) -> String {
+        format!("pose_{}", place + 1)
+    }
+
+    /// A step and all behind it, so many blocks deep. `singular` has conditions by which a solution is marked.
+    fn from(&self, step: usize, singular: &[String], depth: usize, text: &mut Vec<String>) {
+        let indent = "  ".repeat(depth);
+        let mut push = |lines: Vec<String>| {
+            text.extend(lines.into_iter().map(|line| format!("{indent}{line}")));
+        };
+        push(self.body.lines_that(|line| self.stages[line] == step));
+        let Some(&Step { solved, rule }) = self.plan.steps.get(step) else {
+            let joints: Vec<_> = (0..self.plan.joints).map(joint).collect();
+            push((self.words.keep)(&joints, &singular.join(" || ")));
+            return;
+        };
+        let first = self.plan.first_outputs()[step];
+        let outputs = first..first + rule.coefficients();
+        let coefficients: Vec<_> = outputs.map(|k| self.body.output_of(k)).collect();
+        let call = format!("{}({})", name_of(rule), coefficients.join(", "));
+        match solved {
+            Solved::Nothing => push(vec![format!("if ({call}) {{")]),
+            Solved::Numbers(place) => {
+                let (lines, mark) = self.numbers(rule, place, &call);
+                push(lines);
+                let singular: Vec<String> = singular.iter().cloned().chain(mark).collect();
+                return self.from(step + 1, &singular, depth, text);
+            }
+            Solved::Joint(number) => {
+                let name = joint(number);
+                let bound = self.bound(number, &name);
+                if rule.solutions() == 1 {
+                    push(vec![(self.words.declare)(Kind::Joint, &name, &call)]);
+                    push(bound);
+                    return self.from(step + 1, singular, depth, text);
+                }
+                push((self.words.each)(&name, &call));
+                push(bound.iter().map(|line| format!("  {line}")).collect());
+            }
+        }
+        self.from(step + 1, singular, depth + 1, text);
+        text.push(format!("{indent}}}"));
+    }
+
+    /// Numbers that a step finds, and the condition under which others would do.
+    fn numbers(&self, rule: Rule, place: usize, call: &str) -> (Vec<String>, Option<String>) {
+        let declare = self.words.declare;
+        if rule == Rule::Root {
+            return (vec![declare(Kind::Number, &self.number(place), call)], None);
+        }
+        let name = format!("direction_{}", place + 1);
+        let mut lines = vec![declare(Kind::Direction, &name, call)];
+        for (k, part) in ["x", "y", "z"].into_iter().enumerate() {
+            let value = (self.words.part)(&name, part);
+            lines.push(declare(Kind::Number, &self.number(place + k), &value));
+        }
+        (lines, Some((self.words.part)(&name, "isSingular")))
+    }
+
+    /// Sine and cosine, or the position, of a joint that was found, where they are read.
+    fn bound(&self, number: usize, name: &str) -> Vec<String> {
+        let inputs = self.plan.program.inputs.iter().enumerate();
+        let read = inputs.filter_map(|(index, symbol)| {
+            let part = match symbol {
+                Symbol::Sine(i) | Symbol::Position(i) if *i == number => "sine",
+                Symbol::Cosine(i) if *i == number => "cosine",
+                _ => return None,
+            };
+            let value = (self.words.part)(name, part);
+            Some((self.words.language.declare)(
+                self.body.input_name(index),
+                &value,
+            ))
+        });
+        read.collect()
+    }
+
+    /// For each joint whether it turns.
+    fn turns(robot: &Robot) -> impl Iterator<Item = bool> {
+        use crate::robot::JointType;
+        robot
+            .joints()
+            .map(|row| row.joint_type == JointType::Revolute)
+    }
+}
+
+/// The description, as lines of a comment.
+fn description(frame: Option<&str>, plan: &Plan) -> Vec<String> {
+    let lines = crate::emit::inverse::documentation(frame, plan);
+    let first = lines.into_iter().take(1);
+    first.map(|line| line.trim().replace('`', "")).collect()
+}
