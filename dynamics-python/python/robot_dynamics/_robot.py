@@ -145,7 +145,8 @@ class Robot:
     def source(self, lang: str, functions: Iterable[str] | None = None) -> dict[str, str]:
         """Functions as source code: the texts of files by their names.
 
-        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names.
+        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"`, `"python"` or `"casadi"`. Fields keep their names. The C file for
+        `casadi.external` has derivatives besides.
         """
         return dict(self._arm.source(lang, list(functions or self.functions)))
 
