@@ -37,6 +37,7 @@ impl Arm {
             let model = Model {
                 robot,
                 requests: requests.into_iter().map(|of| (of, None)).collect(),
+                inverses: Vec::new(),
                 tests: false,
                 neglect: None,
                 notes: Vec::new(),
