@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{
-    CNumbers, c_project, c_source_in, inverse_in_c, inverse_in_javascript, javascript_module,
-    matlab_files, python_module, snake_case,
+    CNumbers, c_project, c_source_in, casadi_requests, casadi_source, inverse_in_c,
+    inverse_in_javascript, javascript_module, matlab_files, python_module, snake_case,
 };
 use dynamics_symbolic::proven_plan;
 
@@ -122,8 +122,14 @@ fn other(
     path: &Path,
     model: &Model,
 ) -> Result<Vec<(String, String)>, Failure> {
-    let programs = programs(path, &model.robot, &requests(model)?)?;
     let robot = &model.robot;
+    let requests = requests(model)?;
+    if language == Some("casadi") {
+        let programs = programs(path, robot, &casadi_requests(&requests))?;
+        let source = casadi_source(robot, &requests, &programs);
+        return Ok(vec![(source.name, source.text)]);
+    }
+    let programs = programs(path, robot, &requests)?;
     let name = snake_case(&robot.name);
     Ok(match language {
         Some("c") => {

@@ -347,3 +347,15 @@ fn batches_are_single_calls() {
         "`elbow` has 0 states where `pose` has 1"
     );
 }
+
+#[test]
+fn nothing_is_allocated() {
+    let pose = Puma560.forward_kinematics(&Random(2).joints());
+    let info = allocation_counter::measure(|| {
+        let solutions = Puma560
+            .inverse_kinematics(&pose)
+            .within(&Puma560::JOINT_LIMITS);
+        assert!(solutions.nearest(&SVector::zeros()).is_some());
+    });
+    assert_eq!(info.count_total, 0);
+}

@@ -76,21 +76,23 @@ fn check() -> Command {
 }
 
 fn generate() -> Command {
-    of_a_file("generate", "Write the functions as source code: Rust, C, JavaScript, Python or MATLAB")
+    of_a_file("generate", "Write the functions as source code: Rust, C, JavaScript, Python, MATLAB or for CasADi")
         .long_about(
             "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
              the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \
              the name of the file, documented methods, the runtime's traits. `c` is C99, a header and a source without \
              dependencies, which are C++ and device code as well; its sines stand in it, with the digits of Rust's; with \
              --scalar float no operation is in double precision. `js` is an ES module. `python` is a module for numpy, \
-             jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. The same file \
+             jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. \
+             `casadi` is a C file for `casadi.external`, with first derivatives of `inverse_dynamics`, `forward_dynamics`, \
+             `bias_force` and `center_of_mass`, and second ones of `inverse_dynamics`. The same file \
              gives the same bytes each time.\n\n\
              Names in the file's cells that have no value are fields: of the struct in Rust, of a struct in C and MATLAB, \
-             of an object in JavaScript and Python, which is the first argument.",
+             of an object in JavaScript and Python, which is the first argument; for CasADi this is a vector.",
         )
         .arg(functions())
         .arg(
-            choice("lang", "LANGUAGE", ["rust", "c", "js", "python", "matlab"])
+            choice("lang", "LANGUAGE", ["rust", "c", "js", "python", "matlab", "casadi"])
                 .required(true)
                 .help("The language"),
         )

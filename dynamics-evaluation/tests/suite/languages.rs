@@ -117,7 +117,7 @@ fn argument(name: &str, dof: usize, state: usize) -> Vec<f64> {
     (0..count).map(entry).collect()
 }
 
-fn by_rows(value: &Value) -> Vec<f64> {
+pub(super) fn by_rows(value: &Value) -> Vec<f64> {
     match value {
         Value::Number(x) => vec![*x],
         Value::Matrix(matrix) => matrix.transpose().iter().copied().collect(),

@@ -2,6 +2,7 @@
 
 mod arrays;
 mod batches;
+mod casadi;
 mod data_files;
 mod generated;
 mod identified;

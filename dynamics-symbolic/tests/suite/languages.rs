@@ -1,7 +1,9 @@
 //! The text of functions in other languages: readable, and the same each time. That their values are
 //! those of Rust is a test of `dynamics-evaluation`.
 
-use dynamics_symbolic::emit::{c_source, javascript_module, matlab_files, python_module};
+use dynamics_symbolic::emit::{
+    c_source, casadi_requests, casadi_source, javascript_module, matlab_files, python_module,
+};
 use dynamics_symbolic::{Function, Request, proven_program};
 use expect_test::expect_file;
 
@@ -26,4 +28,20 @@ fn two_link_arm_in_other_languages() {
         .map(|(name, text)| format!("% {name}\n{text}"))
         .collect();
     expect_file!["../golden/two_link_craig.m"].assert_eq(&texts.join("\n"));
+}
+
+/// Entries that are zero always are no part of an output, derivatives stand behind their function.
+#[test]
+fn two_link_arm_for_casadi() {
+    let robot = two_link_craig();
+    let requests = [Function::GravityVector, Function::InverseDynamics].map(Request::from);
+    let needed = casadi_requests(&requests).into_iter();
+    let programs = needed.map(|request| {
+        let program = proven_program(&robot, &request).expect("proven");
+        (request, program)
+    });
+    let programs: Vec<_> = programs.collect();
+    let source = casadi_source(&robot, &requests, &programs);
+    assert_eq!(source.name, "two_link_craig_casadi.c");
+    expect_file!["../golden/two_link_craig_casadi.c"].assert_eq(&source.text);
 }

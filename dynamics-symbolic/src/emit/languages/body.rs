@@ -148,15 +148,32 @@ impl<'a> Body<'a> {
 
     /// The outputs of each part that are values, one part after the other.
     pub(super) fn values(&self, request: &Request) -> Vec<Vec<String>> {
+        let parts = self.outputs(request).into_iter();
+        let values = parts.map(|outputs| outputs.iter().map(|output| self.output(*output)));
+        values.map(Iterator::collect).collect()
+    }
+
+    /// The same of all parts together, without a text where an output is zero always.
+    pub(super) fn entries(&self, request: &Request) -> Vec<Option<String>> {
+        let entry = |output: &Output| (!self.is_zero(*output)).then(|| self.output(*output));
+        let outputs = self.outputs(request).into_iter();
+        outputs.flatten().map(entry).collect()
+    }
+
+    /// The outputs of each part that are values.
+    fn outputs(&self, request: &Request) -> Vec<&[Output]> {
         let freedoms = self.robot.freedoms();
         let spans = spans(request.parts(), freedoms, self.program.outputs.len());
         let parts = request.parts().iter().zip(spans);
-        let values = parts.map(|(part, span)| {
+        let outputs = parts.map(|(part, span)| {
             let entries = part.function.entries(freedoms, span.len());
-            let outputs = &self.program.outputs[span.start..][..entries];
-            outputs.iter().map(|output| self.output(*output)).collect()
+            &self.program.outputs[span.start..][..entries]
         });
-        values.collect()
+        outputs.collect()
+    }
+
+    fn is_zero(&self, output: Output) -> bool {
+        matches!(output.operand, Operand::Constant(id) if self.constants[id.index()] == 0.0)
     }
 
     fn output(&self, output: Output) -> String {

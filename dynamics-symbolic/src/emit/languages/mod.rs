@@ -1,4 +1,4 @@
-//! Programs as C99, JavaScript, Python and MATLAB: the same lines as the Rust method.
+//! Programs as C99, JavaScript, Python, MATLAB and functions of CasADi: the same lines as the Rust method.
 //!
 //! C has the digits of a Rust build for the same processor. In the other languages products and sums are rounded one by
 //! one, and values are those of a Rust build without fused instructions, but for sines and exponentials, which are those
@@ -7,6 +7,7 @@
 mod arrangement;
 mod body;
 mod c;
+mod casadi;
 mod closed_form;
 mod comments;
 mod javascript;
@@ -14,6 +15,7 @@ mod matlab;
 mod python;
 
 pub use c::{CNumbers, CSource, c_project, c_source, c_source_in};
+pub use casadi::{CasadiSource, casadi_requests, casadi_source};
 pub use closed_form::{inverse_in_c, inverse_in_javascript};
 pub use comments::description;
 pub use javascript::javascript_module;

@@ -2,7 +2,7 @@
 
 mod batch;
 mod cpp;
-mod precision;
+pub(super) mod precision;
 mod project;
 mod sines;
 
@@ -29,7 +29,7 @@ pub struct CSource {
 }
 
 /// The keywords of C and of C++.
-const WORDS: &str = "
+pub(super) const WORDS: &str = "
 alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept
 const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype default
 delete do double dynamic_cast else enum explicit export extern false float for friend goto if inline
@@ -292,7 +292,7 @@ fn is_number(request: &Request) -> bool {
 }
 
 /// Whether a statement has the beginning of a read in it, and not as the end of a longer name.
-fn reads_name(statement: &str, read: &str) -> bool {
+pub(super) fn reads_name(statement: &str, read: &str) -> bool {
     let is_letter = |letter: char| letter.is_alphanumeric() || letter == '_';
     let mut found = statement.match_indices(read);
     found.any(|(at, _)| !statement[..at].ends_with(is_letter))

@@ -22,8 +22,8 @@ pub enum CNumbers {
 }
 
 /// How functions of one kind of numbers are written.
-pub(super) struct Precision {
-    pub(super) language: Language,
+pub(in super::super) struct Precision {
+    pub(in super::super) language: Language,
     /// The type.
     pub(super) word: &'static str,
     /// The unsigned integer of as many bytes.
@@ -49,7 +49,7 @@ impl CNumbers {
         }
     }
 
-    pub(super) fn precision(self) -> &'static Precision {
+    pub(in super::super) fn precision(self) -> &'static Precision {
         match self {
             CNumbers::Double => &DOUBLE,
             CNumbers::DoubleWithLibrary => &DOUBLE_WITH_LIBRARY,
@@ -61,7 +61,7 @@ impl CNumbers {
 
 impl Precision {
     /// What stands above the functions whose texts are given: what they call.
-    pub(super) fn functions(&self, bodies: &str) -> String {
+    pub(in super::super) fn functions(&self, bodies: &str) -> String {
         let library = self.library.iter();
         let library = library.filter(|(call, _)| bodies.contains(call));
         let mut library: Vec<&str> = library.map(|(_, text)| *text).collect();

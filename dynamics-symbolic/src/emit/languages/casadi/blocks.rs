@@ -1,0 +1,190 @@
+//! The matrices that a function of CasADi and those of its derivatives give.
+
+use super::derivatives::second_derivative;
+use super::interface::{Input, Output, Size};
+use super::{FIELDS, Of, argument_sizes, name};
+use crate::function::{Argument, Shape, Sizes};
+use crate::robot::Robot;
+
+/// What a function takes and gives.
+pub(super) struct Blocks {
+    inputs: Vec<Variable>,
+    outputs: Vec<(String, Size)>,
+    /// The degrees of freedom.
+    freedoms: usize,
+}
+
+/// An input by which is differentiated.
+struct Variable {
+    name: String,
+    entries: usize,
+    /// The argument, if derivatives by it are known: they are not by symbolic parameters and by the pose of the base.
+    argument: Option<Argument>,
+}
+
+impl Blocks {
+    pub(super) fn new(robot: &Robot, (request, proven): Of<'_>) -> Self {
+        let sizes = proven.sizes(request, robot.freedoms());
+        let fields = (!robot.fields.is_empty()).then(|| Variable {
+            name: FIELDS.to_owned(),
+            entries: robot.fields.len(),
+            argument: None,
+        });
+        let arguments = argument_sizes(request, sizes).map(|(argument, entries)| Variable {
+            name: argument.name().to_owned(),
+            entries,
+            argument: Some(argument).filter(|argument| *argument != Argument::Base),
+        });
+        let outputs = request.parts().iter().flat_map(|part| {
+            let named = if request.is_tuple() {
+                robot.name_of(*part)
+            } else {
+                request.result().to_owned()
+            };
+            matrices(name(&named), part.function.shape(), sizes)
+        });
+        Blocks {
+            inputs: fields.into_iter().chain(arguments).collect(),
+            outputs: outputs.collect(),
+            freedoms: robot.freedoms().all(),
+        }
+    }
+
+    pub(super) fn inputs(&self) -> Vec<Input> {
+        let inputs = self.inputs.iter();
+        let inputs = inputs.map(|input| Input {
+            name: input.name.clone(),
+            size: (input.entries, 1),
+            is_empty: false,
+        });
+        inputs.collect()
+    }
+
+    /// The same, and a place for each output.
+    pub(super) fn inputs_of_first(&self) -> Vec<Input> {
+        let mut inputs = self.inputs();
+        let outputs = self.outputs.iter();
+        inputs.extend(outputs.map(|(name, size)| place_of(name, *size)));
+        inputs
+    }
+
+    /// The same, and a place for each block of first derivatives.
+    pub(super) fn inputs_of_second(&self) -> Vec<Input> {
+        let mut inputs = self.inputs_of_first();
+        let blocks = self.blocks();
+        inputs.extend(blocks.map(|(_, input, name, size)| {
+            let columns = input.entries;
+            place_of(&name, (size.0 * size.1, columns))
+        }));
+        inputs
+    }
+
+    /// A block of first derivatives for each output and input: the place of the output, the input, the name, and the
+    /// size of the output.
+    fn blocks(&self) -> impl Iterator<Item = (usize, &Variable, String, Size)> {
+        let outputs = self.outputs.iter().enumerate();
+        outputs.flat_map(|(place, (output, size))| {
+            let inputs = self.inputs.iter();
+            inputs.map(move |input| (place, input, format!("jac_{output}_{}", input.name), *size))
+        })
+    }
+
+    /// The outputs of the function.
+    pub(super) fn outputs(&self, values: &[Option<String>]) -> Vec<Output> {
+        let mut start = 0;
+        let outputs = self.outputs.iter().map(|(name, (rows, columns))| {
+            let value = |row: usize, column: usize| values[start + row * columns + column].clone();
+            let output = Output::new(name.clone(), (*rows, *columns), value);
+            start += rows * columns;
+            output
+        });
+        outputs.collect()
+    }
+
+    /// The blocks of first derivatives. `values` has a matrix for each argument, whose columns are degrees of freedom.
+    pub(super) fn first(&self, values: &[Option<String>]) -> Vec<Output> {
+        let mut start = 0;
+        let blocks = self.blocks().map(|(_, input, name, (rows, columns))| {
+            let size = (rows * columns, input.entries);
+            if input.argument.is_none() {
+                return Output::unknown(name, size);
+            }
+            let value = |row: usize, column: usize| {
+                let freedom = self.freedom(input, column);
+                values[start + row * self.freedoms + freedom].clone()
+            };
+            let block = Output::new(name, size, value);
+            start += size.0 * self.freedoms;
+            block
+        });
+        blocks.collect()
+    }
+
+    /// The blocks of second derivatives. `values` has the arrays of `second_derivative`.
+    pub(super) fn second(&self, values: &[Option<String>]) -> Vec<Output> {
+        let mut outputs = Vec::new();
+        let matrix = self.freedoms * self.freedoms;
+        for (_, one, block, (rows, columns)) in self.blocks() {
+            let forces = rows * columns;
+            let height = forces * one.entries;
+            for other in &self.inputs {
+                let name = format!("jac_{block}_{}", other.name);
+                let size = (height, other.entries);
+                let (Some(first), Some(second)) = (one.argument, other.argument) else {
+                    outputs.push(Output::unknown(name, size));
+                    continue;
+                };
+                outputs.push(Output::new(name, size, |row, column| {
+                    let (force, of_one) = (row % forces, self.freedom(one, row / forces));
+                    let of_other = self.freedom(other, column);
+                    let place = second_derivative((first, of_one), (second, of_other));
+                    let (array, row, column) = place?;
+                    let start = (array * self.freedoms + force) * matrix;
+                    values[start + row * self.freedoms + column].clone()
+                }));
+            }
+            // Nothing depends on the place of an output.
+            for (output, (rows, columns)) in &self.outputs {
+                let name = format!("jac_{block}_out_{output}");
+                outputs.push(Output::new(name, (height, rows * columns), |_, _| None));
+            }
+        }
+        outputs
+    }
+
+    /// The degree of freedom of an entry: positions are those of the joints alone.
+    fn freedom(&self, input: &Variable, entry: usize) -> usize {
+        self.freedoms - input.entries + entry
+    }
+}
+
+/// The input in place of an output, which is never read.
+fn place_of(output: &str, size: Size) -> Input {
+    Input {
+        name: format!("out_{output}"),
+        size,
+        is_empty: true,
+    }
+}
+
+/// The matrices of a value in order, those of lists and tuples by numbers.
+fn matrices(name: String, shape: &Shape, sizes: Sizes) -> Vec<(String, Size)> {
+    let numbered =
+        |number: usize, shape: &Shape| matrices(format!("{name}_{}", number + 1), shape, sizes);
+    match shape {
+        Shape::Number => vec![(name, (1, 1))],
+        Shape::Matrix(rows, columns) => vec![(name, (rows.of(sizes), columns.of(sizes)))],
+        Shape::Each(count, one) => {
+            let all = 0..count.of(sizes);
+            all.flat_map(|number| numbered(number, one)).collect()
+        }
+        Shape::Tuple(parts) => {
+            let parts = parts.iter().enumerate();
+            parts
+                .flat_map(|(number, part)| numbered(number, part))
+                .collect()
+        }
+        // Never written: it is no program over numbers.
+        Shape::Series => Vec::new(),
+    }
+}

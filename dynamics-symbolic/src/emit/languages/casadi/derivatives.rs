@@ -1,0 +1,75 @@
+//! Which programs have the derivatives of a function, and where among their values an entry stands.
+
+use crate::function::{Argument, Function, Request};
+
+/// A function with derivatives: the programs that have them.
+pub(super) struct Derivatives {
+    /// The functions whose values are the matrices of first derivatives, one for each argument of the function in order.
+    first: &'static [Function],
+    /// Whether second derivatives are those of the inverse dynamics.
+    has_second: bool,
+}
+
+const OF_INVERSE_DYNAMICS: Derivatives = Derivatives {
+    first: &[Function::InverseDynamicsDerivatives, Function::MassMatrix],
+    has_second: true,
+};
+
+/// Inverse dynamics without accelerations: their program reads zeros there.
+const OF_BIAS_FORCE: Derivatives = Derivatives {
+    first: &[Function::InverseDynamicsDerivatives],
+    has_second: false,
+};
+
+const OF_FORWARD_DYNAMICS: Derivatives = Derivatives {
+    first: &[Function::ForwardDynamicsDerivatives],
+    has_second: false,
+};
+
+const OF_CENTER_OF_MASS: Derivatives = Derivatives {
+    first: &[Function::CenterOfMassJacobian],
+    has_second: false,
+};
+
+/// The derivatives of a method, where programs have them.
+pub(super) fn derivatives(request: &Request) -> Option<&'static Derivatives> {
+    match request.function()? {
+        Function::InverseDynamics => Some(&OF_INVERSE_DYNAMICS),
+        Function::BiasForce => Some(&OF_BIAS_FORCE),
+        Function::ForwardDynamics | Function::ForwardDynamicsAba => Some(&OF_FORWARD_DYNAMICS),
+        Function::CenterOfMass => Some(&OF_CENTER_OF_MASS),
+        _ => None,
+    }
+}
+
+impl Derivatives {
+    /// The program of the first derivatives.
+    pub(super) fn first(&self) -> Request {
+        match self.first {
+            [function] => Request::from(*function),
+            several => Request::fused("first_derivatives", several.iter().copied()),
+        }
+    }
+
+    /// The program of the second ones.
+    pub(super) fn second(&self) -> Option<Request> {
+        self.has_second
+            .then(|| Request::from(Function::InverseDynamicsSecondDerivatives))
+    }
+}
+
+/// Where the second derivative of force `i` by two entries of arguments stands: the array of matrices, and row and column
+/// in its matrix `i`. `None` where it is zero always.
+pub(super) fn second_derivative(
+    one: (Argument, usize),
+    other: (Argument, usize),
+) -> Option<(usize, usize, usize)> {
+    use Argument::{Acceleration, Position, Velocity};
+    match ((one.0, other.0), one.1, other.1) {
+        ((Position, Position), j, k) => Some((0, j, k)),
+        ((Velocity, Velocity), j, k) => Some((1, j, k)),
+        ((Position, Velocity), j, k) | ((Velocity, Position), k, j) => Some((2, j, k)),
+        ((Acceleration, Position), j, k) | ((Position, Acceleration), k, j) => Some((3, j, k)),
+        _ => None,
+    }
+}

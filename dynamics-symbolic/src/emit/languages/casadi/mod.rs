@@ -1,0 +1,343 @@
+//! CasADi: a C file of the functions that `casadi.external` looks for, with their derivatives.
+//!
+//! CasADi differentiates an external function `f` by `jac_f`, whose inputs are those of `f` and a place for each output,
+//! and whose outputs are a block for each output and input. Second derivatives are `jac_jac_f` by the same rule.
+
+mod blocks;
+mod derivatives;
+mod interface;
+
+use super::body::Body;
+use super::c::precision::{CNumbers, Precision};
+use super::c::{WORDS, reads_name};
+use super::comments::{comment, lines as documentation, title_lines};
+use super::{argument_sizes, free_name, indented, snake_case};
+use crate::function::Request;
+use crate::program::Proven;
+use crate::robot::Robot;
+use blocks::Blocks;
+use derivatives::derivatives;
+use interface::{Input, Output, Patterns, Values, interface};
+
+/// The functions of a robot for CasADi.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CasadiSource {
+    /// The name of the file: `panda_casadi.c`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// The input that has the symbolic parameters of the robot.
+const FIELDS: &str = "arm";
+
+const REFUSAL: &str = "Fails where M(q) is not positive definite to working precision or not finite: returns the number \
+                       of the joint whose pivot failed, counted from 1, and writes nothing.";
+
+const TOP: &str = "
+#ifndef ROBOT_DYNAMICS_DEVICE
+#define ROBOT_DYNAMICS_DEVICE
+#endif
+
+#ifndef CASADI_SYMBOL_EXPORT
+#if defined(_WIN32) || defined(__CYGWIN__)
+#define CASADI_SYMBOL_EXPORT __declspec(dllexport)
+#else
+#define CASADI_SYMBOL_EXPORT
+#endif
+#endif
+";
+
+/// Programs of derivatives may have more values than are given, as those by the pose of a base.
+const UNUSED: &str = "
+#ifdef __GNUC__
+#pragma GCC diagnostic ignored \"-Wunused-variable\"
+#endif
+";
+
+const UNKNOWN: &str = "
+#include <math.h>
+
+/** Derivatives that are not known. */
+static void robot_dynamics_unknown(double *values, long long int count)
+{
+    long long int i;
+    for (i = 0; i < count; ++i) values[i] = NAN;
+}
+";
+
+/// The methods whose programs the file of some methods has: each of these, then its derivatives.
+pub fn casadi_requests(requests: &[Request]) -> Vec<Request> {
+    let mut needed: Vec<Request> = requests.to_vec();
+    for request in requests {
+        let Some(derivatives) = derivatives(request) else {
+            continue;
+        };
+        let of_request = [Some(derivatives.first()), derivatives.second()];
+        for request in of_request.into_iter().flatten() {
+            if !needed.iter().any(|known| known.parts() == request.parts()) {
+                needed.push(request);
+            }
+        }
+    }
+    needed
+}
+
+/// Some methods of a robot as functions of CasADi. `programs` has those of [`casadi_requests`].
+///
+/// A function has the name of the method. Its inputs are the arguments, its outputs matrices without the entries that are
+/// zero always. The symbolic parameters of the robot are the first input, `arm`, in their order. Derivatives by it, and by
+/// the pose of a base that moves, are not known: they are NaN.
+pub fn casadi_source(
+    robot: &Robot,
+    requests: &[Request],
+    programs: &[(Request, Proven)],
+) -> CasadiSource {
+    let mut file = File {
+        robot,
+        precision: CNumbers::Double.precision(),
+        patterns: Patterns::default(),
+        longest: 1,
+    };
+    let functions: String = requests
+        .iter()
+        .filter_map(|request| file.with_derivatives(request, programs))
+        .collect();
+    CasadiSource {
+        name: format!("{}_casadi.c", snake_case(&robot.name)),
+        text: file.text(&functions),
+    }
+}
+
+/// A program of a request.
+type Of<'a> = &'a (Request, Proven);
+
+/// The file that is being written.
+struct File<'a> {
+    robot: &'a Robot,
+    precision: &'static Precision,
+    patterns: Patterns,
+    /// The most entries of an input.
+    longest: usize,
+}
+
+impl File<'_> {
+    /// A function and those of its derivatives; `None` without its program.
+    fn with_derivatives(
+        &mut self,
+        request: &Request,
+        programs: &[(Request, Proven)],
+    ) -> Option<String> {
+        let program = |request: &Request| {
+            let mut programs = programs.iter();
+            programs.find(|(known, _)| known.parts() == request.parts())
+        };
+        let function = program(request)?;
+        let name = name(request.name());
+        let blocks = Blocks::new(self.robot, function);
+        let body = self.body(function);
+        let comment = documentation(self.robot, &function.0, &function.1, REFUSAL);
+        let outputs = blocks.outputs(&body.entries(&function.0));
+        let mut text = self.function(&name, &comment, function, &blocks.inputs(), &outputs);
+        let Some(derivatives) = derivatives(request) else {
+            return Some(text);
+        };
+        if let Some(first) = program(&derivatives.first()) {
+            let outputs = blocks.first(&self.body(first).entries(&first.0));
+            let comment = [format!("First derivatives of `{name}`.")];
+            let jac = format!("jac_{name}");
+            text += &self.function(&jac, &comment, first, &blocks.inputs_of_first(), &outputs);
+        }
+        if let Some(second) = derivatives.second().as_ref().and_then(program) {
+            let outputs = blocks.second(&self.body(second).entries(&second.0));
+            let comment = [format!("Second derivatives of `{name}`.")];
+            let jac = format!("jac_jac_{name}");
+            text += &self.function(&jac, &comment, second, &blocks.inputs_of_second(), &outputs);
+        }
+        Some(text)
+    }
+
+    fn body<'a>(&'a self, (_, proven): Of<'a>) -> Body<'a> {
+        Body::new(self.robot, proven, &self.precision.language)
+    }
+
+    /// A function of that name whose values are those of a program.
+    fn function(
+        &mut self,
+        name: &str,
+        documentation: &[String],
+        program: Of<'_>,
+        inputs: &[Input],
+        outputs: &[Output],
+    ) -> String {
+        let (request, _) = program;
+        let statements = self.body(program).statements(request);
+        let mut lines = self.reads(program, inputs, &statements);
+        lines.extend(statements);
+        for (place, output) in outputs.iter().enumerate() {
+            lines.extend(written(place, output));
+        }
+        lines.push("return 0;".to_owned());
+        let shown = signature(inputs, outputs);
+        let documentation = [documentation, &[String::new(), shown]].concat();
+        let body = format!(
+            "\n{}CASADI_SYMBOL_EXPORT int {name}(const double **arg, double **res, long long int *iw, double *w, int mem)\n{{\n{}}}\n",
+            comment(&documentation),
+            indented(&lines, 4)
+        );
+        body + &interface(name, inputs, outputs, &mut self.patterns)
+    }
+
+    /// The statements by which what a program reads is found among the inputs; zeros where an input is not there.
+    fn reads(&mut self, program: Of<'_>, inputs: &[Input], statements: &[String]) -> Vec<String> {
+        let (request, proven) = program;
+        let sizes = proven.sizes(request, self.robot.freedoms());
+        let arguments = argument_sizes(request, sizes);
+        let arguments: Vec<_> = arguments
+            .map(|(argument, size)| (argument.name(), size))
+            .collect();
+        let is_read = |read: &str| statements.iter().any(|line| reads_name(line, read));
+        let zeros = "robot_dynamics_zeros";
+        let pointer = |name: &str| {
+            let place = inputs.iter().position(|input| input.name == name);
+            place.map_or(zeros.to_owned(), |place| {
+                format!("arg[{place}] ? arg[{place}] : {zeros}")
+            })
+        };
+        let mut lines = Vec::new();
+        if is_read(&format!("{FIELDS}->")) {
+            let count = self.robot.fields.len();
+            let entries: Vec<_> = (0..count).map(|i| format!("entries[{i}]")).collect();
+            self.longest = self.longest.max(count);
+            lines.push(format!("const double *entries = {};", pointer(FIELDS)));
+            lines.push(format!(
+                "const robot_dynamics_fields fields = {{{}}};",
+                entries.join(", ")
+            ));
+            lines.push(format!("const robot_dynamics_fields *{FIELDS} = &fields;"));
+        }
+        for (name, size) in arguments {
+            if is_read(&format!("{name}[")) {
+                self.longest = self.longest.max(size);
+                lines.push(format!("const double *{name} = {};", pointer(name)));
+            }
+        }
+        let unread = if lines.is_empty() { "(void)arg; " } else { "" };
+        lines.push(format!("{unread}(void)res; (void)iw; (void)w; (void)mem;"));
+        lines
+    }
+
+    fn text(&self, functions: &str) -> String {
+        let own = self.precision.functions(functions);
+        let unknown = if functions.contains("robot_dynamics_unknown(") {
+            UNKNOWN
+        } else {
+            ""
+        };
+        let zeros = if functions.contains("robot_dynamics_zeros") {
+            format!(
+                "\n/* What is read where an input is not there. */\nstatic const double robot_dynamics_zeros[{}] = {{0}};\n",
+                self.longest
+            )
+        } else {
+            String::new()
+        };
+        let members = self
+            .robot
+            .fields
+            .iter()
+            .map(|field| format!("double {};", free_name(field, WORDS)));
+        let members: Vec<_> = members.collect();
+        let fields = match &members[..] {
+            [] => String::new(),
+            members => format!(
+                "\ntypedef struct {{\n{}}} robot_dynamics_fields;\n",
+                indented(members, 4)
+            ),
+        };
+        format!(
+            "{}{TOP}{UNUSED}{own}{unknown}{fields}{zeros}\n\
+             /* Patterns of entries: rows, columns, and 1 if all are there; else where each column starts, and the rows. */\n{}\n\
+             #ifdef __cplusplus\nextern \"C\" {{\n#endif\n{functions}\n#ifdef __cplusplus\n}}\n#endif\n",
+            self.title(),
+            self.patterns.text(),
+        )
+    }
+
+    fn title(&self) -> String {
+        let conventions = [
+            "For `casadi.external`. Each function is proven equal to the textbook Lagrangian. SI units, radians.",
+            "Entries that are zero always are no part of an output. Derivatives `jac_..` and `jac_jac_..` are exact.",
+        ];
+        let mut lines = title_lines(self.robot, conventions).to_vec();
+        if !self.robot.fields.is_empty() {
+            let names: Vec<_> = self
+                .robot
+                .fields
+                .iter()
+                .map(|field| free_name(field, WORDS))
+                .collect();
+            lines.push(String::new());
+            lines.push(format!(
+                "The input `{FIELDS}` has the symbolic parameters, in this order: {}.",
+                names.join(", ")
+            ));
+            lines.push("Derivatives by them are not known: they are NaN.".to_owned());
+        }
+        if self.robot.freedoms().has_base() {
+            lines.push(String::new());
+            lines.push(
+                "Derivatives by `base`, the pose of the base, are not known: they are NaN."
+                    .to_owned(),
+            );
+        }
+        comment(&lines)
+    }
+}
+
+/// A name as CasADi takes it: letters and digits, and underscores one by one between them.
+fn name(name: &str) -> String {
+    let name = free_name(name, WORDS);
+    let is_letter = |letter: char| letter.is_ascii_alphanumeric();
+    let words = name.split(|letter| !is_letter(letter));
+    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    words.join("_")
+}
+
+/// Inputs and outputs with their sizes.
+fn signature(inputs: &[Input], outputs: &[Output]) -> String {
+    let sized = |name: &str, (rows, columns): (usize, usize)| match columns {
+        1 => format!("{name}[{rows}]"),
+        _ => format!("{name}[{rows} x {columns}]"),
+    };
+    let inputs = inputs.iter().filter(|input| !input.is_empty);
+    let inputs: Vec<_> = inputs.map(|input| sized(&input.name, input.size)).collect();
+    let outputs = outputs
+        .iter()
+        .map(|output| sized(&output.name, output.size));
+    let outputs: Vec<_> = outputs.collect();
+    format!("({}) -> ({})", inputs.join(", "), outputs.join(", "))
+}
+
+/// The statements that write an output where it is asked for.
+fn written(place: usize, output: &Output) -> Vec<String> {
+    let entries = match &output.values {
+        Values::Unknown => {
+            let (rows, columns) = output.size;
+            let count = rows * columns;
+            return vec![format!(
+                "if (res[{place}]) robot_dynamics_unknown(res[{place}], {count});"
+            )];
+        }
+        Values::Entries(entries) => entries.iter().flatten(),
+    };
+    let values = entries.enumerate();
+    let mut lines: Vec<_> = values
+        .map(|(entry, value)| format!("    res[{place}][{entry}] = {value};"))
+        .collect();
+    if !lines.is_empty() {
+        lines.insert(0, format!("if (res[{place}]) {{"));
+        lines.push("}".to_owned());
+    }
+    lines
+}
