@@ -43,6 +43,8 @@ fi
 # The table of goals, met or missed, for the widest lanes that there are, and for those of AVX2.
 ../goals.sh
 if grep -qw avx512f /proc/cpuinfo; then ../goals.sh avx2; fi
+# The table of this project's C code.
+../c.sh
 # The table of C code that generators write.
 ../generators.sh
 # The table of robots with branches.

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{
-    CNumbers, c_source_in, casadi_requests, casadi_source, inverse_in_c, inverse_in_javascript,
-    javascript_module, matlab_files, python_module, snake_case,
+    CNumbers, c_project, c_source_in, casadi_requests, casadi_source, inverse_in_c,
+    inverse_in_javascript, javascript_module, matlab_files, python_module, snake_case,
 };
 use dynamics_symbolic::proven_plan;
 
@@ -18,7 +18,10 @@ use crate::write::{make_folder, write};
 /// Writes the files, and says which.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let numbers = c_numbers(given)?;
+    let c = OfC {
+        numbers: c_numbers(given)?,
+        is_project: given.get_flag("project"),
+    };
     let mut model = read_with_names(path, given)?;
     let files = match given.get_one::<String>("lang").map(String::as_str) {
         Some("rust") => {
@@ -29,7 +32,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
             let mut inverses = inverses(language, path, &mut model)?;
             // A file of inverse kinematics alone.
             if inverses.is_empty() || !model.requests.is_empty() {
-                inverses.splice(0..0, other(language, numbers, path, &model)?);
+                inverses.splice(0..0, other(language, c, path, &model)?);
             }
             inverses
         }
@@ -58,7 +61,14 @@ fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String
     source.map_err(|messages| Failure::of_file(path, messages))
 }
 
-/// The numbers of C. `--scalar` and `--sines` are of no other language.
+/// What the options ask of C.
+struct OfC {
+    numbers: CNumbers,
+    /// Whether a header for C++, a file for CMake and a test are written too.
+    is_project: bool,
+}
+
+/// The numbers of C. `--scalar`, `--sines` and `--project` are of no other language.
 fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
     let word = |option: &str| given.get_one::<String>(option).map(String::as_str);
     let (scalar, sines) = (word("scalar"), word("sines"));
@@ -71,12 +81,12 @@ fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
             )));
         }
     }
-    Ok(match (scalar, sines) {
-        (Some("float"), None) => CNumbers::Float,
-        (Some("float"), Some(_)) => CNumbers::FloatWithLibrary,
-        (_, Some(_)) => CNumbers::DoubleWithLibrary,
-        _ => CNumbers::Double,
-    })
+    if given.get_flag("project") && language != "c" {
+        return Err(Failure::of_the_command_line(
+            "`--project` is about `--lang c`: it writes what C++ and CMake need",
+        ));
+    }
+    Ok(CNumbers::new(scalar == Some("float"), sines.is_some()))
 }
 
 /// Names and texts of the files of inverse kinematics in closed form, in the languages that have them: they are no longer
@@ -108,7 +118,7 @@ fn inverses(
 /// Names and texts of the files in another language.
 fn other(
     language: Option<&str>,
-    numbers: CNumbers,
+    c: OfC,
     path: &Path,
     model: &Model,
 ) -> Result<Vec<(String, String)>, Failure> {
@@ -123,11 +133,15 @@ fn other(
     let name = snake_case(&robot.name);
     Ok(match language {
         Some("c") => {
-            let source = c_source_in(robot, &programs, numbers);
-            vec![
+            let source = c_source_in(robot, &programs, c.numbers);
+            let mut files = vec![
                 (format!("{name}.h"), source.header),
                 (format!("{name}.c"), source.source),
-            ]
+            ];
+            if c.is_project {
+                files.extend(c_project(robot, &programs, c.numbers));
+            }
+            files
         }
         Some("python") => vec![(format!("{name}.py"), python_module(robot, &programs))],
         Some("matlab") => matlab_files(robot, &programs),

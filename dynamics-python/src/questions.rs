@@ -7,8 +7,8 @@ use dynamics_cli::rust::source;
 use dynamics_codegen::Model;
 use dynamics_runtime::check::Check;
 use dynamics_symbolic::emit::{
-    c_source, casadi_requests, casadi_source, javascript_module, matlab_files, python_module,
-    snake_case,
+    CNumbers, c_project, c_source_in, casadi_requests, casadi_source, javascript_module,
+    matlab_files, python_module, snake_case,
 };
 use dynamics_symbolic::formula::{Budget, Format, Formulas};
 use dynamics_symbolic::robot::Robot;
@@ -162,7 +162,11 @@ impl Arm {
         py: Python<'_>,
         language: &str,
         functions: Vec<String>,
+        scalar: Option<&str>,
+        sines: Option<&str>,
+        project: bool,
     ) -> PyResult<Vec<(String, String)>> {
+        let numbers = c_numbers(language, scalar, sines, project)?;
         let programs = |names: &[String]| -> PyResult<Vec<(Request, Proven)>> {
             let derived = names.iter().map(|name| self.derived(py, name));
             derived
@@ -174,8 +178,13 @@ impl Arm {
         let file = |ending: &str, text: String| (format!("{name}.{ending}"), text);
         Ok(match language {
             "c" => {
-                let source = c_source(robot, &programs(&functions)?);
-                vec![file("h", source.header), file("c", source.source)]
+                let programs = programs(&functions)?;
+                let source = c_source_in(robot, &programs, numbers);
+                let mut files = vec![file("h", source.header), file("c", source.source)];
+                if project {
+                    files.extend(c_project(robot, &programs, numbers));
+                }
+                files
             }
             "js" => vec![file(
                 "mjs",
@@ -207,4 +216,32 @@ impl Arm {
         let functions = functions.collect();
         Ok((report.to_string(), report.is_ok(), functions))
     }
+}
+
+/// The numbers of C, which alone has these words.
+fn c_numbers(
+    language: &str,
+    scalar: Option<&str>,
+    sines: Option<&str>,
+    project: bool,
+) -> PyResult<CNumbers> {
+    let is_asked = scalar.is_some() || sines.is_some() || project;
+    if is_asked && language != "c" {
+        return Err(PyValueError::new_err(
+            "`scalar`, `sines` and `project` are about `lang=\"c\"`",
+        ));
+    }
+    for (name, word, words) in [
+        ("scalar", scalar, &["double", "float"][..]),
+        ("sines", sines, &["libm"]),
+    ] {
+        if let Some(word) = word.filter(|word| !words.contains(word)) {
+            let expected: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
+            let expected = expected.join(" or ");
+            return Err(PyValueError::new_err(format!(
+                "`{name}` is {word:?}: expected {expected}"
+            )));
+        }
+    }
+    Ok(CNumbers::new(scalar == Some("float"), sines.is_some()))
 }

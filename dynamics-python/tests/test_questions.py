@@ -39,6 +39,13 @@ def test_formulas(two_link: rd.Robot) -> None:
 def test_source_in_other_languages(two_link: rd.Robot) -> None:
     header, source = two_link.source("c", functions=["mass_matrix"]).items()
     assert header[0].endswith(".h") and source[0].endswith(".c") and "mass_matrix" in source[1]
+    project = two_link.source("c", functions=["mass_matrix"], scalar="float", sines="libm", project=True)
+    assert len(project) == 5 and "CMakeLists.txt" in project
+    assert any("sinf" in text and "double" not in text for text in project.values())
+    with pytest.raises(ValueError, match="`scalar` is \"half\": expected \"double\" or \"float\""):
+        two_link.source("c", scalar="half")
+    with pytest.raises(ValueError, match="are about `lang=\"c\"`"):
+        two_link.source("js", project=True)
     (module,) = two_link.source("js").values()
     assert "export function inverse_dynamics" in module
     assert "mass_matrix.m" in two_link.source("matlab", functions=["mass_matrix"])

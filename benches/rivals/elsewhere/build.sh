@@ -14,13 +14,7 @@ python=$target/venv/bin/python
 prefix=$("$python" -c 'import cmeel, sys; print(sys.prefix)')/lib/python3*/site-packages/cmeel.prefix
 prefix=$(echo $prefix)
 
-# CasADi tests each argument for null; without the tests gcc evaluates sine and cosine at once.
-"$python" casadi_code.py "$target" 2>"$target/casadi-counts.txt"
-sed -E -i 's/arg\[([0-9]+)\]\? (arg\[[0-9]+\]\[[0-9]+\]) : 0/\2/; s/if \(res\[0\]!=0\) //' "$target/arms.c"
-for level in O3 Ofast; do
-  gcc -$level -march=native -c "$target/arms.c" -o "$target/arms-$level.o"
-  g++ -std=c++17 -O2 -DCANDIDATE="\"CasADi,-$level\"" casadi.cpp "$target/arms-$level.o" -o "$target/measure-casadi-$level"
-done
+./casadi.sh "$target" "$python"
 
 # Pinocchio: its library as the wheel has it behind gcc, and compiled for this machine by clang, which
 # inlines more of it and is up to 1.7 times as fast as gcc here.

@@ -19,9 +19,12 @@ def digits(x):
 
 
 def operations(code):
-    """The operations of the functions in C code: signs are none, and stand behind `=`, `(` or another operator."""
+    """The operations of the functions in C code: signs are none, and stand behind `=`, `(` or another operator; a product
+    that is fused with a sum is two.
+    """
     for name, body in re.findall(r"^[^\n]*?\b(\w+)\([^()]*\)\s*\{(.*?)^\}", code, re.MULTILINE | re.DOTALL):
-        yield name, len(re.findall(r"[\w.)\]] [-+*/] ", body))
+        fused = body.count("ROBOT_DYNAMICS_FMA(")
+        yield name, 2 * fused + len(re.findall(r"[\w.)\]] [-+*/] ", body))
 
 
 def main(lines, ours, theirs):

@@ -104,6 +104,12 @@ fn generate() -> Command {
             choice("sines", "LIBRARY", ["libm"])
                 .help("Take the sines of C from its library and not from the source"),
         )
+        .arg(
+            clap::Arg::new("project")
+                .long("project")
+                .action(ArgAction::SetTrue)
+                .help("Beside C write a header for C++, CMakeLists.txt and a test program"),
+        )
         .arg(path("out", "The folder").long("out").default_value("."))
         .after_help(
             "Examples:\n  \

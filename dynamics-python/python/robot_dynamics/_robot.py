@@ -142,13 +142,23 @@ class Robot:
         """
         return self._function(function).bound(*arguments)
 
-    def source(self, lang: str, functions: Iterable[str] | None = None) -> dict[str, str]:
+    def source(
+        self,
+        lang: str,
+        functions: Iterable[str] | None = None,
+        *,
+        scalar: str | None = None,
+        sines: str | None = None,
+        project: bool = False,
+    ) -> dict[str, str]:
         """Functions as source code: the texts of files by their names.
 
-        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"`, `"python"` or `"casadi"`. Fields keep their names. The C file for
-        `casadi.external` has derivatives besides.
+        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"`, `"python"` or `"casadi"`: a C file for `casadi.external`, with
+        derivatives besides. Fields keep their names. C alone takes
+        `scalar="float"`, `sines="libm"` (those of its library, not of the source) and `project=True`, which adds a header
+        for C++, `CMakeLists.txt` and a test program.
         """
-        return dict(self._arm.source(lang, list(functions or self.functions)))
+        return dict(self._arm.source(lang, list(functions or self.functions), scalar, sines, project))
 
     def function(self, name: str) -> Callable[..., Any]:
         """A function as straight lines of Python, compiled: its last argument `xp` is the namespace of arrays.

@@ -1,5 +1,6 @@
 //! C in both precisions, compiled and beside the values of Rust.
 
+mod projects;
 mod sines;
 
 use std::fmt::{Debug, Write as _};

@@ -14,7 +14,7 @@ mod javascript;
 mod matlab;
 mod python;
 
-pub use c::{CNumbers, CSource, c_source, c_source_in};
+pub use c::{CNumbers, CSource, c_project, c_source, c_source_in};
 pub use casadi::{CasadiSource, casadi_requests, casadi_source};
 pub use closed_form::{inverse_in_c, inverse_in_javascript};
 pub use comments::description;

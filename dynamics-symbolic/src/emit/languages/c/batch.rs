@@ -5,7 +5,7 @@
 
 use super::super::body::{Angle, Body};
 use super::super::{Language, OfAngles, argument_sizes, free_name, indented};
-use super::{WORDS, Writer, Written, comment, is_number};
+use super::{WORDS, Writer, Written, comment};
 use crate::function::Request;
 use crate::program::Proven;
 
@@ -27,7 +27,7 @@ impl Writer<'_> {
                 "`{name}[i]`: entry i of `{name}`, one of {entries}."
             ));
         }
-        for written in self.batch_values(request, proven) {
+        for written in self.written(request, proven) {
             lines.push(written.column());
         }
         if request.refuses() {
@@ -46,7 +46,7 @@ impl Writer<'_> {
         }
         let arguments = request.arguments().into_iter();
         parameters.extend(arguments.map(|x| format!("const {word} *const *{}", x.name())));
-        let written = self.batch_values(request, proven).into_iter();
+        let written = self.written(request, proven).into_iter();
         parameters.extend(written.map(|written| {
             let pointers = if written.dimensions.is_empty() {
                 "*"
@@ -60,15 +60,6 @@ impl Writer<'_> {
             "ROBOT_DYNAMICS_DEVICE {result} {name}_{function}_batch({})",
             parameters.join(", ")
         )
-    }
-
-    /// What is written, a value that the function of one state returns among it.
-    fn batch_values(&self, request: &Request, proven: &Proven) -> Vec<Written> {
-        if is_number(request) {
-            let (name, dimensions) = (request.name().to_owned(), Vec::new());
-            return vec![Written { name, dimensions }];
-        }
-        self.written(request, proven)
     }
 
     pub(super) fn batch(&self, request: &Request, proven: &Proven) -> String {
@@ -190,7 +181,7 @@ impl Writer<'_> {
         } else {
             ""
         };
-        let written = self.batch_values(request, proven);
+        let written = self.written(request, proven);
         let places = written.iter().flat_map(Written::columns);
         let values = body.values(request).into_iter().flatten();
         lines.extend(
@@ -219,7 +210,7 @@ fn batch_columns(angles: &[Angle]) -> Vec<String> {
 }
 
 impl Written {
-    fn entries_in_all(&self) -> usize {
+    pub(super) fn entries_in_all(&self) -> usize {
         self.dimensions.iter().product()
     }
 

@@ -1,7 +1,9 @@
 //! C99, which is C++ and device code as well: a header and a source.
 
 mod batch;
+mod cpp;
 pub(super) mod precision;
+mod project;
 mod sines;
 
 pub use precision::CNumbers;
@@ -47,16 +49,28 @@ pub fn c_source(robot: &Robot, functions: &[(Request, Proven)]) -> CSource {
 
 /// The same with numbers of that kind.
 pub fn c_source_in(robot: &Robot, functions: &[(Request, Proven)], numbers: CNumbers) -> CSource {
-    let writer = Writer {
-        robot,
-        precision: numbers.precision(),
-        name: snake_case(&robot.name),
-    };
+    let writer = Writer::new(robot, numbers);
     CSource {
         header: writer.header(functions),
         source: writer.source(functions),
         name: writer.name,
     }
+}
+
+/// What makes a project of header and source: `NAME.hpp` for C++, `CMakeLists.txt`, and `NAME_test.c`, which compares every
+/// batch with single calls.
+pub fn c_project(
+    robot: &Robot,
+    functions: &[(Request, Proven)],
+    numbers: CNumbers,
+) -> [(String, String); 3] {
+    let writer = Writer::new(robot, numbers);
+    let name = &writer.name;
+    [
+        (format!("{name}.hpp"), writer.cpp(functions)),
+        ("CMakeLists.txt".to_owned(), writer.cmake()),
+        (format!("{name}_test.c"), writer.test(functions)),
+    ]
 }
 
 struct Writer<'a> {
@@ -71,7 +85,15 @@ struct Written {
     dimensions: Vec<usize>,
 }
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
+    fn new(robot: &'a Robot, numbers: CNumbers) -> Self {
+        Writer {
+            robot,
+            precision: numbers.precision(),
+            name: snake_case(&robot.name),
+        }
+    }
+
     fn header(&self, functions: &[(Request, Proven)]) -> String {
         let (name, upper) = (&self.name, self.name.to_uppercase());
         let title = self.title();
@@ -212,7 +234,8 @@ impl Writer<'_> {
         )
     }
 
-    /// The places that a function writes to: none for a value without entries, which no array of C is.
+    /// The places that a function writes to, or the value that it returns: none for a value without entries, which no array
+    /// of C is.
     fn written(&self, request: &Request, proven: &Proven) -> Vec<Written> {
         let sizes = proven.sizes(request, self.robot.freedoms());
         let mut written = Vec::new();

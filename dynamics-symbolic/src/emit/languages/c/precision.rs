@@ -39,6 +39,16 @@ pub(in super::super) struct Precision {
 }
 
 impl CNumbers {
+    /// The numbers of a precision, with the sines of the C library or with those of the runtime.
+    pub fn new(is_single: bool, has_library: bool) -> Self {
+        match (is_single, has_library) {
+            (false, false) => CNumbers::Double,
+            (false, true) => CNumbers::DoubleWithLibrary,
+            (true, false) => CNumbers::Float,
+            (true, true) => CNumbers::FloatWithLibrary,
+        }
+    }
+
     pub(in super::super) fn precision(self) -> &'static Precision {
         match self {
             CNumbers::Double => &DOUBLE,
