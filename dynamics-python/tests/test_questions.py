@@ -41,7 +41,7 @@ def test_source_in_other_languages(two_link: rd.Robot) -> None:
     assert header[0].endswith(".h") and source[0].endswith(".c") and "mass_matrix" in source[1]
     project = two_link.source("c", functions=["mass_matrix"], scalar="float", sines="libm", project=True)
     assert len(project) == 5 and "CMakeLists.txt" in project
-    assert any("sinf" in text and "double" not in text for text in project.values())
+    assert any("cosf" in text and "double" not in text for text in project.values())
     with pytest.raises(ValueError, match="`scalar` is \"half\": expected \"double\" or \"float\""):
         two_link.source("c", scalar="half")
     with pytest.raises(ValueError, match="are about `lang=\"c\"`"):
