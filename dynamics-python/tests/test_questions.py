@@ -79,6 +79,24 @@ def test_a_notebook_shows_the_page(arm: rd.Robot, two_link: rd.Robot) -> None:
     assert without_values._repr_html_() is None
 
 
+def test_the_page_of_a_robot_whose_base_moves() -> None:
+    robot = rd.Robot.from_toml(
+        """
+        convention = "modified"
+        gravity = [0, 0, -9.81]
+        [[joint]]
+        name = "wheel"
+        type = "revolute"
+        mass = 1
+        com = [0.1, 0, 0]
+        """,
+        base={"floating": True, "mass": 2, "inertia": {"xx": 0.1, "yy": 0.2, "zz": 0.25}},
+    )
+    page = robot.page()
+    assert page.startswith("<!DOCTYPE html>") and "wheel" in page
+    assert "forward_dynamics(base, q, qd, tau)" in page
+
+
 def test_functions_are_checked(arm: rd.Robot) -> None:
     report = arm.check(samples=50)
     assert report and report.ok
