@@ -3,8 +3,8 @@
 use dynamics_evaluation::{EvaluationError, RuntimeDynamics, RuntimeRobot, Stands};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
 use dynamics_runtime::simulation::{
-    Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, SizedModel, Stand, ToolWrench,
-    Work,
+    Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, Sampled, SizedModel,
+    SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work,
 };
 use dynamics_runtime::{Friction, Pose, Simulation};
 use pyo3::exceptions::PyValueError;
@@ -35,6 +35,8 @@ struct Plan {
     stops: Option<f64>,
     limits_are_errors: bool,
     control_period: Option<f64>,
+    /// Whether the force at the tool is held for the control period.
+    holds_wrench: bool,
 }
 
 /// A motion: one entry a sample.
@@ -148,8 +150,20 @@ fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force:
     }
     let dynamics = dynamics.with_tip()?;
     let wrench = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench_at(t, pose, twist);
-    let simulation = Simulation::new(&dynamics).tool_wrench(wrench);
-    follow(&dynamics, simulation, plan, kinds, force)
+    let simulation = Simulation::new(&dynamics);
+    match plan.control_period.filter(|_| plan.holds_wrench) {
+        None => follow(
+            &dynamics,
+            simulation.tool_wrench(wrench),
+            plan,
+            kinds,
+            force,
+        ),
+        Some(period) => {
+            let simulation = simulation.control_period(period).held_tool_wrench(wrench);
+            sampled(&dynamics, simulation, plan, kinds, force)
+        }
+    }
 }
 
 fn follow<'a, K: Stands, L, W>(
@@ -162,13 +176,43 @@ fn follow<'a, K: Stands, L, W>(
 where
     W: ToolWrench<RuntimeDynamics<'a, K>, Dyn> + ContinuousWrench,
 {
+    if let Some(period) = plan.control_period {
+        return sampled(
+            dynamics,
+            simulation.control_period(period),
+            plan,
+            kinds,
+            force,
+        );
+    }
     let [q, v] = plan.start();
     let simulation = plan.planned(simulation.initial(q, v), kinds);
     let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
-    let outcome = match plan.control_period {
-        None => simulation.torque(law).run(),
-        Some(period) => simulation.control_period(period).torque(law).run(),
-    };
+    Ok(ran(dynamics, simulation.torque(law).run()))
+}
+
+/// The same under laws that are called once a period.
+fn sampled<'a, K: Stands, L, W>(
+    dynamics: &RuntimeDynamics<'a, K>,
+    simulation: Simulation<'_, RuntimeDynamics<'a, K>, L, Dyn, W, Sampled>,
+    plan: &Plan,
+    kinds: (Method, Friction),
+    force: &Force,
+) -> Ran
+where
+    W: ToolWrench<RuntimeDynamics<'a, K>, Dyn>,
+{
+    let [q, v] = plan.start();
+    let simulation = plan.planned(simulation.initial(q, v), kinds);
+    let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
+    Ok(ran(dynamics, simulation.torque(law).run()))
+}
+
+/// The samples of a run, with their energies.
+fn ran<K: Stands>(
+    dynamics: &RuntimeDynamics<'_, K>,
+    outcome: Result<SizedTrajectory<Dyn>, Box<SizedSimulationError<Dyn>>>,
+) -> (Motion, Option<Stopped>) {
     let (motion, stopped) = match outcome {
         Ok(motion) => (motion, None),
         Err(error) => {
@@ -188,7 +232,7 @@ where
         tau: motion.tau,
         work: motion.work,
     };
-    Ok((motion, stopped))
+    (motion, stopped)
 }
 
 /// The motion of a robot whose base moves.

@@ -126,6 +126,26 @@ def test_a_force_at_the_tool() -> None:
         rd.Robot.from_toml(CART).simulate([0.0], tool_wrench=wall)
 
 
+def test_a_held_force_at_the_tool() -> None:
+    """Pushes that are drawn once a period: the momentum is the sum of them."""
+    arm = rd.Robot.from_toml(
+        CART, gravity=[0, -9.7, 0], functions=["default", "forward_kinematics", "jacobian"]
+    )
+    random = np.random.default_rng(0)
+    pushes: list[float] = []
+
+    def push(t: float, pose: np.ndarray, twist: np.ndarray) -> list[float]:
+        pushes.append(random.uniform(-1, 1))
+        return [0, 0, pushes[-1], 0, 0, 0]
+
+    motion = arm.simulate([0.0], held_tool_wrench=push, control_period=0.1, duration=1.0)
+    assert 10 <= len(pushes) <= 11
+    assert 2 * motion.qd[-1, 0] == pytest.approx(0.1 * sum(pushes[:10]), abs=1e-9)
+    for settings in {}, {"tool_wrench": push, "control_period": 0.1}:
+        with pytest.raises(ValueError, match="`held_tool_wrench` takes the place"):
+            arm.simulate([0.0], held_tool_wrench=push, **settings)
+
+
 def test_stops_and_limits(cart: rd.Robot) -> None:
     with pytest.raises(rd.SimulationError, match="rail|joint 1") as raised:
         cart.simulate([0.0], limits_are_errors=True, duration=4)

@@ -112,6 +112,10 @@ def simulate(
 ) -> Trajectory:
     """The motion of a robot from rest, or from velocities."""
     torque, wrench = settings.pop("torque"), settings.pop("tool_wrench")
+    held = settings.pop("held_tool_wrench", None)
+    if held is not None and (wrench is not None or settings.get("control_period") is None):
+        raise ValueError("`held_tool_wrench` takes the place of `tool_wrench`, and needs a `control_period`")
+    wrench = wrench if held is None else held
     unknown = sorted(set(settings) - set(SETTINGS) - {"duration", "samples", "method"})
     if unknown:
         raise TypeError(f"unknown settings {unknown}: expected some of {', '.join(SETTINGS)}")
@@ -126,6 +130,7 @@ def simulate(
         "base": None if base is None else _entries_of_pose(base),
         "q": _vector("q", q, len(arm.joint_names)),
         "v": _vector("qd", qd, arm.dof),
+        "holds_wrench": held is not None,
     }
     if wrench is not None and moves:
         raise ValueError("`tool_wrench` is of a robot whose base stands: this one moves")

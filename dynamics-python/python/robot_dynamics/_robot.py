@@ -199,6 +199,7 @@ class Robot:
 
         `tool_wrench`: the force at the tool, `law(t, pose, twist)` to `(fx, fy, fz, nx, ny, nz)` in the axes of `jacobian`;
         `forward_kinematics` and `jacobian` must be among the functions.
+        `held_tool_wrench`: such a law that is called once a `control_period` and held, for random pushes; it may have a memory.
         `friction`: `"sign"`, `"sticking"` (joints stop and stick, as events), or `"regularised"` by a `speed`.
         `stops`: the restitution with which joints rebound at the limits of the table, from 0 to 1.
         `limits_are_errors`: whether the motion ends where a joint passes a limit.
