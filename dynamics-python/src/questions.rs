@@ -7,9 +7,11 @@ use dynamics_cli::rust::source;
 use dynamics_codegen::Model;
 use dynamics_runtime::check::Check;
 use dynamics_symbolic::emit::{
-    CNumbers, c_project, c_source_in, javascript_module, matlab_files, python_module, snake_case,
+    CNumbers, c_project, c_source_in, casadi_requests, casadi_source, javascript_module,
+    matlab_files, python_module, snake_case,
 };
 use dynamics_symbolic::formula::{Budget, Format, Formulas};
+use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -26,11 +28,7 @@ type Compared = (String, f64, f64);
 impl Arm {
     /// The expansion of the macro, which derives the functions anew.
     fn rust(&self, py: Python<'_>, functions: &[String]) -> PyResult<(String, String)> {
-        let requests = functions.iter().map(|name| {
-            let place = self.description.place(name)?;
-            Ok(self.description.request(place).clone())
-        });
-        let requests: Vec<Request> = requests.collect::<PyResult<_>>()?;
+        let requests = self.requests(functions)?;
         let robot = self.description.robot.clone();
         let source = py.detach(|| {
             let name = robot.name.clone();
@@ -46,6 +44,38 @@ impl Arm {
         });
         source.map_err(PyRuntimeError::new_err)
     }
+
+    /// The file for CasADi, which has derivatives that nobody has asked for by name.
+    fn casadi(&self, py: Python<'_>, functions: &[String]) -> PyResult<(String, String)> {
+        let requests = self.requests(functions)?;
+        let robot = &self.description.robot;
+        let programs = derived_anew(py, robot, casadi_requests(&requests))?;
+        let source = casadi_source(robot, &requests, &programs);
+        Ok((source.name, source.text))
+    }
+
+    fn requests(&self, functions: &[String]) -> PyResult<Vec<Request>> {
+        let requests = functions.iter().map(|name| {
+            let place = self.description.place(name)?;
+            Ok(self.description.request(place).clone())
+        });
+        requests.collect()
+    }
+}
+
+/// Programs of functions that a robot may have been asked for or not.
+fn derived_anew(
+    py: Python<'_>,
+    robot: &Robot,
+    requests: Vec<Request>,
+) -> PyResult<Vec<(Request, Proven)>> {
+    let places = 0..requests.len();
+    let description = Arc::new(Description::new(robot.clone(), requests));
+    let programs = places.map(|place| {
+        let derived = description.derived(py, place)?;
+        Ok((derived.request.clone(), derived.proven.clone()))
+    });
+    programs.collect()
 }
 
 #[pymethods]
@@ -56,14 +86,8 @@ impl Arm {
         let poses = page::shown_poses(&mut robot);
         let requests = page::FUNCTIONS.map(Request::from).into_iter();
         let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
-        let shown = Arc::new(Description::new(robot, requests));
-        let places = 0..page::FUNCTIONS.len() + poses.len();
-        let programs = places.map(|place| {
-            let derived = shown.derived(py, place)?;
-            Ok((derived.request.clone(), derived.proven.clone()))
-        });
-        let programs: Vec<_> = programs.collect::<PyResult<_>>()?;
-        let names = shown.robot.fields.iter().cloned();
+        let programs = derived_anew(py, &robot, requests)?;
+        let names = robot.fields.iter().cloned();
         let fields: Vec<_> = names.zip(self.fields.iter().copied()).collect();
         if let Some((name, _)) = fields.iter().find(|(_, value)| value.is_nan()) {
             let message =
@@ -71,7 +95,7 @@ impl Arm {
             return Err(PyValueError::new_err(message));
         }
         let start = page::Start::default();
-        Ok(page::Page::new(&shown.robot, &programs, &poses, &fields, &start).html)
+        Ok(page::Page::new(&robot, &programs, &poses, &fields, &start).html)
     }
 
     /// How many products, sums, quotients, pairs of sine and cosine, and exponentials a function takes.
@@ -167,11 +191,13 @@ impl Arm {
                 javascript_module(robot, &programs(&functions)?),
             )],
             "rust" => vec![self.rust(py, &functions)?],
+            "casadi" => vec![self.casadi(py, &functions)?],
             "matlab" => matlab_files(robot, &programs(&functions)?),
             "python" => vec![file("py", python_module(robot, &programs(&functions)?))],
             _ => {
                 return Err(PyValueError::new_err(format!(
-                    "`lang` is {language:?}: expected \"rust\", \"c\", \"js\", \"matlab\" or \"python\""
+                    "`lang` is {language:?}: expected \"rust\", \"c\", \"js\", \"matlab\", \"python\" or \
+                     \"casadi\""
                 )));
             }
         })

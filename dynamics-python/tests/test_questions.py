@@ -52,6 +52,8 @@ def test_source_in_other_languages(two_link: rd.Robot) -> None:
     (expansion,) = two_link.source("rust", functions=["gravity_vector"]).values()
     assert "pub struct TwoLink {" in expansion and "pub m1:" in expansion
     assert "pub fn gravity_vector" in expansion
+    ((name, text),) = two_link.source("casadi", functions=["inverse_dynamics"]).items()
+    assert name == "two_link_casadi.c" and "int jac_jac_inverse_dynamics(" in text
     with pytest.raises(ValueError, match="`lang` is \"fortran\""):
         two_link.source("fortran")
 

@@ -1,4 +1,5 @@
-"""A swing-up by direct collocation, solved by IPOPT with exact Hessians: functions of `--lang casadi` beside an SX graph.
+"""A swing-up by direct collocation, solved by IPOPT with exact Hessians: functions of `--lang casadi` beside an SX graph, and
+beside the C code that CasADi writes of that graph and of its derivatives.
 
     python swing_up.py FOLDER
 
@@ -13,6 +14,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 import casadi as ca
 import numpy as np
@@ -27,13 +29,10 @@ UPRIGHT = np.array([0, 0, 0, -0.1, 0, 0.1, 0])
 OPTIONS = {"ipopt.print_level": 0, "ipopt.tol": 1e-9, "print_time": False, "calc_lam_p": False}
 
 
-def of_library(folder: Path) -> ca.Function:
-    """The function of the C file."""
-    library = folder / "panda_casadi.so"
-    source = folder / "panda_casadi.c"
-    subprocess.run(
-        ["gcc", "-O3", "-march=native", "-shared", "-fPIC", source, "-o", library], check=True
-    )
+def compiled(source: Path) -> ca.Function:
+    """The function of a C file."""
+    library = source.with_suffix(".so")
+    subprocess.run(["gcc", "-O3", "-march=native", "-shared", "-fPIC", source, "-o", library, "-lm"], check=True)
     return ca.external("inverse_dynamics", str(library))
 
 
@@ -45,6 +44,16 @@ def of_graph(folder: Path) -> ca.Function:
     symbols = [ca.SX.sym(name, module.DOF) for name in ("q", "qd", "qdd")]
     tau = module.inverse_dynamics(*symbols, xp=ca)
     return ca.Function("inverse_dynamics", symbols, [tau], ["q", "qd", "qdd"], ["tau"])
+
+
+def of_written_graph(folder: Path) -> ca.Function:
+    """That graph in C, with its derivatives."""
+    function = of_graph(folder)
+    first = function.jacobian()
+    file = ca.CodeGenerator("graph.c")
+    for written in function, first, first.jacobian():
+        file.add(written)
+    return compiled(Path(file.generate(f"{folder}/")))
 
 
 def problem(inverse_dynamics: ca.Function) -> tuple[ca.Function, dict[str, np.ndarray]]:
@@ -77,32 +86,48 @@ def problem(inverse_dynamics: ca.Function) -> tuple[ca.Function, dict[str, np.nd
     return solver, given
 
 
-def run(solver: ca.Function, given: dict[str, np.ndarray]) -> tuple[float, int, float, float, float]:
-    """The optimum, iterations, seconds in functions and in all, and the largest unknown."""
+class Result(NamedTuple):
+    optimum: float
+    iterations: int
+    unknowns: np.ndarray
+    in_functions: float
+    """Seconds of the objective, the constraints and their derivatives."""
+    in_all: float
+
+
+TIMES = ("in_functions", "in_all")
+
+
+def run(solver: ca.Function, given: dict[str, np.ndarray]) -> Result:
     began = time.perf_counter()
     solution = solver(**given)
-    seconds = time.perf_counter() - began
+    in_all = time.perf_counter() - began
     stats = solver.stats()
     assert stats["success"], stats["return_status"]
     in_functions = sum(value for key, value in stats.items() if key.startswith("t_wall_nlp_"))
-    return float(solution["f"]), stats["iter_count"], in_functions, seconds, solution["x"].full()
+    return Result(float(solution["f"]), stats["iter_count"], solution["x"].full(), in_functions, in_all)
 
 
 def main() -> None:
     folder = Path(sys.argv[1])
-    problems = {"C": problem(of_library(folder)), "SX": problem(of_graph(folder))}
-    results = {name: [] for name in problems}
+    problems = {
+        "--lang casadi": problem(compiled(folder / "panda_casadi.c")),
+        "SX": problem(of_graph(folder)),
+        "SX written in C": problem(of_written_graph(folder)),
+    }
+    results: dict[str, list[Result]] = {name: [] for name in problems}
     for _ in range(RUNS):
         for name, of_name in problems.items():
             results[name].append(run(*of_name))
+    graph = results["SX"]
     for name, runs in results.items():
-        cost, iterations, _, _, _ = runs[0]
-        in_functions, seconds = (statistics.median(run[place] for run in runs) for place in (2, 3))
-        print(f"{name}: optimum {cost:.12f} in {iterations} iterations, {in_functions:.3f} s in functions, {seconds:.3f} s in all")
-    unknowns = [runs[0][4] for runs in results.values()]
-    print(f"largest difference of an unknown: {np.abs(unknowns[0] - unknowns[1]).max():.1e}")
-    times = [statistics.median(run[2] for run in runs) for runs in results.values()]
-    print(f"time in functions: {times[0] / times[1]:.3f}")
+        in_functions, in_all = (statistics.median(getattr(run, time) for run in runs) for time in TIMES)
+        ratio = statistics.median(run.in_functions / other.in_functions for run, other in zip(runs, graph, strict=True))
+        difference = np.abs(runs[0].unknowns - graph[0].unknowns).max()
+        print(
+            f"{name}: optimum {runs[0].optimum:.12f} in {runs[0].iterations} iterations, unknowns within {difference:.1e}, "
+            f"{in_functions:.3f} s in functions ({ratio:.2f} of SX), {in_all:.3f} s in all"
+        )
 
 
 if __name__ == "__main__":

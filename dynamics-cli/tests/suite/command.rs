@@ -209,6 +209,7 @@ fn robots_have_names() {
         ("js", "ur5e.mjs", "Equations of motion of `UR5e`"),
         ("python", "ur5e.py", "Equations of motion of `UR5e`"),
         ("matlab", "gravity_vector.m", "Of `UR5e`"),
+        ("casadi", "ur5e_casadi.c", "Equations of motion of `UR5e`"),
     ] {
         called(
             &["generate", &pendulum, "--lang", language, "--out", &to],

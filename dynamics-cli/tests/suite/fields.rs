@@ -147,6 +147,14 @@ fn names_are_arguments_in_every_language() {
             ],
         ),
         (
+            "casadi",
+            "arguments_casadi.c",
+            [
+                "The input `arm` has the symbolic parameters, in this order: g, l1, m1, l2, m2, load.",
+                "(arm[6], q[2]) -> (gravity_vector[2])",
+            ],
+        ),
+        (
             "rust",
             "arguments.rs",
             [

@@ -153,7 +153,8 @@ class Robot:
     ) -> dict[str, str]:
         """Functions as source code: the texts of files by their names.
 
-        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"` or `"python"`. Fields keep their names. C alone takes
+        `lang` is `"rust"`, `"c"`, `"js"`, `"matlab"`, `"python"` or `"casadi"`: a C file for `casadi.external`, with
+        derivatives besides. Fields keep their names. C alone takes
         `scalar="float"`, `sines="libm"` (those of its library, not of the source) and `project=True`, which adds a header
         for C++, `CMakeLists.txt` and a test program.
         """

@@ -13,11 +13,16 @@ JOINT_NAMES = ["joint1", "joint2"]
 FIELD_NAMES = ["m1", "m2", "l1", "l2", "g"]
 
 
+def _array(xp, x):
+    """An array of what may be a list. One of torch stays as it is, and so do its gradients."""
+    return x if hasattr(x, "requires_grad") else xp.asarray(x)
+
+
 def _entries(xp, x, count):
     """The entries of a vector: those along the last axis of an array."""
     if not hasattr(xp, "stack"):
         return [x[i] for i in range(count)]
-    x = xp.asarray(x)
+    x = _array(xp, x)
     if x.shape[-1:] != (count,):
         raise ValueError(f"expected {count} entries along the last axis, found the shape {tuple(x.shape)}")
     return [x[..., i] for i in range(count)]
@@ -26,7 +31,7 @@ def _entries(xp, x, count):
 def _vector(xp, entries, zero):
     """A vector of its entries: the last axis of an array."""
     if hasattr(xp, "stack"):
-        arrays = [xp.asarray(entry + zero) for entry in entries]
+        arrays = [_array(xp, entry + zero) for entry in entries]
         return xp.stack(arrays, -1) if arrays else xp.zeros((0,))
     return xp.vertcat(*entries) if hasattr(xp, "vertcat") else xp.Matrix(entries)
 
@@ -56,7 +61,7 @@ def _of_pivot(xp, joint, pivot, diagonal):
     good = (pivot - rounding > 0) & (pivot + rounding > 0)
     if xp is numpy and not numpy.all(good):
         raise SingularMassMatrix(joint)
-    return xp.where(good, -0.0, float("nan"))
+    return xp.where(xp.asarray(good), -0.0, float("nan"))
 
 
 def mass_matrix(arm, q, xp=numpy):

@@ -26,6 +26,10 @@ const PYTHON: Language = Language {
         format!("zero = zero + _of_pivot(xp, {joint}, {pivot}, {diagonal})")
     },
     own_functions: &[
+        ("_entries(", ARRAY),
+        ("_entries_of_pose(", ARRAY),
+        ("_vector(", ARRAY),
+        ("_matrix(", ARRAY),
         ("_entries(", ENTRIES),
         ("_entries_of_pose(", ENTRIES_OF_POSE),
         ("_vector(", VECTOR),
@@ -52,13 +56,20 @@ False None True and as assert async await break class continue def del elif else
 from global if import in is lambda nonlocal not or pass raise return try while with xp zero numpy
 ";
 
+const ARRAY: &str = "
+
+def _array(xp, x):
+    \"\"\"An array of what may be a list. One of torch stays as it is, and so do its gradients.\"\"\"
+    return x if hasattr(x, \"requires_grad\") else xp.asarray(x)
+";
+
 const ENTRIES: &str = "
 
 def _entries(xp, x, count):
     \"\"\"The entries of a vector: those along the last axis of an array.\"\"\"
     if not hasattr(xp, \"stack\"):
         return [x[i] for i in range(count)]
-    x = xp.asarray(x)
+    x = _array(xp, x)
     if x.shape[-1:] != (count,):
         raise ValueError(f\"expected {count} entries along the last axis, found the shape {tuple(x.shape)}\")
     return [x[..., i] for i in range(count)]
@@ -71,7 +82,7 @@ def _entries_of_pose(xp, x):
     places = [(i, j) for i in range(3) for j in range(3)] + [(i, 3) for i in range(3)]
     if not hasattr(xp, \"stack\"):
         return [x[i, j] for i, j in places]
-    x = xp.asarray(x)
+    x = _array(xp, x)
     if tuple(x.shape[-2:]) != (4, 4):
         raise ValueError(f\"expected matrices of 4 by 4 along the last axes, found the shape {tuple(x.shape)}\")
     return [x[..., i, j] for i, j in places]
@@ -82,7 +93,7 @@ const VECTOR: &str = "
 def _vector(xp, entries, zero):
     \"\"\"A vector of its entries: the last axis of an array.\"\"\"
     if hasattr(xp, \"stack\"):
-        arrays = [xp.asarray(entry + zero) for entry in entries]
+        arrays = [_array(xp, entry + zero) for entry in entries]
         return xp.stack(arrays, -1) if arrays else xp.zeros((0,))
     return xp.vertcat(*entries) if hasattr(xp, \"vertcat\") else xp.Matrix(entries)
 ";
@@ -116,7 +127,7 @@ def _of_pivot(xp, joint, pivot, diagonal):
     good = (pivot - rounding > 0) & (pivot + rounding > 0)
     if xp is numpy and not numpy.all(good):
         raise SingularMassMatrix(joint)
-    return xp.where(good, -0.0, float(\"nan\"))
+    return xp.where(xp.asarray(good), -0.0, float(\"nan\"))
 ";
 
 const REFUSAL: &str = "Raises `SingularMassMatrix` if M(q) is not positive definite to working precision or not finite, at one \

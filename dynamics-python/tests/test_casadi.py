@@ -1,0 +1,144 @@
+"""Functions for `casadi.external` beside the derivatives that CasADi finds itself, where it and gcc are installed."""
+
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import robot_dynamics as rd
+from conftest import DATA
+from test_documents import ROOT, programs
+
+ca = pytest.importorskip("casadi")
+pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="gcc is not installed")
+
+FUNCTIONS = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "gravity_vector"]
+ARGUMENTS = {"inverse_dynamics": ["q", "qd", "qdd"], "forward_dynamics": ["q", "qd", "tau"]}
+RESULTS = {"inverse_dynamics": "tau", "forward_dynamics": "qdd"}
+
+External = Callable[[str], Any]
+
+
+def compiled(robot: rd.Robot, functions: list[str], folder: Path) -> Path:
+    """The library of a robot's functions."""
+    ((name, text),) = robot.source("casadi", functions).items()
+    (folder / name).write_text(text)
+    subprocess.run(["gcc", "-O1", "-shared", "-fPIC", name, "-o", "robot.so"], cwd=folder, check=True)
+    return folder / "robot.so"
+
+
+@pytest.fixture(scope="module")
+def external(arm: rd.Robot, tmp_path_factory: pytest.TempPathFactory) -> External:
+    library = compiled(arm, FUNCTIONS, tmp_path_factory.mktemp("casadi"))
+    return lambda name: ca.external(name, str(library))
+
+
+def graph(arm: rd.Robot, name: str) -> Any:
+    """The same function as an SX graph."""
+    symbols = [ca.SX.sym(argument, arm.dof) for argument in ARGUMENTS[name]]
+    value = arm.function(name)(*symbols, xp=ca)
+    return ca.Function(name, symbols, [value], ARGUMENTS[name], [RESULTS[name]])
+
+
+def states(arm: rd.Robot) -> Any:
+    return np.random.default_rng(3).uniform(-2, 2, (20, 3, arm.dof))
+
+
+def assert_near(found: Any, expected: Any, bound: float) -> None:
+    found, expected = ca.DM(found).full(), ca.DM(expected).full()
+    assert np.abs(found - expected).max() <= bound * max(1.0, np.abs(expected).max())
+
+
+def test_values_and_names(arm: rd.Robot, external: External) -> None:
+    tau = external("inverse_dynamics")
+    assert [tau.name_in(i) for i in range(3)] == ["q", "qd", "qdd"] and tau.name_out(0) == "tau"
+    for q, qd, qdd in states(arm):
+        assert_near(tau(q, qd, qdd), arm.inverse_dynamics(q, qd, qdd), 1e-15)
+        assert_near(external("mass_matrix")(q), arm.mass_matrix(q), 1e-15)
+        assert_near(external("forward_dynamics")(q, qd, qdd), arm.forward_dynamics(q, qd, qdd), 1e-13)
+
+
+def test_zeros_are_declared(arm: rd.Robot, external: External) -> None:
+    # Gravity is along the first axis.
+    assert external("gravity_vector").nnz_out(0) == arm.dof - 1
+    assert external("inverse_dynamics").jacobian().nnz_out("jac_tau_q") == arm.dof * (arm.dof - 1)
+
+
+@pytest.mark.parametrize(("name", "bound"), [("inverse_dynamics", 1e-14), ("forward_dynamics", 1e-12)])
+def test_first_derivatives(arm: rd.Robot, external: External, name: str, bound: float) -> None:
+    found, expected = external(name).jacobian(), graph(arm, name).jacobian()
+    for state in states(arm):
+        for block, other in zip(found(*state, 0), expected(*state, 0), strict=True):
+            assert_near(block, other, bound)
+
+
+def test_second_derivatives(arm: rd.Robot, external: External) -> None:
+    tau = external("inverse_dynamics"), graph(arm, "inverse_dynamics")
+    found, expected = (function.jacobian().jacobian() for function in tau)
+    for names in ("name_in", "name_out"):
+        assert getattr(found, names)() == getattr(expected, names)()
+    places = [0] * (found.n_in() - 3)
+    for state in states(arm):
+        for block, other in zip(found(*state, *places), expected(*state, *places), strict=True):
+            assert_near(block, other, 1e-13)
+
+
+def hessian(function: Any, dof: int) -> Any:
+    """That of the outputs with given weights, by all inputs together."""
+    x, weights = ca.MX.sym("x", 3 * dof), ca.MX.sym("weights", dof)
+    weighted = ca.dot(weights, function(*ca.vertsplit(x, dof)))
+    return ca.Function("hessian", [x, weights], [ca.hessian(weighted, x)[0]])
+
+
+def test_hessian(arm: rd.Robot, external: External) -> None:
+    found = hessian(external("inverse_dynamics"), arm.dof)
+    expected = hessian(graph(arm, "inverse_dynamics"), arm.dof)
+    weights = np.linspace(-1, 1, arm.dof)
+    for state in states(arm):
+        assert_near(found(state.ravel(), weights), expected(state.ravel(), weights), 1e-13)
+
+
+def test_forward_dynamics_has_no_second_derivatives(arm: rd.Robot, external: External) -> None:
+    with pytest.raises(RuntimeError, match="[Dd]erivatives cannot be calculated"):
+        hessian(external("forward_dynamics"), arm.dof)
+
+
+def test_fields_are_an_input(tmp_path: Path) -> None:
+    fields = {"m1": 1.0, "m2": 2.0, "l1": 0.5, "l2": 0.4, "g": 9.81}
+    arm = rd.Robot.from_file(DATA / "files" / "two_link.toml", fields=fields)
+    tau = ca.external("inverse_dynamics", str(compiled(arm, ["inverse_dynamics"], tmp_path)))
+    assert tau.name_in(0) == "arm" and tau.size1_in(0) == 5
+    values = [fields[name] for name in arm.fields]
+    q, qd, qdd = np.random.default_rng(1).uniform(-1, 1, (3, 2))
+    assert_near(tau(values, q, qd, qdd), arm.inverse_dynamics(q, qd, qdd), 1e-15)
+    # As parameters of a problem they are no hindrance. A derivative by them is not known.
+    p, x = ca.MX.sym("p", 5), ca.MX.sym("x", 2)
+    torque = tau(p, x, qd, qdd)
+    by = ca.Function("by", [p, x], [ca.jacobian(torque, x), ca.jacobian(torque, p)])
+    by_x, by_p = by(values, q)
+    assert np.isfinite(by_x.full()).all() and np.isnan(by_p.full()).all()
+
+
+def test_ipopt_with_exact_hessians(arm: rd.Robot, external: External) -> None:
+    """The posture in which the Panda's motors hold it with the least effort, and its torques are those of a graph."""
+    q = ca.MX.sym("q", arm.dof)
+    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes"}
+    optima = []
+    for tau in external("inverse_dynamics"), graph(arm, "inverse_dynamics"):
+        effort = ca.sumsqr(tau(q, np.zeros(arm.dof), np.zeros(arm.dof))) + ca.sumsqr(q - 0.5)
+        solver = ca.nlpsol("solver", "ipopt", {"x": q, "f": effort}, options)
+        optima.append(solver(x0=np.full(arm.dof, 0.5))["x"])
+        assert solver.stats()["success"]
+    assert_near(optima[0], optima[1], 1e-10)
+
+
+def test_the_chapter_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (program,) = programs((ROOT / "docs/guide/src/optimal_control.md").read_text())
+    names: dict[str, Any] = {}
+    exec(program, names)
+    assert names["solver"].stats()["success"]
