@@ -33,12 +33,13 @@ def in_turns(programs: dict[str, Callable[[], object]], calls: int) -> dict[str,
 
 
 def one_call() -> None:
-    arm = panda()
+    arm = panda(functions=["default", "coriolis_matrix"])
     q, qd, qdd = STATES[:, 0]
     programs: dict[str, Callable[[], object]] = {
         "inverse_dynamics": lambda: arm.inverse_dynamics(q, qd, qdd),
         "mass_matrix": lambda: arm.mass_matrix(q),
         "forward_dynamics": lambda: arm.forward_dynamics(q, qd, qdd),
+        "coriolis_matrix": lambda: arm.coriolis_matrix(q, qd),
         "nothing": lambda: None,
         "numpy.negative": lambda: np.negative(q),
     }
