@@ -11,7 +11,7 @@ use super::body::Body;
 use super::c::precision::{CNumbers, Precision};
 use super::c::{WORDS, reads_name};
 use super::comments::{comment, lines as documentation, title_lines};
-use super::{argument_sizes, free_name, indented, snake_case};
+use super::{argument_sizes, free_name, indented, plain, snake_case};
 use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -295,13 +295,22 @@ impl File<'_> {
     }
 }
 
-/// A name as CasADi takes it: letters and digits, and underscores one by one between them.
+/// Names that CasADi gives to no function.
+const NAMES_OF_CASADI: &str = "null jac hess";
+
+/// A name as CasADi takes it: letters and digits of ASCII, and underscores one by one between them. Other letters are
+/// written by their numbers.
 fn name(name: &str) -> String {
-    let name = free_name(name, WORDS);
-    let is_letter = |letter: char| letter.is_ascii_alphanumeric();
-    let words = name.split(|letter| !is_letter(letter));
-    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
-    words.join("_")
+    let mut ascii = String::new();
+    for letter in plain(name).chars() {
+        match letter {
+            _ if letter.is_ascii_alphanumeric() => ascii.push(letter),
+            _ if letter.is_alphanumeric() => ascii += &format!("u{:x}", u32::from(letter)),
+            _ => ascii.push('_'),
+        }
+    }
+    let words: Vec<_> = ascii.split('_').filter(|word| !word.is_empty()).collect();
+    free_name(&words.join("_"), &[WORDS, NAMES_OF_CASADI].concat())
 }
 
 /// Inputs and outputs with their sizes.
@@ -340,4 +349,22 @@ fn written(place: usize, output: &Output) -> Vec<String> {
         lines.push("}".to_owned());
     }
     lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::name;
+
+    #[test]
+    fn names_are_those_of_casadi() {
+        for (given, expected) in [
+            ("jacobian_left_hand", "jacobian_left_hand"),
+            ("r#double", "double_"),
+            ("hess", "hess_"),
+            ("_a__b_", "a_b"),
+            ("jacobian_\u{e9}", "jacobian_ue9"),
+        ] {
+            assert_eq!(name(given), expected);
+        }
+    }
 }
