@@ -179,7 +179,7 @@ fn every_random_pose_is_solved() {
     for_each_arm!(random_poses_of_all);
 }
 
-/// A minute if optimised.
+/// Twelve minutes without optimisation on a busy machine.
 #[test]
 #[ignore = "a hundred thousand poses of each arm"]
 fn every_one_of_many_random_poses_is_solved() {
