@@ -163,6 +163,24 @@ arm! {
     ]
 }
 
+robot_dynamics! {
+    /// A spherical wrist whose axes are inclined by a field, on a base that is tilted by another one.
+    pub(crate) struct Fitted { pub(crate) reach: f64, pub(crate) skew: f64, pub(crate) tilt: f64 }
+
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    base: { xyz: [0.1, 0, 0.4], rpy: [tilt, 0, 0.2] },
+    joints: [
+        q1: revolute { alpha: PI/2 },
+        q2: revolute { a: reach, theta: tilt },
+        q3: revolute { a: 0.05, d: 0.1, alpha: -PI/2 },
+        q4: revolute { d: 0.5 + reach, alpha: PI/2 + skew },
+        q5: revolute { alpha: -PI/2 - skew },
+        q6: revolute { d: 0.1, theta: skew },
+    ],
+    functions: [forward_kinematics, inverse_kinematics],
+}
+
 /// Hands each arm to the macro `$then`: its name, its number of joints, and whether it reads the rotation of a pose.
 macro_rules! for_each_arm {
     ($then:ident) => {

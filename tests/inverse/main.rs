@@ -275,10 +275,29 @@ fn poses_out_of_reach_have_no_solution() {
         pose[(1, 3)] += 100.0;
         let slides = ["Stanford", "GantryWithWrist", "Cylindrical"].contains(&A::NAME);
         assert_eq!(arm.solutions(&pose, 0.3).is_empty(), !slides, "{}", A::NAME);
-        for (i, x) in [f64::NAN, f64::INFINITY].into_iter().enumerate() {
+        // An entry that is not read changes nothing.
+        let solved = arm.solutions(&inside, 0.3);
+        let places = (0..3).flat_map(|i| (0..4).map(move |j| (i, j)));
+        for (i, j) in places {
+            for x in [f64::NAN, f64::INFINITY] {
+                let mut pose = inside;
+                pose[(i, j)] = x;
+                let solutions = arm.solutions(&pose, 0.3);
+                let is_unread = j < 3 && solutions == solved;
+                assert!(solutions.is_empty() || is_unread, "{} {i} {j} {x}", A::NAME);
+            }
+        }
+        assert!(N != 7 || arm.solutions(&inside, f64::NAN).is_empty());
+        // A position whose square is infinite.
+        let slides = slides || A::NAME == "Scara";
+        for i in 0..3 {
             let mut pose = inside;
-            pose[(i, 3)] = x;
-            assert!(arm.solutions(&pose, 0.3).is_empty(), "{}", A::NAME);
+            pose[(i, 3)] = 1e200;
+            assert!(
+                slides || arm.solutions(&pose, 0.3).is_empty(),
+                "{} {i}",
+                A::NAME
+            );
         }
     }
     macro_rules! all {
@@ -312,6 +331,28 @@ fn solutions_are_chosen_by_limits_and_seeds() {
     let nearest = within.nearest(&seed).expect("q is within the limits");
     // The first angle is beyond pi, as the seed is.
     assert!((nearest.q - q).amax() < 1e-12);
+}
+
+/// Lengths and angles that are fields, in the rows and in the base.
+#[test]
+fn fields_may_stand_in_cells() {
+    let arm = Fitted {
+        reach: 0.7,
+        skew: 0.3,
+        tilt: -0.4,
+    };
+    let mut random = Random(9);
+    for _ in 0..100 {
+        let q = random.joints();
+        let pose = arm.forward_kinematics(&q);
+        let solutions = arm.inverse_kinematics(&pose);
+        let ways = solutions.iter().map(|solution| apart(&solution.q, &q));
+        assert!(ways.fold(f64::INFINITY, f64::min) < 1e-9);
+        for solution in &solutions {
+            let miss = (arm.forward_kinematics(&solution.q) - pose).abs().max();
+            assert!(miss < 1e-14, "{miss:e}");
+        }
+    }
 }
 
 /// Many poses are solved as each by itself, and lengths that differ are told.

@@ -7,8 +7,11 @@ mod roots;
 mod solutions;
 
 pub use real::Real;
+#[doc(hidden)]
 pub use roots::{
     Found, Roots, direction, inclined_turns, is_reached, root, slide, slides, turn, turns,
     turns_at_distance, turns_by,
 };
-pub use solutions::{Branches, Solution, Solutions};
+#[doc(hidden)]
+pub use solutions::Branches;
+pub use solutions::{Solution, Solutions};

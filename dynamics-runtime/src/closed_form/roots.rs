@@ -15,15 +15,15 @@ pub struct Found<T> {
 
 /// At most two solutions.
 #[derive(Clone, Copy, Debug)]
-pub struct Roots<R> {
-    both: [R; 2],
+pub struct Roots<T> {
+    both: [Found<T>; 2],
     count: usize,
 }
 
-impl<R> Roots<R> {
+impl<T> Roots<T> {
     /// The solutions.
     #[inline]
-    pub fn as_slice(&self) -> &[R] {
+    pub fn as_slice(&self) -> &[Found<T>] {
         &self.both[..self.count]
     }
 }
@@ -74,20 +74,20 @@ pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Found<T> {
 
 /// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`.
 #[inline]
-pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<Found<T>> {
+pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<T> {
     let square = a * a + b * b;
     let size = size + square;
     let least = roundings(T::from_f64(1.0));
     if square <= least * least * size {
         // Both sides vanish, or none does.
-        let count = usize::from(c * c <= least * least * size);
+        let count = usize::from(c * c <= least * least * size && size.is_finite());
         let both = [Found::any(); 2];
         return Roots { both, count };
     }
     let radius = square.sqrt();
     let magnitude = if c.is_positive() { c } else { -c };
     let discriminant = (radius - magnitude) * (radius + magnitude);
-    by_discriminant([a, b, c], [square, radius], discriminant, size, |turn| turn)
+    by_discriminant([a, b, c], [square, radius], discriminant, size)
 }
 
 /// |y - Rz(q) x|^2 + rest = found, which is a cos q + b sin q = (known - found) / 2.
@@ -106,30 +106,31 @@ pub fn turns_at_distance<T: Real>(
     y0: T,
     y1: T,
     rest: T,
-) -> Roots<Found<T>> {
-    let square = a * a + b * b;
-    let size = (known + found) * (known + found) + square;
-    let least = roundings(T::from_f64(1.0));
+) -> Roots<T> {
+    let size = (known + found) * (known + found);
     let c = (known - found) * T::from_f64(0.5);
-    if square <= least * least * size {
-        return turns(a, b, c, size);
+    let mut roots = turns(a, b, c, size);
+    for Found {
+        sine: s,
+        cosine: c,
+        is_singular,
+    } in &mut roots.both
+    {
+        if !*is_singular {
+            let (u, v) = (*c * x0 - *s * x1, *s * x0 + *c * x1);
+            let (du, dv) = (u - y0, v - y1);
+            let miss = (found - rest) - (du * du + dv * dv);
+            // The square changes by twice the product of y and the turned x.
+            let step = miss / ((u * y1 - v * y0) * T::from_f64(-2.0));
+            (*s, *c) = (*s + *c * step, *c - *s * step);
+        }
     }
-    let radius = square.sqrt();
-    let magnitude = if c.is_positive() { c } else { -c };
-    let discriminant = (radius - magnitude) * (radius + magnitude);
-    by_discriminant([a, b, c], [square, radius], discriminant, size, |(s, c)| {
-        let (u, v) = (c * x0 - s * x1, s * x0 + c * x1);
-        let (du, dv) = (u - y0, v - y1);
-        let miss = (found - rest) - (du * du + dv * dv);
-        // The square changes by twice the product of y and the turned x.
-        let step = miss / ((u * y1 - v * y0) * T::from_f64(-2.0));
-        (s + c * step, c - s * step)
-    })
+    roots
 }
 
 /// As [`turns`] with a^2 + b^2 - c^2, which has no rounding of larger numbers.
 #[inline]
-pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Found<T>> {
+pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<T> {
     let square = a * a + b * b;
     let radius = square.sqrt();
     let least = roundings(radius);
@@ -139,27 +140,24 @@ pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<Found<T>> {
     } else {
         discriminant
     };
-    by_discriminant([a, b, c], [square, radius], discriminant, square, |turn| {
-        turn
-    })
+    by_discriminant([a, b, c], [square, radius], discriminant, square)
 }
 
 /// As [`turns_by`], with the discriminant (1 - along) (1 + along - twice), where (1 - along) (1 + along) = across.
 #[inline]
-pub fn inclined_turns<T: Real>(a: T, b: T, c: T, along: T, across: T, twice: T) -> Roots<Found<T>> {
+pub fn inclined_turns<T: Real>(a: T, b: T, c: T, along: T, across: T, twice: T) -> Roots<T> {
     let beyond = T::from_f64(1.0) + along;
     turns_by(a, b, c, across / beyond * (beyond - twice))
 }
 
-/// The two turns, each sine and cosine corrected by `refine` unless they cannot be told apart.
+/// The two turns, or the one between them.
 #[inline]
 fn by_discriminant<T: Real>(
     [a, b, c]: [T; 3],
     [square, radius]: [T; 2],
     discriminant: T,
     size: T,
-    refine: impl Fn((T, T)) -> (T, T),
-) -> Roots<Found<T>> {
+) -> Roots<T> {
     let zero = T::from_f64(0.0);
     if discriminant.is_positive() {
         let root = discriminant.sqrt();
@@ -167,7 +165,6 @@ fn by_discriminant<T: Real>(
         let scale = T::from_f64(1.0) / square;
         let turn = |root: T| {
             let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
-            let (s, c) = if is_singular { (s, c) } else { refine((s, c)) };
             Found::turn(s, c, is_singular)
         };
         let both = [turn(root), turn(-root)];
@@ -190,7 +187,7 @@ pub fn slide<T: Real>(position: T) -> Found<T> {
 
 /// d = b + root and b - root of the discriminant, a difference of numbers as large as `size`.
 #[inline]
-pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Found<T>> {
+pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<T> {
     let is_some = discriminant >= -roundings(size) && size.is_finite();
     let is_two = discriminant.is_positive();
     let root = if is_two {
@@ -210,7 +207,7 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<Found<T>> {
 /// Whether a vector vanishes beside distances with the sum of squares `size`.
 #[inline]
 pub fn is_reached<T: Real>(x: T, y: T, z: T, size: T) -> bool {
-    x * x + y * y + z * z <= T::REACHED * T::REACHED * size
+    x * x + y * y + z * z <= T::REACHED * T::REACHED * size && size.is_finite()
 }
 
 /// The square root.

@@ -54,7 +54,7 @@ static inline roots turns(double a, double b, double c, double size)
     const double square = a * a + b * b, least = roundings(1), radius = sqrt(square), magnitude = fabs(c);
     size += square;
     if (square <= least * least * size) {
-        const roots any = {{{0, 1, 1}, {0, 1, 1}}, c * c <= least * least * size};
+        const roots any = {{{0, 1, 1}, {0, 1, 1}}, c * c <= least * least * size && isfinite(size)};
         return any;
     }
     return by_discriminant(a, b, c, square, (radius - magnitude) * (radius + magnitude), size);
@@ -117,7 +117,7 @@ static inline direction_of direction(double x, double y, double z, double u, dou
 
 static inline int is_reached(double x, double y, double z, double size)
 {
-    return x * x + y * y + z * z <= REACHED * REACHED * size;
+    return x * x + y * y + z * z <= REACHED * REACHED * size && isfinite(size);
 }
 
 /* Writes a solution, unless it is not finite, and returns how many were written. */

@@ -35,7 +35,9 @@ function turns(a, b, c, size) {
   const [square, least, magnitude] = [a * a + b * b, roundings(1), Math.abs(c)];
   const radius = Math.sqrt(square);
   size += square;
-  if (square <= least * least * size) return c * c <= least * least * size ? [turned(0, 1, true)] : [];
+  if (square <= least * least * size) {
+    return c * c <= least * least * size && Number.isFinite(size) ? [turned(0, 1, true)] : [];
+  }
   return byDiscriminant(a, b, c, square, (radius - magnitude) * (radius + magnitude), size);
 }
 
@@ -79,7 +81,7 @@ function direction(x, y, z, u, v, w, size) {
   return { x: x * scale, y: y * scale, z: z * scale, isSingular: square <= APART * APART * size };
 }
 
-const is_reached = (x, y, z, size) => x * x + y * y + z * z <= REACHED * REACHED * size;
+const is_reached = (x, y, z, size) => x * x + y * y + z * z <= REACHED * REACHED * size && Number.isFinite(size);
 
 /** Adds a solution, unless it is not finite. */
 function keep(solutions, joints, turning, isAny) {
