@@ -121,6 +121,10 @@ mod among_constants {
     const j: usize = 1;
     const value: u8 = 1;
     const pi: f64 = 3.0;
+    const pose: u8 = 1;
+    static elbow: u8 = 1;
+    const solutions: u8 = 1;
+    const index: u8 = 1;
     const l: f64 = 1.0;
     const off: f64 = 1.0;
 
@@ -134,6 +138,29 @@ mod among_constants {
             b: revolute { a: 1, alpha: off, mass: 1, com: [0, 0.1, 0], friction: { coulomb: 1 } },
         ],
         tests: true,
+    }
+
+    robot_dynamics::robot_dynamics! {
+        struct Seven;
+        convention: standard,
+        gravity: [0, 0, -9.81],
+        joints: [
+            a: revolute { alpha: -PI/2 },
+            b: revolute { alpha: PI/2 },
+            c: revolute { d: 0.4, alpha: PI/2 },
+            d: revolute { alpha: -PI/2 },
+            e: revolute { d: 0.4, alpha: -PI/2 },
+            f: revolute { alpha: PI/2 },
+            g: revolute {},
+        ],
+        functions: [forward_kinematics, inverse_kinematics],
+    }
+
+    #[test]
+    fn closed_forms_pass_too() {
+        let positions = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7].into();
+        let there = Seven.forward_kinematics(&positions);
+        assert_eq!(Seven.inverse_kinematics(&there, 0.1).len(), 8);
     }
 
     #[test]

@@ -4,9 +4,26 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 /// Arguments and local variables of the generated code, but for those whose names have a `_` in them.
-pub(crate) const NAMES: [&str; 16] = [
-    "base", "q", "qd", "qdd", "tau", "jerk", "snap", "wrench", "order", "state", "sines", "real",
-    "index", "x", "term", "forces",
+pub(crate) const NAMES: [&str; 19] = [
+    "base",
+    "q",
+    "qd",
+    "qdd",
+    "tau",
+    "jerk",
+    "snap",
+    "wrench",
+    "order",
+    "state",
+    "sines",
+    "real",
+    "index",
+    "x",
+    "term",
+    "forces",
+    "pose",
+    "elbow",
+    "solutions",
 ];
 
 /// The items in a scope of their own, in which primitive types, and the names of arguments and local variables,

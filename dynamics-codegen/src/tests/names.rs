@@ -36,9 +36,14 @@ fn names_of_variables_are_apart_from_those_around_the_call() {
         ], functions: [{}], tests: true",
         functions.join(", ")
     );
+    let seven = "struct Seven; convention: standard, gravity: [0, 0, 1], joints: [
+            a: revolute { alpha: -PI/2 }, b: revolute { alpha: PI/2 }, c: revolute { d: 0.4, alpha: PI/2 },
+            d: revolute { alpha: -PI/2 }, e: revolute { d: 0.4, alpha: -PI/2 }, f: revolute { alpha: PI/2 },
+            g: revolute {},
+        ], functions: [inverse_kinematics]";
     let floating = "struct Stone; base: floating { mass: 1, inertia: sphere(1) }, gravity: [0, 0, 1], joints: []";
     let mut bound = Bound::default();
-    for call in [call.as_str(), floating] {
+    for call in [call.as_str(), seven, floating] {
         let items = crate::generate(call.parse().expect("the call lexes"));
         bound.visit_file(&syn::parse2(items).expect("the expansion is Rust"));
     }
