@@ -28,6 +28,25 @@ pub(crate) fn run(arguments: &[&str]) -> Output {
     command.args(arguments).output().expect("the command")
 }
 
+/// Whether another program is installed; if it is not, a line says what is left out.
+pub(crate) fn has(program: &str) -> bool {
+    let found = Command::new(program).arg("--version").output().is_ok();
+    if !found {
+        println!("left out: {program} is not installed");
+    }
+    found
+}
+
+/// The output of another program that succeeds.
+#[track_caller]
+pub(crate) fn succeed(command: &mut Command) -> String {
+    let output = command.output().expect("a program that runs");
+    let text = String::from_utf8(output.stdout).expect("text");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?}: {text}{errors}");
+    text
+}
+
 /// The output of a call that succeeds.
 #[track_caller]
 pub(crate) fn output(arguments: &[&str]) -> String {

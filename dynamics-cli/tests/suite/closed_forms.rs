@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::process::Command;
 
-use super::calls::{errors, file, folder, output};
+use super::calls::{errors, file, folder, has, output, succeed};
 
-/// A PUMA with fields, seven joints, and a gantry with a wrist.
+/// A PUMA with fields, one of them a word of C, seven joints, and a gantry with a wrist.
 const PUMA: &str = r#"
 convention = "standard"
 gravity = [0, 0, -9.81]
@@ -14,7 +14,7 @@ joint = [
     { name = "q1", type = "revolute", d = 0.67183, alpha = "PI/2" },
     { name = "q2", type = "revolute", a = "upper" },
     { name = "q3", type = "revolute", a = 0.0203, d = 0.15005, alpha = "-PI/2" },
-    { name = "q4", type = "revolute", d = "fore", alpha = "PI/2" },
+    { name = "q4", type = "revolute", d = "double", alpha = "PI/2" },
     { name = "q5", type = "revolute", alpha = "-PI/2" },
     { name = "q6", type = "revolute" },
 ]
@@ -53,18 +53,6 @@ const ARMS: [(&str, &str, usize, &str, &str); 3] = [
     ("seven", SEVEN, 7, "", "ELBOW"),
     ("stanford", STANFORD, 6, "", ""),
 ];
-
-fn is_there(program: &str) -> bool {
-    Command::new(program).arg("--version").output().is_ok()
-}
-
-fn run(command: &mut Command) -> String {
-    let output = command.output().expect("the program is there");
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}: {text}{errors}");
-    text
-}
 
 /// A program that prints how many solutions 200 random poses have, the largest error of a pose, and of how many poses the joints
 /// were not among the solutions.
@@ -119,7 +107,7 @@ fn javascript_program(name: &str, joints: usize, fields: &str, elbow: &str) -> S
     let arm = if fields.is_empty() {
         ""
     } else {
-        "{ upper: 0.4318, fore: 0.4318 }, "
+        "{ upper: 0.4318, double: 0.4318 }, "
     };
     let elbow = if elbow.is_empty() { "" } else { ", 0.3" };
     format!(
@@ -179,7 +167,7 @@ fn generated(name: &str, table: &str, language: &str) -> String {
 
 #[test]
 fn c_and_javascript_solve_every_pose() {
-    let (has_c, has_javascript) = (is_there("gcc"), is_there("node"));
+    let (has_c, has_javascript) = (has("gcc"), has("node"));
     if !has_c || !has_javascript {
         eprintln!("left out what is not there: gcc {has_c}, node {has_javascript}");
     }
@@ -198,15 +186,15 @@ fn c_and_javascript_solve_every_pose() {
             gcc.current_dir(&folder).args([
                 "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-o", "main",
             ]);
-            run(gcc.args(&sources).arg("-lm"));
-            counts.push(check(&run(&mut Command::new(at("main"))), elbow));
+            succeed(gcc.args(&sources).arg("-lm"));
+            counts.push(check(&succeed(&mut Command::new(at("main"))), elbow));
         }
         if has_javascript {
             let folder = generated(name, table, "js");
             let program = Path::new(&folder).join("main.mjs");
             std::fs::write(&program, javascript_program(name, joints, fields, elbow))
                 .expect("a file");
-            counts.push(check(&run(Command::new("node").arg(&program)), elbow));
+            counts.push(check(&succeed(Command::new("node").arg(&program)), elbow));
         }
         counts.dedup();
         assert!(counts.len() <= 1, "{name}: {counts:?}");

@@ -10,7 +10,7 @@ use std::process::Command;
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 use dynamics_runtime::Scalar;
 
-use super::calls::{errors, file, folder, output};
+use super::calls::{errors, file, folder, has, output, succeed};
 
 /// An arm with friction, a slide and a follower.
 const ARM: &str = r#"
@@ -63,15 +63,6 @@ const FLAGS: [&str; 7] = [
     "-Werror",
 ];
 
-/// Whether there is a compiler; what is left out without it is said.
-fn has_gcc() -> bool {
-    let found = Command::new("gcc").arg("--version").output().is_ok();
-    if !found {
-        println!("left out: gcc is not installed");
-    }
-    found
-}
-
 /// A type of numbers, in Rust and in C.
 trait Number: Scalar + Debug {
     const WORD: &'static str;
@@ -121,14 +112,6 @@ impl Number for f32 {
     fn of_bits(bits: u64) -> Self {
         f32::from_bits(bits as u32)
     }
-}
-
-#[track_caller]
-fn succeed(command: &mut Command) -> String {
-    let output = command.output().expect("a program that runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command:?}\n{errors}");
-    String::from_utf8(output.stdout).expect("text")
 }
 
 /// Compiles the robot's source beside a `main`, and returns what it prints.
@@ -185,7 +168,7 @@ fn assert_functions<F: Number>(name: &str) -> (String, String) {
     for word in [" sin(", " cos(", "math.h"] {
         assert!(!text.contains(word), "{word}: {text}");
     }
-    if !has_gcc() {
+    if !has("gcc") {
         return (text, header);
     }
     let arm = RuntimeRobot::from_file(&path, &ReadOptions::new()).expect("an arm");
@@ -256,7 +239,7 @@ fn assert_library<F: Number>(name: &str, sine: &str, tolerance: f64) -> String {
     output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
     let text = std::fs::read_to_string(out.join(format!("{name}.c"))).expect("a source");
     assert!(text.contains(sine), "{text}");
-    if has_gcc() {
+    if has("gcc") {
         let q = literal(&[0.5, 0.1, 0.2].map(F::of));
         let call = format!("x[0] = {name}_potential_energy({q});");
         let main = main_of::<F>(name, &[(call, 1)]);
@@ -299,7 +282,7 @@ fn fields_of_single_precision() {
         header.contains("    float load;\n    float tilt;\n} tilted_fields;"),
         "{header}"
     );
-    if !has_gcc() {
+    if !has("gcc") {
         return;
     }
     let options = ReadOptions::new().names_are_fields();
@@ -333,7 +316,7 @@ fn a_base_that_moves_in_single_precision() {
         "{header}"
     );
     for (compiler, language) in [("gcc", "c"), ("g++", "c++")] {
-        if Command::new(compiler).arg("--version").output().is_ok() {
+        if has(compiler) {
             let mut command = Command::new(compiler);
             command
                 .current_dir(&out)

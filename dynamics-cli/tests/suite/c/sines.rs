@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 use std::process::Command;
 
-use super::super::calls::{file, folder, output};
-use super::{Number, has_gcc, succeed};
+use super::super::calls::{file, folder, has, output, succeed};
+use super::Number;
 
 /// Builds that a user may choose: with fused instructions and without, by a compiler that may fuse as it likes.
 const BUILDS: [&[&str]; 4] = [
@@ -86,7 +86,7 @@ fn expected<F: Number>(count: usize) -> String {
 
 /// Compares so many angles, in as many lanes as `lanes` says; apart where it says none.
 fn assert_sines<F: Number>(lanes: Option<usize>, count: usize) {
-    if !has_gcc() {
+    if !has("gcc") {
         return;
     }
     let word = F::WORD;
