@@ -282,11 +282,11 @@ pub fn proven_program(robot: &Robot, request: &Request) -> Result<Proven, Failur
 /// Proves a program and rounds its constants.
 fn proven(robot: &Robot, request: &Request, program: Program) -> Result<Proven, Reason> {
     prove_together(robot, request.parts(), &program).map_err(Reason::Proof)?;
-    let constants = program.rounded_constants();
-    if constants.iter().any(|x| x.is_infinite()) {
+    let proven = Proven::rounding(program);
+    if proven.overflows() {
         return Err(Reason::Overflow);
     }
-    Ok(Proven { program, constants })
+    Ok(proven)
 }
 
 /// Proves and emits the two programs of Taylor series: the equations of motion, and the mass
@@ -333,7 +333,11 @@ fn method_of(request: Request, emitted: emit::Emitted, programs: &[&Program]) ->
 ///
 /// Why the arm has no closed form.
 pub fn proven_plan(robot: &Robot, frame: Option<usize>) -> Result<Plan, Unsolved> {
-    plan(robot, frame, &|plan| prove_inverse(robot, frame, plan))
+    let plan = plan(robot, frame, &|plan| prove_inverse(robot, frame, plan))?;
+    if plan.proven().overflows() {
+        return Err(Unsolved::Overflow);
+    }
+    Ok(plan)
 }
 
 /// The method of inverse kinematics, for a frame among the robot's `frames`, or for its tip; `path` is that of the runtime.

@@ -133,3 +133,16 @@ robot_dynamics! {
     ],
     functions: [inverse_kinematics],
 }
+
+robot_dynamics! {
+    pub struct Huge;
+    convention: standard,
+    gravity: [0, 0, -9.81],
+    allow: [odd_length],
+    joints: [
+        q1: revolute { d: 1e200, alpha: PI/2 },
+        q2: revolute { a: 1e200 },
+        q3: revolute { a: 3e200 },
+    ],
+    functions: [inverse_kinematics],
+}

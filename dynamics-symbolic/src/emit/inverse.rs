@@ -6,8 +6,8 @@ use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints};
 use crate::function::{Argument, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
-use crate::program::{Operand, Proven};
-use crate::robot::{JointType, Robot, Row, Symbol};
+use crate::program::Operand;
+use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -18,10 +18,7 @@ pub fn inverse_kinematics(
     plan: &Plan,
     path: &TokenStream,
 ) -> TokenStream {
-    let proven = Proven {
-        constants: plan.program.rounded_constants(),
-        program: plan.program.clone(),
-    };
+    let proven = plan.proven();
     let writer = Writer::new(robot, &proven);
     let method = Method {
         robot,
@@ -33,7 +30,7 @@ pub fn inverse_kinematics(
     let [pose, solutions, is_singular] = ["pose", "solutions", "is_singular"].map(ident);
     let constants = constants_like(&quote!(#pose.data.0[0][0]), path);
     let inputs = method.inputs();
-    let turns = robot.joints().map(turns);
+    let turns = turning(robot);
     let steps = method.from(0);
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
@@ -73,17 +70,15 @@ fn method_of(
     let method = inverse_method(frame);
     let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
     let (name, batch) = (named(&method), named(&format!("{method}_batch")));
-    let [of_one, of_many] = [quote!(T), quote!([T])].map(|numbers| {
-        let reference = (numbers.to_string() != "T").then(|| quote!(&));
-        has_elbow.then(|| quote!(#elbow: #reference #numbers,))
-    });
+    let [of_one, of_many] =
+        [quote!(T), quote!(&[T])].map(|numbers| has_elbow.then(|| quote!(#elbow: #numbers,)));
     let solutions = quote!(#path::closed_form::Solutions<T, #n>);
     let about_many = format!(
         " [`{method}`](Self::{method}) of many poses. The error says which argument has another number of states than `pose`."
     );
-    let [all, i, one] = ["solutions", "i", "one"].map(ident);
+    let [all, index, place] = ["solutions", "index", "of_pose"].map(ident);
     let lengths = has_elbow.then(|| quote!(("elbow", #elbow.len()),));
-    let argument = has_elbow.then(|| quote!(#elbow[#i]));
+    let argument = has_elbow.then(|| quote!(#elbow[#index]));
     quote! {
         #(#[doc = #documentation])*
         #[inline(never)]
@@ -105,8 +100,8 @@ fn method_of(
                 #all: &mut [#solutions],
             ) -> ::core::result::Result<(), #path::LengthMismatch> {
                 #path::LengthMismatch::test(#pose.len(), &[#lengths ("solutions", #all.len())])?;
-                for (#i, #one) in #all.iter_mut().enumerate() {
-                    *#one = self.#name(&#pose[#i], #argument);
+                for (#index, #place) in #all.iter_mut().enumerate() {
+                    *#place = self.#name(&#pose[#index], #argument);
                 }
                 ::core::result::Result::Ok(())
             }
@@ -139,13 +134,16 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
         String::new(),
         format!(
             " Each solution has been proven to lead to the pose. Equations of one joint each, whose coefficients take {count} \
-             multiplications and additions. A pose that is not finite has no solution; never panics, never allocates."
+             multiplications and additions. There is no solution if a number is not finite that is read of the pose; never panics, \
+             never allocates."
         ),
     ]
 }
 
-fn turns(row: &Row) -> bool {
-    row.joint_type == JointType::Revolute
+/// For each joint whether it turns.
+pub(super) fn turning(robot: &Robot) -> impl Iterator<Item = bool> {
+    let joints = robot.joints();
+    joints.map(|row| row.joint_type == JointType::Revolute)
 }
 
 struct Method<'a> {
@@ -197,7 +195,7 @@ impl Method<'_> {
         let entries = program.inputs.iter().filter_map(|symbol| match symbol {
             Symbol::Entry(Argument::Pose, k) if *k < ELBOW => {
                 let name = ident(&input_name(self.robot, symbol, &[]));
-                let (row, column) = if *k < 9 { (k / 3, k % 3) } else { (k - 9, 3) };
+                let (row, column) = Plan::place_in_pose(*k);
                 let [row, column] = [row, column].map(Literal::usize_unsuffixed);
                 Some(quote!(let #name = #pose.data.0[#column][#row];))
             }

@@ -1,6 +1,6 @@
 //! The way from the pose of a frame to the positions of the joints.
 
-use crate::program::Program;
+use crate::program::{Program, Proven};
 
 /// One joint after the other, each from an equation in which it is the only unknown.
 #[derive(Clone, Debug)]
@@ -135,6 +135,20 @@ impl Rule {
 }
 
 impl Plan {
+    /// The program of a plan that was proven, with rounded constants.
+    pub(crate) fn proven(&self) -> Proven {
+        Proven::rounding(self.program.clone())
+    }
+
+    /// The place of an entry of the pose, one of the first twelve: its row and its column.
+    pub(crate) fn place_in_pose(entry: usize) -> (usize, usize) {
+        if entry < 9 {
+            (entry / 3, entry % 3)
+        } else {
+            (entry - 9, 3)
+        }
+    }
+
     /// The most solutions.
     pub fn branches(&self) -> usize {
         self.steps

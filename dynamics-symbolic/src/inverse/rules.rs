@@ -17,17 +17,15 @@ type Vector<'g> = Vector3<Expr<'g>>;
 
 /// An equation of one joint of a view.
 pub(super) struct Equation<'g> {
-    /// Which joint of the view.
+    /// The joint's number among those that move.
     pub(super) joint: usize,
-    /// Whether the view is that of the inverse equation.
-    pub(super) is_inverse: bool,
     pub(super) rule: Rule,
     pub(super) coefficients: Vec<Expr<'g>>,
 }
 
 impl<'g> Equation<'g> {
-    /// Of the joint as it moves in the equation that is no inverse.
-    fn of(view: &View<'g>, joint: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
+    /// Of joint t of a view, as it moves in the equation that is no inverse.
+    fn of(view: &View<'g>, t: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
             let opposite = match rule {
                 Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::InclinedTurns => &[1][..],
@@ -41,8 +39,7 @@ impl<'g> Equation<'g> {
             }
         }
         Equation {
-            joint,
-            is_inverse: view.is_inverse,
+            joint: view.joints[t].number,
             rule,
             coefficients,
         }
@@ -94,8 +91,7 @@ fn first_turn<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     }
     let Turned { x, y, size } = turned_direction(view).or_else(|| turned_point(view))?;
     let (cosine, sine) = (x[0] * y[0] + x[1] * y[1], x[0] * y[1] - x[1] * y[0]);
-    let length = x[0] * x[0] + x[1] * x[1];
-    let coefficients = vec![cosine, sine, length, size];
+    let coefficients = vec![cosine, sine, beside_z(x), size];
     Some(Equation::of(view, 0, Rule::Turn, coefficients))
 }
 
@@ -120,8 +116,7 @@ fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
         view.points(1..view.joints.len()),
         Points::Lines(_) | Points::Line { each: false, .. }
     );
-    let beside = x[0] * x[0] + x[1] * x[1];
-    let size = if stays { x.dot(x) } else { beside };
+    let size = if stays { x.dot(x) } else { beside_z(x) };
     (!is_on_axis && view.allows(&y.0[..2])).then_some(Turned { x, y, size })
 }
 
@@ -242,13 +237,7 @@ pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     }
     let z = view.z();
     let way = view.way(0, t);
-    let (o, axis) = match view.points(0..t) {
-        Points::One(o) => (o, None),
-        Points::Line {
-            point, direction, ..
-        } => (point, Some(direction)),
-        _ => return None,
-    };
+    let (o, axis) = centre(view, t)?;
     let near = way.inverse().point(o);
     let axis = match axis {
         Some(axis) if !are_parallel(way.inverse().direction(axis), z) => return None,
@@ -265,6 +254,22 @@ pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     by_distance(view, t, (near, p), apart.dot(apart))
 }
 
+/// A point that the joints before t do not move, or one of an axis, and the direction of this axis.
+fn centre<'g>(view: &View<'g>, t: usize) -> Option<(Vector<'g>, Option<Vector<'g>>)> {
+    match view.points(0..t) {
+        Points::One(o) => Some((o, None)),
+        Points::Line {
+            point, direction, ..
+        } => Some((point, Some(direction))),
+        _ => None,
+    }
+}
+
+/// The square of the distance from the z axis.
+fn beside_z<'g>(v: Vector<'g>) -> Expr<'g> {
+    v[0] * v[0] + v[1] * v[1]
+}
+
 /// |y - Z x|^2 = found for joint t: a cos q + b sin q = (|x|^2 + |y|^2 - found) / 2 in the plane.
 fn by_distance<'g>(
     view: &View<'g>,
@@ -278,8 +283,7 @@ fn by_distance<'g>(
     }
     let along = y[2] - x[2];
     let rest = along * along;
-    let beside = |v: Vector<'g>| v[0] * v[0] + v[1] * v[1];
-    let known = beside(x) + beside(y) + rest;
+    let known = beside_z(x) + beside_z(y) + rest;
     let coefficients = vec![a, b, known, found, x[0], x[1], y[0], y[1], rest];
     view.allows(&coefficients)
         .then(|| Equation::of(view, t, Rule::Distance, coefficients))
@@ -308,13 +312,7 @@ fn slides<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         return None;
     }
     let back = view.way(0, t).inverse();
-    let (o, axis) = match view.points(0..t) {
-        Points::One(o) => (o, None),
-        Points::Line {
-            point, direction, ..
-        } => (point, Some(direction)),
-        _ => return None,
-    };
+    let (o, axis) = centre(view, t)?;
     let near = axis.map(|axis| back.direction(axis));
     if near.is_some_and(|axis| !axis[2].is_zero()) {
         return None;
@@ -327,7 +325,7 @@ fn slides<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let e = across(pair.near - back.point(o), near);
     let apart = across(view.target.point(pair.far) - o, axis);
     let found = apart.dot(apart);
-    let beside = e[0] * e[0] + e[1] * e[1];
+    let beside = beside_z(e);
     let coefficients = vec![-e[2], found - beside, found + beside];
     view.allows(&coefficients)
         .then(|| Equation::of(view, t, Rule::Slides, coefficients))

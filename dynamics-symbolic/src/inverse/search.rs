@@ -5,7 +5,7 @@ use super::found::Found;
 use super::moves::{Move, Path};
 use super::plan::{Plan, Rule, Solved, Step, Target};
 use super::redundant;
-use super::rules::{Equation, equations};
+use super::rules::equations;
 use super::view::{Unknown, View, are_parallel};
 use super::why::{Unsolved, why_not};
 use crate::derive::symbols::Symbols;
@@ -138,14 +138,9 @@ impl<'g> Search<'g, '_> {
             .first()
             .is_some_and(|first| first.rule.solutions() == 1);
         let tried = if has_single { 1 } else { candidates.len() };
-        let joint_of = |equation: &Equation<'g>, is_inverse: bool| {
-            let view = if is_inverse { &inverse } else { &view };
-            view.joints[equation.joint].number
-        };
         for equation in candidates.into_iter().take(tried) {
-            let joint = joint_of(&equation, equation.is_inverse);
             let step = Step {
-                solved: Solved::Joint(joint),
+                solved: Solved::Joint(equation.joint),
                 rule: equation.rule,
             };
             found.push(Found {

@@ -94,13 +94,14 @@ impl<'g> View<'g> {
         links.fold(Path::default(), |way, link| way.then(link))
     }
 
-    /// From the innermost of some joints outwards: what `last` begins with is taken over each way and each joint.
+    /// From the last of some joints to the first: `none` is taken over each joint by `join`, and by `leave` over each way between
+    /// two.
     fn gathered<T>(
         &self,
         range: Range<usize>,
         none: T,
         leave: impl Fn(&Path<'g>, T) -> T,
-        join: impl Fn(JointType, T) -> T,
+        join: impl Fn(usize, T) -> T,
     ) -> T {
         let end = range.end;
         range.rev().fold(none, |found, i| {
@@ -109,22 +110,17 @@ impl<'g> View<'g> {
             } else {
                 found
             };
-            join(self.joints[i].joint_type, here)
+            join(i, here)
         })
     }
 
     /// The points that no joint of a range moves, in the frame of its first joint.
     pub(super) fn points(&self, range: Range<usize>) -> Points<'g> {
-        let leave = |way: &Path<'g>, points| moved(way, points);
-        self.gathered(
-            range,
-            Points::All,
-            leave,
-            |joint_type, points| match joint_type {
-                JointType::Revolute => self.on_axis(points),
-                JointType::Prismatic => self.along_axis(points),
-            },
-        )
+        let join = |i: usize, points| match self.joints[i].joint_type {
+            JointType::Revolute => self.on_axis(points),
+            JointType::Prismatic => self.along_axis(points),
+        };
+        self.gathered(range, Points::All, moved, join)
     }
 
     /// Those of the points that a turn about z leaves.
@@ -177,31 +173,21 @@ impl<'g> View<'g> {
 
     /// A basis of the directions that no joint of a range turns, in the frame of its first joint.
     pub(super) fn directions(&self, range: Range<usize>) -> Vec<Vector<'g>> {
-        let leave = |way: &Path<'g>, basis: Vec<Vector<'g>>| turned(way, &basis);
-        let all = self.axes().to_vec();
-        self.gathered(range, all, leave, |joint_type, basis| match joint_type {
+        let join = |i: usize, basis| match self.joints[i].joint_type {
             JointType::Revolute => self.containing_z(basis),
             JointType::Prismatic => basis,
-        })
+        };
+        self.gathered(range, self.axes().to_vec(), turned, join)
     }
 
     /// A basis of the directions along which no joint of a range moves a point, except for joint `skipped`.
     pub(super) fn heights(&self, range: Range<usize>, skipped: Option<usize>) -> Vec<Vector<'g>> {
-        let leave = |way: &Path<'g>, basis: Vec<Vector<'g>>| turned(way, &basis);
-        let start = range.start;
-        let end = range.end;
-        (start..end).rev().fold(self.axes().to_vec(), |basis, i| {
-            let here = if i + 1 < end {
-                leave(&self.links[i], basis)
-            } else {
-                basis
-            };
-            match self.joints[i].joint_type {
-                _ if skipped == Some(i) => here,
-                JointType::Revolute => self.containing_z(here),
-                JointType::Prismatic => self.across_z(here),
-            }
-        })
+        let join = |i: usize, basis| match self.joints[i].joint_type {
+            _ if skipped == Some(i) => basis,
+            JointType::Revolute => self.containing_z(basis),
+            JointType::Prismatic => self.across_z(basis),
+        };
+        self.gathered(range, self.axes().to_vec(), turned, join)
     }
 
     /// z, if it is a combination of a basis.
@@ -253,8 +239,8 @@ pub(super) fn moved<'g>(way: &Path<'g>, points: Points<'g>) -> Points<'g> {
     }
 }
 
-fn turned<'g>(way: &Path<'g>, basis: &[Vector<'g>]) -> Vec<Vector<'g>> {
-    basis.iter().map(|v| way.direction(*v)).collect()
+fn turned<'g>(way: &Path<'g>, basis: Vec<Vector<'g>>) -> Vec<Vector<'g>> {
+    basis.into_iter().map(|v| way.direction(v)).collect()
 }
 
 /// Whether two directions are parallel or opposite.

@@ -29,6 +29,8 @@ pub enum Unsolved {
     NoTwoAxes,
     /// The position of the frame does not determine the joints.
     Undetermined,
+    /// A constant of the closed form is too large for a double.
+    Overflow,
 }
 
 /// The condition that fails.
@@ -109,6 +111,11 @@ impl fmt::Display for Unsolved {
             Unsolved::Undetermined => write!(
                 f,
                 "the position of the frame's origin does not determine the positions of its joints"
+            ),
+            Unsolved::Overflow => write!(
+                f,
+                "numbers of the table combine to a constant above 1.8e308, too large for a double-precision number (are the \
+                 units right?)"
             ),
         }
     }

@@ -101,6 +101,17 @@ pub struct Proven {
 }
 
 impl Proven {
+    /// A proven program with its constants rounded.
+    pub(crate) fn rounding(program: Program) -> Self {
+        let constants = program.rounded_constants();
+        Proven { program, constants }
+    }
+
+    /// Whether a constant is too large for a double.
+    pub(crate) fn overflows(&self) -> bool {
+        self.constants.iter().any(|x| x.is_infinite())
+    }
+
     /// The sizes in the shapes of the functions that the program computes, of so many joints.
     pub fn sizes(&self, request: &Request, freedoms: impl Into<Freedoms>) -> Sizes {
         sizes_of(request.parts(), freedoms, self.program.outputs.len())

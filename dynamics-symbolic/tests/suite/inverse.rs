@@ -5,7 +5,7 @@ use std::fmt::Write;
 use dynamics_symbolic::inverse::{Plan, Solved, plan};
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::prove::prove_inverse;
-use dynamics_symbolic::robot::{Robot, Value};
+use dynamics_symbolic::robot::{JointType, Robot, Value};
 use dynamics_symbolic::{inverse::Unsolved, proven_plan};
 use expect_test::expect_file;
 
@@ -138,4 +138,31 @@ fn steps_in_another_order_are_refused() {
     assert!(!is_proven(&other, &right));
     let refused = plan(&robot, None, &|_| false);
     assert!(refused.is_err());
+}
+
+/// Random tables of quarter turns and short steps: each has a plan, or a reason why there is none.
+#[test]
+fn random_tables_end() {
+    let mut random = arms::Tables::new(1, arms::Bodies::Any);
+    let quarter = |k: u64| arms::decimal(0.5 * k as f64 - 0.5) * Value::Pi;
+    let model = arms::robot("puma560");
+    let mut plans = 0;
+    for _ in 0..300 {
+        let joints = [1, 2, 3, 3, 4, 6, 6, 6, 7][random.below(9) as usize];
+        let mut robot = model.clone();
+        robot.rows.resize(joints, model.rows[3].clone());
+        for row in &mut robot.rows {
+            let slides = random.below(4) == 0;
+            row.joint_type = if slides {
+                JointType::Prismatic
+            } else {
+                JointType::Revolute
+            };
+            row.alpha = quarter(random.below(3));
+            let mut step = || arms::decimal(0.07 * random.below(6).saturating_sub(2) as f64);
+            (row.a, row.d, row.theta) = (step(), step(), Value::zero());
+        }
+        plans += usize::from(proven_plan(&robot, None).is_ok());
+    }
+    assert!(plans > 40, "{plans}");
 }

@@ -8,7 +8,7 @@ use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
 
-const JAVASCRIPT: Language = Language {
+pub(super) const JAVASCRIPT: Language = Language {
     declare: |name, value| format!("const {name} = {value};"),
     entry: |argument, i| format!("{argument}[{i}]"),
     number,

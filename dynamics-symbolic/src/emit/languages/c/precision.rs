@@ -142,7 +142,7 @@ const SAME_DIGITS: &[&str] = &[
 const OTHER_DIGITS: &[&str] =
     &["Sines are those of the C library: values differ from Rust's in their last places."];
 
-const OF_DOUBLE: Language = Language {
+pub(in super::super) const OF_DOUBLE: Language = Language {
     declare: |name, value| format!("const double {name} = {value};"),
     entry: |argument, i| format!("{argument}[{i}]"),
     number: |x| format!("{x:?}"),

@@ -1,9 +1,10 @@
 //! Closed forms in C99.
 
-use super::super::body::number;
+use super::super::c::precision::OF_DOUBLE;
 use super::super::comments::comment;
-use super::super::{Language, free_name, indented, snake_case};
-use super::{Kind, Words, Writer, description, statements};
+use super::super::{Language, indented, snake_case};
+use super::{Kind, Words, description, entry_of_pose, statements};
+use crate::emit::inverse::turning;
 use crate::function::inverse_method;
 use crate::inverse::{Plan, Target};
 use crate::robot::Robot;
@@ -13,27 +14,11 @@ const SOLVERS: &str = include_str!("solvers.c");
 
 const WORDS: Words = Words {
     language: Language {
-        declare: |name, value| format!("const double {name} = {value};"),
-        entry: |_, i| {
-            if i < 9 {
-                format!("pose[{}][{}]", i / 3, i % 3)
-            } else {
-                format!("pose[{}][3]", i - 9)
-            }
-        },
-        number,
-        is_single: false,
-        times: " * ",
-        over: " / ",
-        field: |field| format!("arm->{}", free_name(field, "")),
+        entry: entry_of_pose,
         sine: "sin",
         cosine: "cos",
-        of_angles: None,
         fused: None,
-        exponential: "exp",
-        sign: "sign",
-        test_pivot: |_, _, _| String::new(),
-        own_functions: &[],
+        ..OF_DOUBLE
     },
     declare: |kind, name, value| match kind {
         Kind::Number => format!("const double {name} = {value};"),
@@ -104,7 +89,7 @@ pub fn inverse_in_c(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> [(String, 
 
 const CONVENTIONS: [&str; 4] = [
     "pose has rows, as forward_kinematics writes them; q angles from -pi to pi, rad, or m. Returns the number of",
-    "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach or not finite.",
+    "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach, or not finite where it is read.",
     "is_singular is 1 where two angles cannot be told apart within 1e-7 rad. Nothing is allocated, no state is kept.",
     "Sines, arc tangents and roots are those of math.h.",
 ];
@@ -122,7 +107,7 @@ fn signature(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> Str
 }
 
 fn function(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> String {
-    let turning: Vec<_> = Writer::turns(robot)
+    let turning: Vec<_> = turning(robot)
         .map(|turns| if turns { "1" } else { "0" })
         .collect();
     let mut lines = vec![

@@ -1,9 +1,10 @@
 //! Closed forms in JavaScript.
 
-use super::super::body::number;
 use super::super::comments::comment;
+use super::super::javascript::JAVASCRIPT;
 use super::super::{Language, indented, snake_case};
-use super::{Kind, Words, Writer, description, statements};
+use super::{Kind, Words, description, entry_of_pose, statements};
+use crate::emit::inverse::turning;
 use crate::function::inverse_method;
 use crate::inverse::{Plan, Target};
 use crate::robot::Robot;
@@ -13,27 +14,8 @@ const SOLVERS: &str = include_str!("solvers.mjs");
 
 const WORDS: Words = Words {
     language: Language {
-        declare: |name, value| format!("const {name} = {value};"),
-        entry: |_, i| {
-            if i < 9 {
-                format!("pose[{}][{}]", i / 3, i % 3)
-            } else {
-                format!("pose[{}][3]", i - 9)
-            }
-        },
-        number,
-        is_single: false,
-        times: " * ",
-        over: " / ",
-        field: |field| format!("arm.{field}"),
-        sine: "Math.sin",
-        cosine: "Math.cos",
-        of_angles: None,
-        fused: None,
-        exponential: "Math.exp",
-        sign: "Math.sign",
-        test_pivot: |_, _, _| String::new(),
-        own_functions: &[],
+        entry: entry_of_pose,
+        ..JAVASCRIPT
     },
     declare: |kind, name, value| match kind {
         Kind::Number | Kind::Joint | Kind::Direction => format!("const {name} = {value};"),
@@ -65,14 +47,12 @@ pub fn inverse_in_javascript(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> (
 
 const CONVENTIONS: [&str; 3] = [
     "pose is an array of rows, as forward_kinematics returns it. Returns an array of objects { q, isSingular }: angles",
-    "from -pi to pi, rad, or m; empty if the pose is out of reach or not finite. isSingular where two angles cannot be",
-    "told apart within 1e-7 rad.",
+    "from -pi to pi, rad, or m; empty if the pose is out of reach, or not finite where it is read. isSingular where two",
+    "angles cannot be told apart within 1e-7 rad.",
 ];
 
 fn function(robot: &Robot, frame: Option<&str>, plan: &Plan) -> String {
-    let turning: Vec<_> = Writer::turns(robot)
-        .map(|turns| turns.to_string())
-        .collect();
+    let turning: Vec<_> = turning(robot).map(|turns| turns.to_string()).collect();
     let mut lines = vec![
         format!("const turning = [{}];", turning.join(", ")),
         "const solutions = [];".to_owned(),

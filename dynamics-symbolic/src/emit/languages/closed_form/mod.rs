@@ -11,7 +11,6 @@ use super::Language;
 use super::body::Body;
 use crate::emit::inverse::{name_of, stages};
 use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
-use crate::program::Proven;
 use crate::robot::{Robot, Symbol};
 
 /// How a language writes the steps.
@@ -45,10 +44,7 @@ struct Writer<'a> {
 
 /// The statements of a plan behind the declarations of its results.
 fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
-    let proven = Proven {
-        constants: plan.program.rounded_constants(),
-        program: plan.program.clone(),
-    };
+    let proven = plan.proven();
     let writer = Writer {
         plan,
         words,
@@ -161,14 +157,12 @@ impl Writer<'_> {
         });
         read.collect()
     }
+}
 
-    /// For each joint whether it turns.
-    fn turns(robot: &Robot) -> impl Iterator<Item = bool> {
-        use crate::robot::JointType;
-        robot
-            .joints()
-            .map(|row| row.joint_type == JointType::Revolute)
-    }
+/// An entry of the pose, an array of rows.
+fn entry_of_pose(_: &str, entry: usize) -> String {
+    let (row, column) = Plan::place_in_pose(entry);
+    format!("pose[{row}][{column}]")
 }
 
 /// The description, as lines of a comment.
