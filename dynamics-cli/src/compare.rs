@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use dynamics_evaluation::RuntimeRobot;
+use dynamics_runtime::NAMES_OF_BASE;
 use dynamics_symbolic::exact::SplitMix64;
 
 use crate::failure::Failure;
@@ -95,7 +96,7 @@ impl Difference {
         let of_base = dof - arm.joint_names().count();
         match (self.entry % dof.max(1)).checked_sub(of_base) {
             _ if !is_of_joints => format!("entry {}", self.entry + 1),
-            None => format!("number {} of the base", self.entry % dof + 1),
+            None => format!("`{}`", NAMES_OF_BASE[self.entry % dof]),
             Some(joint) => format!(
                 "joint `{}`",
                 arm.joint_names().nth(joint).unwrap_or_default()

@@ -5,7 +5,9 @@ use std::path::Path;
 use dynamics_codegen::description::Place;
 use dynamics_codegen::files;
 use dynamics_runtime::nalgebra::Dyn;
-use dynamics_runtime::simulation::{CsvMistake, SizedModel, SizedTrajectory};
+use dynamics_runtime::simulation::{
+    CsvError, CsvMistake, SizedFloatingTrajectory, SizedModel, SizedTrajectory,
+};
 
 use crate::failure::Failure;
 
@@ -55,6 +57,44 @@ pub(crate) fn too_large(column: &str, t: f64) -> String {
 
 /// The points of a file: rows of a time and a position of every joint, with velocities where the file has them.
 pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<SizedTrajectory<Dyn>, Failure> {
+    points(
+        path,
+        |bytes| SizedTrajectory::read_points(joints, bytes),
+        |mistake| {
+            let columns = joints.len() + 1;
+            match mistake {
+                CsvMistake::Cells { expected, .. } if *expected == columns => {
+                    ": a time, and a position of each joint"
+                }
+                _ => "",
+            }
+        },
+    )
+}
+
+/// The points of a file on a base that moves, with velocities and accelerations.
+pub(crate) fn read_on_base(
+    path: &Path,
+    joints: &[&str],
+) -> Result<SizedFloatingTrajectory<Dyn, Dyn>, Failure> {
+    points(
+        path,
+        |bytes| SizedFloatingTrajectory::read_points(joints, bytes),
+        |mistake| match mistake {
+            CsvMistake::Header { .. } | CsvMistake::Joint { .. } => {
+                ": the base moves, and the columns are those that `simulate` writes, with velocities and accelerations"
+            }
+            _ => "",
+        },
+    )
+}
+
+/// What a file holds, or the place of the first mistake with a hint.
+fn points<T>(
+    path: &Path,
+    read: impl FnOnce(&[u8]) -> Result<T, CsvError>,
+    hint: impl FnOnce(&CsvMistake) -> &'static str,
+) -> Result<T, Failure> {
     let wrong = |line: usize, column: usize, message: String| {
         let place = format!("{}:{line}:{column}", path.display());
         Failure::after(String::new(), format!("{place}: {message}"))
@@ -65,14 +105,8 @@ pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<SizedTrajectory<Dyn>,
         Place::File { line, column } => wrong(line, column, error.message),
         Place::Tokens { .. } => wrong(1, 1, error.message),
     })?;
-    SizedTrajectory::read_points(joints, text.as_bytes()).map_err(|error| {
-        let columns = joints.len() + 1;
-        let hint = match error.mistake {
-            CsvMistake::Cells { expected, .. } if expected == columns => {
-                ": a time, and a position of each joint"
-            }
-            _ => "",
-        };
+    read(text.as_bytes()).map_err(|error| {
+        let hint = hint(&error.mistake);
         wrong(error.line, error.letter, format!("{}{hint}", error.mistake))
     })
 }

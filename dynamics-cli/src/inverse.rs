@@ -1,42 +1,80 @@
 //! The torques of a motion.
 
+mod moving_base;
+
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::Cycloidal;
 use dynamics_runtime::check::Checked;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Vector1};
-use dynamics_runtime::simulation::{SizedModel, SizedTrajectory};
+use dynamics_runtime::simulation::{OnBase, SizedModel, SizedTrajectory};
 use dynamics_runtime::table::RuntimeTable;
+use dynamics_runtime::{Cycloidal, Pose};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
-use crate::csv::{read, shortest, written};
+use crate::csv::{read, shortest, too_large, written};
 use crate::failure::Failure;
 use crate::joints::note_degrees;
-use crate::load::{arm_with, count};
+use crate::load::{count, robot_with};
 use crate::plot;
 use crate::spline::Spline;
-use crate::state::positions;
+use crate::state::{State, pose, positions, refuse_pose};
 
 type Motion = SizedTrajectory<Dyn>;
 
 /// The motion and its torques as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let arm = arm_with(given, [Function::InverseDynamics])?;
+    let robot = robot_with(given, [Function::InverseDynamics])?;
+    if robot.robot().floating().is_some() {
+        return on_base(&robot, given);
+    }
+    refuse_pose(given)?;
     let samples = count(given, "samples");
-    let motion = match given.get_one::<PathBuf>("waypoints") {
-        Some(path) => through_waypoints(path, arm.robot(), samples)?,
-        None => cycloidal(given, arm.robot(), samples)?,
+    let mut motion = match given.get_one::<PathBuf>("waypoints") {
+        Some(path) => through_waypoints(path, robot.robot(), samples)?,
+        None => joints(given, robot.robot(), samples)?,
     };
-    let motion = with_torques(&arm, motion)?;
-    let text = written(&motion, &Columns(&arm))?;
-    plot::put(given, || plot::of_motion(arm.robot(), &motion, None))?;
+    motion.tau = torques(&robot, &[&motion.q, &motion.qd, &motion.qdd], &[])?;
+    let columns = Columns(&robot);
+    let text = written(&motion, &columns)?;
+    plot::put(given, || motion.figure(&columns).title(&robot.robot().name))?;
     Ok(text)
 }
 
-/// The columns of an arm of which there are no energies.
+/// The same on a base that moves.
+fn on_base(robot: &RuntimeRobot, given: &ArgMatches) -> Result<String, Failure> {
+    let samples = count(given, "samples");
+    let mut motion = if let Some(path) = given.get_one::<PathBuf>("waypoints") {
+        moving_base::through_waypoints(path, robot.robot(), samples)?
+    } else if given.contains_id("at") {
+        moving_base::one_state(State::without_torque(given, robot.robot())?)
+    } else {
+        moving_base::held(&pose(given)?, cycloidal(given, robot.robot(), samples)?)
+    };
+    let poses: Vec<f64> = motion
+        .base
+        .iter()
+        .flat_map(|base| <[f64; 12]>::from(base.entries()))
+        .collect();
+    motion.tau = torques(robot, &[&motion.q, &motion.v, &motion.a], &poses)?;
+    for (t, tau) in motion.t.iter().zip(&motion.tau) {
+        if let Some(freedom) = tau.iter().position(|x| !x.is_finite()) {
+            let joint = freedom.checked_sub(6);
+            let joint = joint.and_then(|joint| robot.joint_names().nth(joint));
+            let column = joint.map_or("tau of the base".to_owned(), |name| format!("tau.{name}"));
+            return Err(Failure::after(String::new(), too_large(&column, *t)));
+        }
+    }
+    let columns = Columns(robot);
+    let mut text = Vec::new();
+    motion.write_csv(&columns, &mut text)?;
+    plot::put(given, || motion.figure(&columns).title(&robot.robot().name))?;
+    Ok(String::from_utf8(text)?)
+}
+
+/// The columns of a robot of which there are no energies.
 struct Columns<'a>(&'a RuntimeRobot);
 
 impl SizedModel<Dyn> for Columns<'_> {
@@ -53,15 +91,47 @@ impl SizedModel<Dyn> for Columns<'_> {
     }
 }
 
-/// The motion with the torques that it takes.
-fn with_torques(arm: &RuntimeRobot, mut motion: Motion) -> Result<Motion, Failure> {
-    let flat = |list: &Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
-    let [q, qd, qdd] = [&motion.q, &motion.qd, &motion.qdd].map(flat);
-    let mut tau = vec![0.0; q.len()];
-    arm.inverse_dynamics_batch(&q, &qd, &qdd, &mut tau)?;
-    let dof = arm.dof();
-    let sample = |k: usize| DVector::from_column_slice(&tau[k * dof..(k + 1) * dof]);
-    motion.tau = (0..motion.len()).map(sample).collect();
+impl SizedModel<OnBase<Dyn, Dyn>> for Columns<'_> {
+    fn sized_table(&self) -> RuntimeTable {
+        self.0.runtime_table()
+    }
+
+    fn names(&self) -> Vec<String> {
+        Checked::names(self.0)
+    }
+
+    fn sized_energies(&self, _: (&Pose<f64>, &DVector<f64>), _: &DVector<f64>) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+/// The torques of positions, velocities and accelerations, and of the poses of a base that moves.
+fn torques(
+    robot: &RuntimeRobot,
+    states: &[&Vec<DVector<f64>>; 3],
+    poses: &[f64],
+) -> Result<Vec<DVector<f64>>, Failure> {
+    let flat = |list: &&Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
+    let states = states.each_ref().map(flat);
+    let base = robot.robot().floating().map(|_| poses);
+    let arguments = base.into_iter().chain(states.iter().map(Vec::as_slice));
+    let arguments: Vec<_> = arguments.collect();
+    let mut tau = vec![0.0; states[2].len()];
+    robot.batch(Function::InverseDynamics.name(), &arguments, &mut tau)?;
+    let samples = tau.chunks_exact(robot.dof().max(1));
+    Ok(samples.map(DVector::from_column_slice).collect())
+}
+
+/// The motion of the joints that the command line says.
+fn joints(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
+    if !given.contains_id("at") {
+        return cycloidal(given, robot, samples);
+    }
+    let state = State::without_torque(given, robot)?;
+    let mut motion = Motion::default();
+    let states = state.q.iter().zip(&state.qd).zip(&state.qdd);
+    let states: Vec<_> = states.map(|((q, qd), qdd)| [*q, *qd, *qdd]).collect();
+    add(&mut motion, 0.0, &states);
     Ok(motion)
 }
 
@@ -128,37 +198,47 @@ fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motio
             break;
         }
     }
-    let splines = (0..joints.len()).map(|joint| {
-        let lists = [&points.q, &points.qd, &points.qdd];
-        let [positions, slopes, second_derivatives] = lists.map(|list| {
-            list.iter()
-                .map(|vector| vector[joint])
-                .collect::<Vec<f64>>()
-        });
-        if points.qdd.is_empty() {
-            let ends = [slopes.first(), slopes.last()].map(|end| end.copied().unwrap_or(0.0));
-            return Spline::cubic(&points.t, positions, ends);
-        }
-        Spline {
-            times: &points.t,
-            positions,
-            slopes,
-            second_derivatives: Some(second_derivatives),
-        }
-    });
-    let splines: Vec<_> = splines.collect();
+    let splines = splines(
+        &points.t,
+        [&points.q, &points.qd, &points.qdd],
+        joints.len(),
+    );
     let mut motion = Motion::default();
     for t in times(points.t[0], points.t[points.len() - 1], samples) {
         let states: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();
         if !states.iter().flatten().all(|x| x.is_finite()) {
-            let message = format!(
-                "rates or accelerations between the rows are not finite at t = {}: the times are too short for the \
-                 positions, or the positions too large",
-                shortest(t)
-            );
-            return Err(Failure::of_file(path, message));
+            return Err(not_finite(path, t));
         }
         add(&mut motion, t, &states);
     }
     Ok(motion)
+}
+
+/// Curves through points: positions, velocities and accelerations, where these are there, of so many numbers.
+fn splines<'t>(times: &'t [f64], lists: [&Vec<DVector<f64>>; 3], count: usize) -> Vec<Spline<'t>> {
+    let spline = |number: usize| {
+        let column = |list: &Vec<DVector<f64>>| list.iter().map(|vector| vector[number]).collect();
+        let [positions, slopes, second_derivatives]: [Vec<f64>; 3] = lists.map(column);
+        if second_derivatives.is_empty() {
+            let ends = [slopes.first(), slopes.last()].map(|end| end.copied().unwrap_or(0.0));
+            return Spline::cubic(times, positions, ends);
+        }
+        Spline {
+            times,
+            positions,
+            slopes,
+            second_derivatives: Some(second_derivatives),
+        }
+    };
+    (0..count).map(spline).collect()
+}
+
+/// The failure of a motion between rows.
+fn not_finite(path: &Path, t: f64) -> Failure {
+    let message = format!(
+        "rates or accelerations between the rows are not finite at t = {}: the times are too short for the \
+         positions, or the positions too large",
+        shortest(t)
+    );
+    Failure::of_file(path, message)
 }

@@ -40,14 +40,17 @@ pub(crate) fn read_with_names(path: &Path, given: &ArgMatches) -> Result<Model, 
     read_any(path, with_names(given, path)?, Vec::new())
 }
 
-/// As [`read_on_any_base`], of an arm whose base must stand, and of which functions are needed besides.
-pub(crate) fn read_for(
-    path: &Path,
-    given: &ArgMatches,
-    needed: Vec<Function>,
-) -> Result<Model, Failure> {
-    about_links(given, &[path])?;
-    read_with(path, with_values(given, path, None, "chain")?, needed)
+/// As [`read_on_any_base`], of an arm whose base must stand.
+pub(crate) fn read_on_standing_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+    let model = read_on_any_base(path, given)?;
+    if model.robot.freedoms().has_base() {
+        let message = format!(
+            "{}: the base moves, which `reach` does not know: all others do",
+            path.display()
+        );
+        return Err(Failure::after(String::new(), message));
+    }
+    Ok(model)
 }
 
 /// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides.
@@ -96,20 +99,7 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     })
 }
 
-/// The model of a file, of which functions are needed besides those that are asked for. Its base must stand.
-fn read_with(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
-    let model = read_any(path, beside, needed)?;
-    if model.robot.freedoms().has_base() {
-        let message = format!(
-            "{}: the base moves, which neither `inverse-dynamics` nor `reach` knows: all others do",
-            path.display()
-        );
-        return Err(Failure::after(String::new(), message));
-    }
-    Ok(model)
-}
-
-/// The same on any base.
+/// The model of a file, of which functions are needed besides those that are asked for.
 fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
     let Beside {
         options,
@@ -233,15 +223,4 @@ pub(crate) fn robot_with(
     about_links(given, &[path])?;
     let model = read_any(path, with_values(given, path, None, "chain")?, needed)?;
     arm(path, &model.robot, &requests)
-}
-
-/// The robot of a file with single functions.
-pub(crate) fn arm_with(
-    given: &ArgMatches,
-    functions: impl IntoIterator<Item = Function>,
-) -> Result<RuntimeRobot, Failure> {
-    let path = file_of(given);
-    let needed: Vec<_> = functions.into_iter().collect();
-    let requests: Vec<_> = needed.iter().copied().map(Request::from).collect();
-    arm(path, &read_for(path, given, needed)?.robot, &requests)
 }

@@ -11,7 +11,7 @@ use dynamics_symbolic::{Function, Request};
 
 use crate::columns::{aligned, significant};
 use crate::failure::Failure;
-use crate::load::{arm, count, file_of, read_for};
+use crate::load::{arm, count, file_of, read_on_standing_base};
 use crate::state::positions;
 
 /// The most solutions that are printed, and the most of families without end.
@@ -20,7 +20,7 @@ const MOST: [usize; 2] = [64, 8];
 /// The text of `reach`.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let mut robot = read_for(path, given, Vec::new())?.robot;
+    let mut robot = read_on_standing_base(path, given)?.robot;
     let start = DVector::from_vec(positions(given, "from", &robot)?);
     let (target, rows) = target(given)?;
     let frame = frame(given, &mut robot)?;

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::DVector;
-use dynamics_runtime::simulation::{Cause, DormandPrince, SizedModel as _};
+use dynamics_runtime::simulation::{Cause, DormandPrince};
 use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
@@ -77,9 +77,7 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Strin
         })?;
     let text = written(&motion, &arm_in_motion)?;
     plot::put(given, || {
-        let states = motion.q.iter().zip(&motion.qd);
-        let energies = states.map(|(q, qd)| arm_in_motion.sized_energies(q, qd));
-        plot::of_motion(arm.robot(), &motion, energies.collect())
+        motion.figure(&arm_in_motion).title(&arm.robot().name)
     })?;
     Ok(text)
 }
@@ -115,7 +113,9 @@ fn motion_on_base(
     }
     let mut text = Vec::new();
     motion.write_csv(&in_motion, &mut text)?;
-    plot::put(given, || plot::on_base(robot.robot(), &motion, energies))?;
+    plot::put(given, || {
+        motion.figure(&in_motion).title(&robot.robot().name)
+    })?;
     Ok(String::from_utf8(text)?)
 }
 

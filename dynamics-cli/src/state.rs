@@ -102,6 +102,14 @@ impl State {
     /// The state of `--at`, `--torque` and `--pose`.
     pub(crate) fn read(given: &ArgMatches, robot: &Robot) -> Result<State, Failure> {
         let freedoms = robot.freedoms();
+        let mut state = State::without_torque(given, robot)?;
+        state.tau = vector(given, "torque", [freedoms.base, freedoms.joints])?;
+        Ok(state)
+    }
+
+    /// The state of `--at` and `--pose`.
+    pub(crate) fn without_torque(given: &ArgMatches, robot: &Robot) -> Result<State, Failure> {
+        let freedoms = robot.freedoms();
         let [q, qd, qdd] = at(given, [freedoms.joints, freedoms.all()])?;
         note_degrees("--at", robot, &q);
         let base = if freedoms.has_base() {
@@ -114,7 +122,7 @@ impl State {
             q,
             qd,
             qdd,
-            tau: vector(given, "torque", [freedoms.base, freedoms.joints])?,
+            tau: vec![0.0; freedoms.all()],
             base,
         })
     }

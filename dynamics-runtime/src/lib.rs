@@ -134,6 +134,9 @@ pub use function::{Arrangement, Entries, Function, Number, functions};
 pub use inputs::{Evaluated, Inputs};
 #[doc(hidden)]
 pub use model::{Momenta, SizedKinematics, SizedMomenta};
+#[cfg(feature = "std")]
+#[doc(hidden)]
+pub use newton_euler::NAMES_OF_BASE;
 #[doc(hidden)]
 pub use newton_euler::{StandardParameters, turned};
 #[cfg(feature = "std")]

@@ -33,7 +33,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         )
         .arg(
             choice("base", "BASE", ["floating"])
-                .help("The base moves: the root link of a URDF file is its body. All but `inverse-dynamics` and `reach` know such robots"),
+                .help("The base moves: the root link of a URDF file is its body. All but `reach` know such robots"),
         )
         .arg(
             several("field", "NAME=VALUE")

@@ -172,7 +172,10 @@ fn inverse() -> Command {
             "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. The \
              motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
              joined by cubic splines at rest at both ends. A file that `simulate` wrote also has the \
-             velocities and accelerations to pass.\n\n\
+             velocities and accelerations to pass. --at is one state, as `evaluate` takes it: a single row.\n\n\
+             On a base that moves, a file is one of `simulate`. With --to the base is held at --pose; with --at its six \
+             velocities and accelerations come before those of the joints. The torques begin with the force on the base and \
+             the moment about its origin, in its own axes: `base.fx` to `base.nz`.\n\n\
              --from and --to are positions of the joints. This is no inverse kinematics: `reach` finds the joint \
              positions of a pose of the tip.",
         )
@@ -184,7 +187,17 @@ fn inverse() -> Command {
                 .long("waypoints")
                 .conflicts_with_all(["from", "to", "duration"]),
         )
-        .group(ArgGroup::new("motion").args(["to", "waypoints"]).required(true))
+        .arg(
+            vector("at", "One state: positions, rad or m, then velocities, then accelerations; zeros where they are left out")
+                .value_name("Q,...[,QD,...[,QDD,...]]")
+                .action(ArgAction::Append)
+                .conflicts_with_all(["from", "duration", "samples", "plot"]),
+        )
+        .arg(
+            pose("Where a base that moves is: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out")
+                .conflicts_with("waypoints"),
+        )
+        .group(ArgGroup::new("motion").args(["to", "waypoints", "at"]).required(true))
         .arg(number("duration", "Time of a cycloidal motion, s").default_value("1"))
         .arg(count("samples", "101", 2, 10_000_000, "Rows of the output"))
         .arg(plot())

@@ -1,12 +1,8 @@
 //! Names of rows and columns.
 
+use dynamics_runtime::NAMES_OF_BASE;
 use dynamics_symbolic::function::Size;
 use dynamics_symbolic::robot::{JointType, Robot};
-
-/// The six numbers of a base that moves, in the order of velocities.
-const BASE: [&str; 6] = [
-    "base vx", "base vy", "base vz", "base wx", "base wy", "base wz",
-];
 
 /// The names of what values belong to.
 pub(super) struct Labels {
@@ -17,7 +13,7 @@ pub(super) struct Labels {
 impl Labels {
     pub(super) fn new(robot: &Robot) -> Labels {
         let joints: Vec<String> = robot.joints().map(|row| row.name.clone()).collect();
-        let of_base = BASE.iter().take(robot.freedoms().base);
+        let of_base = NAMES_OF_BASE.iter().take(robot.freedoms().base);
         let of_base = of_base.map(|name| (*name).to_owned());
         Labels {
             freedoms: of_base.chain(joints.iter().cloned()).collect(),

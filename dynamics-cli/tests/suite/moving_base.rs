@@ -1,6 +1,8 @@
 //! Robots on a base that moves: checks, motions, and what is refused.
 
-use super::calls::{data, errors, file, folder, output};
+use dynamics_evaluation::{ReadOptions, RuntimeRobot};
+
+use super::calls::{data, errors, file, folder, output, run};
 
 /// A brick with a wheel.
 pub(super) const BRICK: &str = r#"
@@ -98,6 +100,9 @@ fn files_of_moving_bases_are_compared() {
     );
     let told = errors(&["check", &brick, "--against", &heavier], 1);
     assert!(told.contains("the two files differ by more than"), "{told}");
+    let differing = run(&["check", &brick, "--against", &heavier]).stdout;
+    let differing = String::from_utf8_lossy(&differing);
+    assert!(differing.contains("most at `base wz`"), "{differing}");
     let standing = BRICK.lines().filter(|line| !line.starts_with("base"));
     let standing = file(
         "brick_that_stands.toml",
@@ -259,9 +264,243 @@ fn what_makes_no_sense_is_told() {
         let told = errors(call, 2);
         assert!(told.contains(message), "{told}");
     }
-    let told = errors(&["inverse-dynamics", &brick, "--to", "1"], 1);
-    assert!(
-        told.contains("the base moves, which neither `inverse-dynamics` nor `reach` knows"),
-        "{told}"
+    let told = errors(&["reach", &brick, "--pose", "1,0,0"], 1);
+    let message = "the base moves, which `reach` does not know: all others do";
+    assert!(told.contains(message), "{told}");
+}
+
+/// The header and the numbers of a table.
+fn table(text: &str) -> (Vec<&str>, Vec<Vec<f64>>) {
+    let mut lines = text.lines();
+    let header = lines.next().expect("a header").split(',').collect();
+    let numbers = |line: &str| {
+        let cells = line.split(',').map(|cell| cell.parse().expect("a number"));
+        cells.collect()
+    };
+    (header, lines.map(numbers).collect())
+}
+
+/// The numbers of one state, as the engine's inverse dynamics has them.
+fn engine(path: &str, options: ReadOptions, arguments: &[&[f64]]) -> Vec<f64> {
+    let options = options.functions(["inverse_dynamics"]);
+    let robot = RuntimeRobot::from_file(path, &options).expect("a robot");
+    let mut tau = vec![0.0; robot.dof()];
+    robot
+        .batch("inverse_dynamics", arguments, &mut tau)
+        .expect("torques");
+    tau
+}
+
+/// A quadruped at one state on a turned base, and the row that holds it while its legs move.
+#[test]
+fn a_quadruped_has_torques() {
+    let hyq = data(HYQ);
+    let beside = [
+        "--base",
+        "floating",
+        "--gravity",
+        "0,0,-9.81",
+        "--allow",
+        "unphysical_inertia",
+    ];
+    let numbers: Vec<f64> = (0..48).map(|k| f64::from(k * 7 % 11) / 8.0 - 0.5).collect();
+    let at: Vec<String> = numbers.iter().map(f64::to_string).collect();
+    let (at, pose) = (at.join(","), "0.5,-1,2,0,0,PI/2");
+    let call = ["inverse-dynamics", &*hyq, "--at", &at, "--pose", pose];
+    let text = output(&[&call[..], &beside].concat());
+    let (header, rows) = table(&text);
+    assert_eq!((header.len(), rows.len()), (1 + 12 + 12 + 3 * 18, 1));
+    let first = header.len() - 18;
+    let of_base = [
+        "fx [N]", "fy [N]", "fz [N]", "nx [N m]", "ny [N m]", "nz [N m]",
+    ];
+    for (name, cell) in of_base.iter().zip(&header[first..]) {
+        assert_eq!(*cell, format!("base.{name}"));
+    }
+    assert_eq!(header[first + 6], "tau.lf_haa_joint [N m]");
+    let base = &rows[0][1..13];
+    assert!((base[1] + 1.0).abs() < 1e-15 && (base[3] - 1.0).abs() < 1e-15);
+    let options = || {
+        ReadOptions::new().entries(
+            "gravity = [0, 0, -9.81]\nbase = { floating = true }\nallow = [\"unphysical_inertia\"]",
+        )
+    };
+    let (q, rates) = numbers.split_at(12);
+    let (v, a) = rates.split_at(18);
+    assert_eq!(rows[0][first..], engine(&hyq, options(), &[base, q, v, a]));
+    // Held at rest, the base bears the weight.
+    let zeros = ["0"; 11].join(",");
+    let to = format!("1,{zeros}");
+    let call = ["inverse-dynamics", &*hyq, "--to", &to, "--samples", "3"];
+    let text = output(&[&call[..], &beside].concat());
+    for row in &table(&text).1 {
+        let (base, q, v, a) = (&row[1..13], &row[13..25], &row[25..43], &row[43..61]);
+        assert_eq!(
+            (v[..6].to_vec(), a[..6].to_vec()),
+            (vec![0.0; 6], vec![0.0; 6])
+        );
+        assert_eq!(row[61..], engine(&hyq, options(), &[base, q, v, a]));
+    }
+}
+
+/// The motion of a free-flying arm is followed: on its rows the torques are those that moved it, and between them they are
+/// off by the fourth power of the distance of rows, as second derivatives of polynomials of fifth degree are.
+#[test]
+fn a_simulated_motion_gives_its_torques_back() {
+    let second = "[[joint]]\nname = \"arm\"\ntype = \"revolute\"\na = 0.4\nalpha = 1\nmass = 0.3\ncom = [0.2, 0, 0]\n\
+        inertia = { xx = 0.001, yy = 0.002, zz = 0.002 }\n";
+    let arm = file("free_flying_arm.toml", format!("{BRICK}{second}"));
+    let written = |name: &str| folder("followed").join(name).to_string_lossy().into_owned();
+    let plot = written("motion.svg");
+    let applied = [0.5, -0.25, 20.0, 0.01, 0.02, -0.03, 0.1, -0.05];
+    let torque = applied.map(|x| x.to_string()).join(",");
+    let error = |rows: &str, samples: &str| {
+        let motion = written(&format!("motion_of_{rows}.csv"));
+        let start = [
+            "--pose",
+            "1,2,3,0.4,-0.3,1.5",
+            "--velocity",
+            "0,1,5,2,-1,3,0.5,0.2",
+        ];
+        let call = ["simulate", &*arm, "--torque", &torque, "--samples", rows];
+        let to = ["--tolerance", "1e-13", "--out", &motion];
+        output(&[&call[..], &start, &to].concat());
+        let call = [
+            "inverse",
+            &*arm,
+            "--waypoints",
+            &motion,
+            "--samples",
+            samples,
+        ];
+        let text = output(&[&call[..], &["--plot", &plot]].concat());
+        let (header, found) = table(&text);
+        assert_eq!(header[header.len() - 1], "tau.arm [N m]");
+        assert_eq!(found.len().to_string(), samples);
+        let errors = found.iter().flat_map(|row| {
+            let tau = row[row.len() - 8..].iter().zip(applied);
+            tau.map(|(found, expected)| (found - expected).abs())
+        });
+        let errors: Vec<f64> = errors.collect();
+        assert!(errors.iter().all(|error| error.is_finite()));
+        errors.into_iter().fold(0.0, f64::max)
+    };
+    let on_rows = error("201", "201");
+    assert!(on_rows < 1e-11, "{on_rows:e}");
+    // Two of three samples are a third of the distance from a row. Half the distance divides the error by 16.
+    let [coarse, fine] = [error("101", "301"), error("201", "601")];
+    let quotient = coarse / fine;
+    assert!((14.0..18.0).contains(&quotient), "{coarse:e} {fine:e}");
+    let figure = std::fs::read_to_string(&plot).expect("a figure");
+    for text in ["base, N m", "base, rad", "torque, N m", "wheel"] {
+        assert!(figure.contains(text), "{text}");
+    }
+}
+
+/// Mistakes in a motion of the base, each at its place.
+#[test]
+fn mistakes_in_motions_of_a_base_are_told() {
+    let brick = file("followed_brick.toml", BRICK);
+    let text = output(&[
+        "simulate",
+        &brick,
+        "--samples",
+        "3",
+        "--velocity",
+        "0,0,0,0,0,4,0",
+    ]);
+    let lines: Vec<&str> = text.lines().collect();
+    let changed = |name: &str, old: &str, new: &str| {
+        assert!(text.contains(old), "{text}");
+        file(name, text.replacen(old, new, 1))
+    };
+    let told = |path: &str, message: &str| {
+        let told = errors(&["inverse-dynamics", &brick, "--waypoints", path], 1);
+        assert!(told.contains(message), "{told}");
+    };
+    let without = "t,q.wheel\n0,0\n1,1\n";
+    let path = file("without_base.csv", without);
+    told(
+        &path,
+        ":1:3: a column `base.r11` was expected: the base moves, and the columns are those that `simulate` writes",
     );
+    told(
+        &changed("no_rates.csv", "base.vxd", "x"),
+        "a column `base.vxd` was expected",
+    );
+    told(
+        &changed(
+            "shear.csv",
+            "0,1,0,0,0,1,0,0,0,1,",
+            "0,1,0.1,0,0,1,0,0,0,1,",
+        ),
+        ":2:3: `base.r11` to `base.r33` are no rotation",
+    );
+    told(
+        &changed(
+            "cell.csv",
+            "0,1,0,0,0,1,0,0,0,1,",
+            "0,1,0,0,0,fast,0,0,0,1,",
+        ),
+        ":2:11: `fast`: expected a number",
+    );
+    let rows = [lines[0], lines[2], lines[1]].join("\n");
+    told(
+        &file("order.csv", rows),
+        ":3:1: times must grow from row to row",
+    );
+    let rows = [lines[0], lines[1]].join("\n");
+    told(
+        &file("one_row.csv", rows),
+        "expected two rows of numbers or more",
+    );
+    let rows = [lines[0], lines[1], lines[3]].join("\n");
+    told(
+        &file("far.csv", rows),
+        "the base turns by more than half a turn between t = 0 and t = 1: more rows are needed there",
+    );
+    let lines = BRICK.lines().filter(|line| !line.starts_with("base"));
+    let arm = file(
+        "followed_standing_brick.toml",
+        lines.collect::<Vec<_>>().join("\n"),
+    );
+    for (call, message) in [
+        (
+            &[
+                "inverse-dynamics",
+                &*arm,
+                "--to",
+                "1",
+                "--pose",
+                "0,0,0,0,0,0",
+            ][..],
+            "`--pose` is of a robot whose base moves: this one stands",
+        ),
+        (
+            &["inverse-dynamics", &brick, "--at", "1,2"],
+            "`--at` has 2 numbers: expected 1, one position for each joint that moves, 8 with the 7 velocities behind them, or 15",
+        ),
+        (
+            &["inverse-dynamics", &brick, "--to", "1", "--pose", "1,2,3"],
+            "`--pose` has 3 numbers: expected six",
+        ),
+        (
+            &["inverse-dynamics", &brick, "--at", "1", "--duration", "2"],
+            "cannot be used with",
+        ),
+        (
+            &[
+                "inverse-dynamics",
+                &brick,
+                "--waypoints",
+                &path,
+                "--pose",
+                "0,0,0,0,0,0",
+            ],
+            "cannot be used with",
+        ),
+    ] {
+        let told = errors(call, 2);
+        assert!(told.contains(message), "{told}");
+    }
 }

@@ -45,7 +45,7 @@ use crate::table::AsArm as _;
 use crate::{Model, SizedKinematics, Table, Tool};
 pub use angle::turned;
 #[cfg(feature = "std")]
-pub(crate) use floating::NAMES_OF_BASE;
+pub use floating::NAMES_OF_BASE;
 pub use floating::{FloatingNewtonEuler, NumericFloating};
 use link::Link;
 use pose::Pose;

@@ -4,13 +4,15 @@ use std::path::Path;
 
 use nalgebra::{Matrix4, SVector};
 
-use super::{Curve, Figure, Outcome, joints};
-use crate::table::Row;
-use crate::{JointType, Model, Trajectory};
+use super::{Curve, Figure, Outcome};
+use crate::simulation::{SizedModel, SizedTrajectory};
+use crate::size::{JointVector, Size};
+use crate::table::{AsArm as _, Row};
+use crate::{JointType, Trajectory};
 
-impl<const N: usize> Trajectory<N> {
+impl<D: Size> SizedTrajectory<D> {
     /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where the robot
-    /// knows them ([`Model::energies`]), energies. Joints that turn and joints that slide have panels of their own.
+    /// knows them ([`Model::energies`](crate::Model::energies)), energies. Joints that turn and joints that slide have panels of their own.
     ///
     /// ```no_run
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -32,23 +34,23 @@ impl<const N: usize> Trajectory<N> {
     /// # Errors
     ///
     /// Where the file cannot be written, or there is nothing to draw.
-    pub fn plot<R: Model<N>>(&self, robot: &R, file: impl AsRef<Path>) -> Outcome {
+    pub fn plot<R: SizedModel<D>>(&self, robot: &R, file: impl AsRef<Path>) -> Outcome {
         self.figure(robot).save(file)
     }
 
     /// The same as a figure without a title, to add panels to.
-    pub fn figure<R: Model<N>>(&self, robot: &R) -> Figure {
-        let figure = of_joints(
-            Figure::new(String::new()),
-            robot.joint_names(),
-            &robot.table().rows,
-            self,
-        );
+    pub fn figure<R: SizedModel<D>>(&self, robot: &R) -> Figure {
+        let lists = [&self.q, &self.qd, &self.qdd, &self.tau].map(|list| of_joints(list, 0));
+        let figure = Figure::new(String::new());
+        let (names, table) = (robot.names(), robot.sized_table());
+        let figure = with_joints(figure, names.as_ref(), table.arm().rows, &self.t, lists);
         let states = self.q.iter().zip(&self.qd);
-        let energies = states.map(|(q, qd)| robot.energies(q, qd)).collect();
+        let energies = states.map(|(q, qd)| robot.sized_energies(q, qd)).collect();
         with_energies(figure, &self.t, energies)
     }
+}
 
+impl<const N: usize> Trajectory<N> {
     /// The path of a frame's origin as curves for a panel, `hand x`, `hand y` and `hand z` for a frame `hand`: `pose` is
     /// its forward kinematics, `|q| torso.forward_kinematics_hand(q)`.
     pub fn path(&self, frame: &str, pose: impl Fn(&SVector<f64, N>) -> Matrix4<f64>) -> [Curve; 3] {
@@ -61,31 +63,41 @@ impl<const N: usize> Trajectory<N> {
     }
 }
 
-/// Panels of the joints, apart where they turn and where they slide.
-pub(super) fn of_joints<const N: usize>(
+/// The numbers of the joints in vectors that begin with so many others.
+pub(super) fn of_joints<X: JointVector>(vectors: &[X], others: usize) -> Vec<&[f64]> {
+    let of_joints = vectors.iter().map(|vector| &vector.entries()[others..]);
+    of_joints.collect()
+}
+
+/// Panels of the joints, apart where they turn and where they slide: positions, velocities, accelerations and torques.
+pub(super) fn with_joints(
     mut figure: Figure,
-    names: [&str; N],
-    rows: &[Row; N],
-    run: &Trajectory<N>,
+    names: &[String],
+    rows: &[Row],
+    t: &[f64],
+    lists: [Vec<&[f64]>; 4],
 ) -> Figure {
-    let quantities = [
-        (["position, rad", "position, m"], &run.q),
-        (["velocity, rad/s", "velocity, m/s"], &run.qd),
-        (["acceleration, rad/s²", "acceleration, m/s²"], &run.qdd),
-        (["torque, N m", "force, N"], &run.tau),
+    const LABELS: [[&str; 2]; 4] = [
+        ["position, rad", "position, m"],
+        ["velocity, rad/s", "velocity, m/s"],
+        ["acceleration, rad/s²", "acceleration, m/s²"],
+        ["torque, N m", "force, N"],
     ];
-    for (labels, values) in quantities {
-        if values.len() != run.len() {
+    for (labels, values) in LABELS.into_iter().zip(lists) {
+        if values.len() != t.len() {
             continue;
         }
         for (kind, label) in [JointType::Revolute, JointType::Prismatic]
             .into_iter()
             .zip(labels)
         {
-            let curves = joints(names, &run.t, values.iter().copied());
-            let of_kind = curves.into_iter().zip(rows);
-            let of_kind = of_kind.filter(|(_, row)| row.joint_type == kind);
-            let curves: Vec<Curve> = of_kind.map(|(curve, _)| curve).collect();
+            let joints = names.iter().zip(rows).enumerate();
+            let of_kind = joints.filter(|(_, (_, row))| row.joint_type == kind);
+            let curve = |i: usize, name: &String| {
+                Curve::new(name, t, values.iter().map(|numbers| numbers[i]))
+            };
+            let curves = of_kind.map(|(i, (name, _))| curve(i, name));
+            let curves: Vec<Curve> = curves.collect();
             if !curves.is_empty() {
                 figure = figure.panel(label, curves);
             }

@@ -280,7 +280,7 @@ impl<'t> Rows<'t> {
         match names {
             None if !has(0, "t") => return expected(0, "t"),
             None => {}
-            Some(names) => self.in_order(names)?,
+            Some(names) => self.in_order(1, names)?,
         }
         let least = if names.is_some() { 1 } else { 2 };
         for (k, (symbol, _)) in QUANTITIES.iter().enumerate() {
@@ -300,19 +300,19 @@ impl<'t> Rows<'t> {
         Ok(QUANTITIES.len())
     }
 
-    /// Refuses a header that has another joint in the place of one.
-    fn in_order(&self, names: &[&str]) -> Result<(), CsvError> {
+    /// Refuses a header that has another joint in the place of one, from a column on.
+    pub(super) fn in_order(&self, first: usize, names: &[&str]) -> Result<(), CsvError> {
         let names_joint = |cell: &str, name: &str| {
             let word = cell.split(" [").next().unwrap_or_default();
             let [dotted, joined] = ["q.", "q_"].map(|symbol| word.strip_prefix(symbol));
             word == name || dotted.or(joined) == Some(name)
         };
-        for (i, (cell, expected)) in self.row.iter().skip(1).zip(names).enumerate() {
+        for (i, (cell, expected)) in self.row.iter().skip(first).zip(names).enumerate() {
             let is_right = names_joint(cell, expected);
             let other = names.iter().find(|name| names_joint(cell, name));
             if let Some(found) = other.filter(|_| !is_right) {
                 let [found, expected] = [found, expected].map(|name| (*name).to_owned());
-                return Err(self.mistake(i + 1, CsvMistake::Joint { found, expected }));
+                return Err(self.mistake(i + first, CsvMistake::Joint { found, expected }));
             }
         }
         Ok(())
@@ -366,6 +366,8 @@ pub enum CsvMistake {
     },
     /// The time of a point to pass is not after the one before.
     Order,
+    /// The nine numbers from this cell on are no rotation, in a point to pass.
+    Rotation,
     /// There are fewer than two points to pass.
     TooFew,
     /// The line could not be read.
@@ -392,6 +394,7 @@ impl fmt::Display for CsvMistake {
                 )
             }
             CsvMistake::Order => write!(f, "times must grow from row to row"),
+            CsvMistake::Rotation => write!(f, "`base.r11` to `base.r33` are no rotation"),
             CsvMistake::TooFew => write!(f, "expected two rows of numbers or more"),
             CsvMistake::Reader(error) => write!(f, "{error}"),
         }

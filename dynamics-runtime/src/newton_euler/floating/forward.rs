@@ -91,7 +91,7 @@ impl<D: Size, V: Size> NumericFloating<D, V> {
 }
 
 /// The numbers of the base, before those of the joints.
-pub(crate) const NAMES_OF_BASE: [&str; 6] = [
+pub const NAMES_OF_BASE: [&str; 6] = [
     "base vx", "base vy", "base vz", "base wx", "base wy", "base wz",
 ];
 

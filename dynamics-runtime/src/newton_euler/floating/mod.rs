@@ -27,7 +27,7 @@ use crate::size::Size;
 use crate::table::AsArm as _;
 use body::Body;
 #[cfg(feature = "std")]
-pub(crate) use forward::NAMES_OF_BASE;
+pub use forward::NAMES_OF_BASE;
 
 /// The numeric dynamics of a robot with `N` joints on a base that moves, read from its [`Table`](crate::Table). `V` is
 /// 6 + N.

@@ -2,7 +2,7 @@
 
 use std::io::{self, Read, Write};
 
-use nalgebra::Const;
+use nalgebra::{Const, Dyn, Matrix3};
 
 use super::{FloatingTrajectory, SizedFloatingTrajectory};
 use crate::Pose;
@@ -114,38 +114,88 @@ impl<const N: usize, const V: usize> FloatingTrajectory<N, V> {
     /// [`CsvError`] with the line and the column, where the header is not that of a motion of `N` joints on a base that moves,
     /// a line has too few or too many cells, or a cell holds no number; and where the reader fails.
     pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
-        let text = text_of(input)?;
-        let mut rows = Rows::new(&text);
-        rows.advance();
-        let quantities = quantities(&rows, N)?;
-        let (width, least) = (rows.row.len(), 1 + 12 + N + (quantities - 1) * V);
-        let mut read = Self::default();
-        while rows.advance() {
-            let found = rows.row.len();
-            if found < least || found > width {
-                // Cells between other separators are one that is no number.
-                rows.number(0, false)?;
-                let expected = width;
-                return Err(rows.mistake(found.min(width), CsvMistake::Cells { found, expected }));
-            }
-            let numbers = (0..least).map(|cell| rows.number(cell, false));
-            let numbers = numbers.collect::<Result<Vec<f64>, _>>()?;
-            let base = core::array::from_fn(|k| numbers[1 + k]);
-            read.t.push(numbers[0]);
-            read.base.push(Pose::of_entries(base));
-            read.q.push(Const::<N>.vector_of(|i| numbers[13 + i]));
-            let lists = [&mut read.v, &mut read.a, &mut read.tau];
-            for (k, list) in lists.into_iter().take(quantities - 1).enumerate() {
-                let first = 13 + N + k * V;
-                list.push(Const::<V>.vector_of(|i| numbers[first + i]));
-            }
-        }
-        Ok(read)
+        read(Const, Const, None, input)
     }
 }
 
-/// How many quantities a header has: places and velocities at least.
-fn quantities(rows: &Rows<'_>, joints: usize) -> Result<usize, CsvError> {
+impl SizedFloatingTrajectory<Dyn, Dyn> {
+    /// Reads a motion for a robot with these `joints` to follow, as [`write_csv`](SizedFloatingTrajectory::write_csv) writes it, with
+    /// its accelerations. Forces may be missing; columns after these are passed over, and so are empty lines.
+    ///
+    /// It needs the feature `csv`.
+    ///
+    /// # Errors
+    ///
+    /// [`CsvError`] with the line and the column, where the header is not that of a motion of these joints on a base that
+    /// moves, or has them in another order, a line has too few or too many cells, a cell holds no finite number, a rotation is
+    /// none within 1e-6, times do not grow, or there are fewer than two rows; and where the reader fails.
+    pub fn read_points(joints: &[&str], input: impl Read) -> Result<Self, CsvError> {
+        read(
+            Dyn(joints.len()),
+            Dyn(6 + joints.len()),
+            Some(joints),
+            input,
+        )
+    }
+}
+
+/// A trajectory of samples; or of points to pass, for the joints with these names.
+fn read<D: Size, V: Size>(
+    joints: D,
+    freedoms: V,
+    points_of: Option<&[&str]>,
+    input: impl Read,
+) -> Result<SizedFloatingTrajectory<D, V>, CsvError> {
+    let text = text_of(input)?;
+    let mut rows = Rows::new(&text);
+    rows.advance();
+    let (n, v) = (joints.value(), freedoms.value());
+    let quantities = quantities(&rows, n, points_of)?;
+    let (width, least) = (rows.row.len(), 1 + 12 + n + (quantities - 1) * v);
+    let mut read = SizedFloatingTrajectory::default();
+    while rows.advance() {
+        let found = rows.row.len();
+        let number = |cell: usize| rows.number(cell, points_of.is_some());
+        if found < least || found > width {
+            // Cells between other separators are one that is no number.
+            number(0)?;
+            let expected = width;
+            return Err(rows.mistake(found.min(width), CsvMistake::Cells { found, expected }));
+        }
+        let numbers = (0..least).map(number).collect::<Result<Vec<f64>, _>>()?;
+        let base = Pose::of_entries(core::array::from_fn(|k| numbers[1 + k]));
+        if points_of.is_some() {
+            if read.t.last().is_some_and(|last| *last >= numbers[0]) {
+                return Err(rows.mistake(0, CsvMistake::Order));
+            }
+            if !is_rotation(&base.rotation) {
+                return Err(rows.mistake(1, CsvMistake::Rotation));
+            }
+        }
+        read.t.push(numbers[0]);
+        read.base.push(base);
+        read.q.push(joints.vector_of(|i| numbers[13 + i]));
+        let lists = [&mut read.v, &mut read.a, &mut read.tau];
+        for (k, list) in lists.into_iter().take(quantities - 1).enumerate() {
+            let first = 13 + n + k * v;
+            list.push(freedoms.vector_of(|i| numbers[first + i]));
+        }
+    }
+    if points_of.is_some() && read.len() < 2 {
+        return Err(Rows::new("").mistake(0, CsvMistake::TooFew));
+    }
+    Ok(read)
+}
+
+/// Whether a matrix is a rotation, as far as six digits tell.
+fn is_rotation(matrix: &Matrix3<f64>) -> bool {
+    let error = matrix.tr_mul(matrix) - Matrix3::identity();
+    error.amax() < 1e-6 && matrix.determinant() > 0.0
+}
+
+/// How many quantities a header has: places and velocities at least, and accelerations where names of joints are given.
+fn quantities(rows: &Rows<'_>, joints: usize, names: Option<&[&str]>) -> Result<usize, CsvError> {
+    let least = if names.is_some() { 3 } else { 2 };
     let word = |cell: &str| cell.split([' ', '[']).next().unwrap_or_default().to_owned();
     let found = |index: usize| word(rows.row.get(index).unwrap_or_default());
     let expected =
@@ -160,11 +210,14 @@ fn quantities(rows: &Rows<'_>, joints: usize) -> Result<usize, CsvError> {
             match found(first + i) == word(name) {
                 true => {}
                 // The last quantities may be missing, as a whole.
-                false if i == 0 && k >= 2 => return Ok(k),
+                false if i == 0 && k >= least => return Ok(k),
                 false => return expected(first + i, word(name)),
             }
         }
         first += of_base.len();
+        if let (0, Some(names)) = (k, names) {
+            rows.in_order(first, names)?;
+        }
         let is_of_joint = |i: &usize| found(first + i).split(['.', '_']).next() == Some(symbol);
         if let Some(i) = (0..joints).find(|i| !is_of_joint(i)) {
             return expected(first + i, symbol.to_owned());
