@@ -43,7 +43,10 @@ fn main() -> Outcome<()> {
     let document = document(&chains)? + &section(&measure_tree()?);
     println!("{document}");
     if effort.is_full {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/contributing/GROWTH.md");
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../docs/contributing/GROWTH.md"
+        );
         std::fs::write(path, document)?;
         println!("written: docs/contributing/GROWTH.md");
     }
