@@ -8,6 +8,12 @@
 //! The normal of two axes that are nearly parallel is far away, and numbers that describe the arm by it lose as many
 //! digits. A row that stands still leads from the one axis to the other then: its own axis meets both. So does one where
 //! an angle is within 1e-9 of a quarter turn, which no single cell can say.
+//!
+//! Numbers lose digits if axes are nearly parallel, because their normal is far away. If a foot is further away than
+//! ten times the length of the arm, or the sine between the axes is below 1e-15, a locked row goes from the one axis
+//! straight to the other. The rows are multiplied out and compared with the frames they came from before anything is
+//! written. The text is read back by the macro's reader: if it refuses what the file had already, an unphysical
+//! tensor or an odd angle, `allow` is put into that row.
 
 use dynamics_codegen::geometry::{Body, Mass, Matrix, Transform, Vector, cross, dot, tidy};
 use dynamics_symbolic::exact::Rational;

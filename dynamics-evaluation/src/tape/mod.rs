@@ -1,4 +1,11 @@
 //! Programs as they are evaluated: a step for each line, between numbered places.
+//!
+//! What depends on constants and fields alone is computed once when a field changes. What depends on the state gets a
+//! slot, which others take over after its last reader. Lines are put into an order that keeps few numbers, and in
+//! which a line follows the one whose result it reads (`order`): the Panda's forward dynamics of 1,065 operations
+//! needs 87 slots, 107 in the order in which it is emitted. A call is the same operations in the same order as the
+//! generated method, and its digits are the same: `Program::lines` says for both which products are written into
+//! sums.
 
 mod build;
 mod lines;

@@ -1,4 +1,8 @@
 //! The states of a batch over all cores.
+//!
+//! The thread that calls begins at once, others take what is left, large shares at first and small ones at last, at
+//! least 40,000 operations at a time. With `rayon::join` a thread that is none of rayon's would hand everything over
+//! and sleep.
 
 use core::hint::spin_loop;
 use core::marker::PhantomData;

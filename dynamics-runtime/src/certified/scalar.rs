@@ -1,4 +1,7 @@
 //! The operations of generated functions.
+//!
+//! Programs make their constants by `Scalar::constant`, exact numbers rounded once, and read fields by
+//! `Scalar::exact`: the two differ for this scalar alone.
 
 use num_traits::Zero;
 

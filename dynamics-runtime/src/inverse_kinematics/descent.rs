@@ -1,4 +1,11 @@
 //! One descent: to positions at which all targets are reached, or to a place from which no joint gets nearer.
+//!
+//! A step solves (J'J + damping) dq = J'e (`step`, with sums over all targets from `normal`). The error of a rotation
+//! is 2 sin(angle / 2) along its axis (`target`), whose square is smooth everywhere. Half a turn has a case of its
+//! own, because the sines vanish there and zero would be a success. Joints that would pass a limit are put on it and
+//! the others solved for anew. Steps are made without asking whether the error falls, and end if five of them do not
+//! halve it. `settle`, the last descent of a search that found nothing, never goes up. Success is
+//! `Normal::is_reached` at the very positions that are returned, whole turns taken off.
 
 use super::joints::Joints;
 use super::normal::Normal;

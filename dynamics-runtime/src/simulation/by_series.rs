@@ -1,4 +1,8 @@
 //! Events of a motion whose series are known: zeros of polynomials.
+//!
+//! A series is a polynomial, of position and of the force that holds a joint that leans on its stop. Its first zero
+//! in the step is the event. Intervals are halved in the basis of Bernstein, whose changes of sign bound the number
+//! of zeros (`taylor::first_root`): steps are long, and a joint may pass a limit and be back several times in one.
 
 use nalgebra::Const;
 

@@ -1,4 +1,11 @@
 //! Dry friction as a simulation has it.
+//!
+//! The torques hand the arm the dry friction that its forward dynamics takes off again, and take off what the mode of
+//! each joint says. Where joints stick, the columns of M^-1 that hold them are derivatives by a torque, from dual
+//! numbers. An event is located by taking the step again, shorter, so that it is as accurate as the method, and not
+//! as its dense output. A joint that is let go is asked for its acceleration once more at the least velocity that
+//! way: where a law that jumps at rest drives it back, there is no motion, and the run ends in `Cause::Chatter`.
+//! Without that question equal steps would make events for ever.
 
 use super::error::InvalidSetting;
 use crate::friction::JointFriction;

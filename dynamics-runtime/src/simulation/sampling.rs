@@ -1,4 +1,10 @@
 //! When the laws of a simulation are asked.
+//!
+//! The type of a simulation says whether its laws are asked at every stage (`Continuous`, `Fn`) or once a period
+//! (`Sampled`, `FnMut`). A method evaluates trial stages, out of order, and throws steps away: a law with a memory
+//! would be silently wrong there, and so it does not compile. Times that differ by no more than their rounding are
+//! one time. Without that, a sample of the run and a multiple of the period would make a step of 1e-19 s between
+//! them.
 
 /// Laws that are called wherever the integration evaluates the equations of motion. They are functions of time and
 /// state alone (`Fn`).

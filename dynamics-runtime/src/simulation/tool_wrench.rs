@@ -1,4 +1,8 @@
 //! The forces of the surroundings at the tool and at frames.
+//!
+//! J' w is added to the torque at every evaluation of the equations of motion, so that each method and the events of
+//! friction see it. J and the pose are the generated ones (`Kinematics`). Without a force the type is `NoToolWrench`,
+//! which adds nothing.
 
 use nalgebra::{Matrix4, Vector6};
 

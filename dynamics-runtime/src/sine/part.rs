@@ -1,4 +1,8 @@
 //! The sine alone, or the cosine alone.
+//!
+//! In a batch, one part of an angle's pair is one polynomial instead of two: the cosine of what is left of the angle
+//! is 1 - 2 sin^2 of its half, so that all lanes evaluate the same sine. A single angle takes a branch between the
+//! two polynomials, because its digits have to be those of the pair, which a `SharedSines` looks up.
 
 use super::lanes::Reduced;
 #[cfg(feature = "std")]

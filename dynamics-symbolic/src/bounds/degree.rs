@@ -1,4 +1,7 @@
 //! Values that grow with a power of an argument.
+//!
+//! Where everything on the way to an output is homogeneous in its one argument beside q, its error grows with the
+//! same power.
 
 use crate::program::{Instruction, Operand, Program};
 use crate::robot::Symbol;

@@ -3,6 +3,12 @@
 //! The plain recursion in the plain gauge, nothing simplified, adds what the equations of motion add.
 //! Its rounding is that of the quantities themselves, and every other way of writing them is judged
 //! beside it: while it is searched for, at some states, and once it is found, at others.
+//!
+//! The finished program, its sums in their final order, is measured at eight states of its own. Up to 16 times the
+//! error of the plain recursion is accepted. If it has more, the search is made again in the plain gauge. If that
+//! does not help, the plain recursion is emitted, and the documentation of the method says so. Articulated bodies are
+//! compared with themselves in the plain gauge, because for quotients of quotients the bound of another form says
+//! little.
 
 use super::functions::Part;
 use super::states::{State, states};

@@ -12,6 +12,11 @@
 //! and so for everything else that has an index of joints: forces, columns of Jacobians, Christoffel
 //! symbols, derivatives. A row of S has a 1 for a joint that moves by itself, the factor for a follower,
 //! and nothing for a joint that is locked.
+//!
+//! A locked joint stays a link of the chain, with a constant turn or slide. Constants are folded, so that the
+//! equations are as short as if the links had been joined: a merged transform of two rows is no row, and one rotation
+//! of nine products stands where two turns take eight. All parameters of a locked link are grouped into the link
+//! before. Here its rows and columns are left out.
 
 use super::symbols::Symbols;
 use crate::expr::Expr;

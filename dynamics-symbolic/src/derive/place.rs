@@ -1,4 +1,10 @@
 //! Placements in any ring: T(xyz) Rz(yaw) Ry(pitch) Rx(roll), the order of URDF.
+//!
+//! A base is no link: it turns gravity, once and exactly, and shifts U. A wall costs no operation. Kinematics begin
+//! in the world, because the first frame of a chain costs no more when it is turned. The tool's centre of mass and
+//! tensor pass into the last link's frame before its mass enters, and are a part of that link from there on. G is
+//! scaled by a component of the table's gravity before that is turned: seen from a turned base a component may vanish
+//! by chance, such as sin 30 deg - 1/2, and nothing is divided by it.
 
 use crate::exact::Rational;
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};

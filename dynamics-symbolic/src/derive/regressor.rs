@@ -3,6 +3,11 @@
 //!
 //! The joint forces are linear in the inertial parameters (Khosla and Kanade 1985), so the column
 //! of a parameter is what the equations of motion give where that one is 1 and all others are 0.
+//!
+//! A column is inverse dynamics with one unit parameter. The motion is shared. The wrench of each unit body is either
+//! handed on from link to link or multiplied by the partial velocities of all joints, whichever is shorter. The order
+//! of columns is part of the contract and does not depend on the gauge. The proof chooses the columns anew, by
+//! elimination of the regressor of all standard parameters at random states, and compares every entry.
 
 use super::base::{self, Geometry, Observed};
 use super::chain::Chain;

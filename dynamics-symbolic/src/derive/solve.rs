@@ -10,6 +10,12 @@
 //! 10.1), because its entries share their errors: the factors are of one matrix, and each x_j makes
 //! good what the x_i before it are, not what they should be. An equal definition that reads
 //! something else would lose that, so that all definitions are held.
+//!
+//! M is factored from the tip inwards: its pivots are then the inertias that each joint feels with the joints outside
+//! it free, and `SingularMassMatrix` can name the joint. Factoring takes operations that grow with the cube of the
+//! number of joints, articulated bodies some 470 a joint for a generic chain. The shorter form is emitted. A form
+//! that is longer by a tenth in the plain gauge is not searched. `tests/golden/forward_dynamics.txt` and
+//! `forward_dynamics_of_long_chains.txt` have the counts of both.
 
 use crate::expr::{Expr, Graph};
 use crate::linear::eliminate;

@@ -1,4 +1,10 @@
 //! The body of a method: straight-line assignments behind its inputs, and its outputs.
+//!
+//! Up to 500 results are declared by a `let` each. Beyond that, each group of 200 has one pattern, because rustc
+//! crashes on about 2,900 nested debug scopes (rust-lang/rust#93908). More than 5,000 results are computed in
+//! functions of 500 results inside the method, each of which returns what later ones read: memory and time of the
+//! borrow checker grow with the square of a function's length. Closures in place of functions make it worse, because
+//! each borrow of a captured variable is a region of its own.
 
 use super::inputs::{constants_of, input_names, inputs, literal, reads_cells, real};
 use super::names::{ident, in_tuple, line_names, punct};

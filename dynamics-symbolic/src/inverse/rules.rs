@@ -6,6 +6,12 @@
 //!
 //! Sources: Pieper, The kinematics of manipulators under computer control (1968), for axes that meet; Craig, Introduction to
 //! Robotics, 4.5 and 4.6. Equations of these forms are those of Paden and Kahan (Murray, Li, Sastry 1994, 3.3).
+//!
+//! Equations that lose digits near singular poses have forms of their own (`Rule`): a distance is corrected by the
+//! difference of the two vectors, the discriminant of a wrist is a cross product. `prove::inverse` takes a pose of
+//! the textbook definition at random joints in the prime field, follows every branch, and asks the definition for the
+//! pose at the end. Roots are in the field for every second number, so that it draws until each branch has been seen.
+//! Equations are necessary, and the proof says that they are sufficient.
 
 use super::plan::Rule;
 use super::view::{Points, View, are_parallel, moved};

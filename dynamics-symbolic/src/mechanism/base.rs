@@ -16,6 +16,17 @@
 //!
 //! The first is the matrix of Echeandia and Wensing (2021), the sum of J' (I dJ/dt + B J) over all bodies, with the rate of
 //! each column of J against a frame at rest, written in the axes of the body.
+//!
+//! How a base that moves differs from a joint:
+//!
+//! - The velocities of the base are in axes that turn with it, so that its accelerations are du/dt + D(w) u.
+//!   `Symbols` adds the second term. C, the rate of J and momenta take D from `BaseRate`. `derive::displacement`
+//!   turns derivatives by these joints into those by displacements.
+//! - The rotation is nine symbols whose values at the graph's point are a rotation (`Graph::rotation`): orthogonality
+//!   cancels by value.
+//! - All ten parameters stay on the base (`Chain::group_parameters`, `base::observe`).
+//! - The proof has Hamel's equations, with T and U from poses in the world at a random rational rotation
+//!   (`definition/configuration`).
 
 use super::{Aligned, Forces, Joint, Law, Origin};
 use crate::exact::Rational;

@@ -1,4 +1,9 @@
 //! Groups of joints that share nothing but the base: each of them is a mechanism of its own.
+//!
+//! No choice of a gauge in one group changes the operations of another, so that each is searched as if it stood
+//! alone. Programs whose outputs share no variable are shortened apart (`simplify_apart`). Two equal arms on one base
+//! take exactly twice the operations of one. Branches on a link that moves share the effort of a search, which is
+//! that of an arm for each branch.
 
 use super::{Aligned, Forces, Joint, Law, Mechanism};
 use crate::robot::{Row, Value};

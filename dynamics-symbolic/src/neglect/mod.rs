@@ -11,6 +11,13 @@
 //! u_i / w_i, |u_i| <= 1. So the choice depends on no unit, and a wrist is not lost beside a shoulder.
 //!
 //! Decisions are made in double precision by operations that every processor rounds alike.
+//!
+//! Parameters are dropped, not monomials: the recursions stay, T stays quadratic and the arm a chain of bodies.
+//! Dropped means that the parameter's value as a base parameter, an exact constant, is taken off the link that it is
+//! written on. That M stays positive definite is proven (`definite`). Where the search for that fails, a descent
+//! looks for a state to name in the error. Of 120 random arms at 10 to 30 % one was neither proven nor found
+//! indefinite, and it is refused. An arm whose complete M is not proven is judged at the samples, and the
+//! documentation of its functions says so.
 
 mod arm;
 mod definite;

@@ -1,4 +1,9 @@
 //! Real numbers in binary high precision, with a bound on their error, and one correct rounding to double.
+//!
+//! A constant is rounded once, to the nearest double. If that lies in the middle between two singles, the constant's
+//! text has the nearest single beside it (`rounded_once`). Constants are rational, or polynomials over rationals in
+//! pi and the sines and cosines of constant angles. `sqrt`, `sin` and `cos` in a value of the table give rationals
+//! too: the exact value if it is one, else a rational within 1e-60 of it, for which everything is proven.
 
 use super::Arithmetic;
 use crate::exact::{Rational, negate_if};

@@ -1,4 +1,19 @@
 //! Axes anywhere in space.
+//!
+//! The way of a mount:
+//!
+//! 1. `files::urdf` makes a mount of each joint: `places` in the link frame before, the axis by two angles, and
+//!    behind the last link frame the `tip`. All numbers are those of the file. No later step makes rows of them.
+//! 2. The joint's own frame has the origin of the link frame and the joint's axis as its z axis. `Robot::mounted`
+//!    places it behind the joint that carries it.
+//! 3. `mechanism::aligned` turns and slides frames along their own axes until the step to the next one is short.
+//!    Quarter turns vanish, and other angles stay as they were written. A file of the Panda gives the programs of its
+//!    table by that.
+//! 4. A rotation that no quarter turns make is a list of turns about coordinate axes (`spatial::Turns`), each with a
+//!    sine of its own.
+//! 5. Base parameters refer to the joint's own frame, in `base::geometry` as in the proof. `Link::place` brings them
+//!    into aligned frames.
+//! 6. The proof multiplies the placements as they were written. It knows no aligned frame.
 
 use super::{Placement, Value};
 

@@ -3,6 +3,9 @@
 //! If x y is subtracted in one sum and added in a multiple of another one, no single node shows it. The derivatives of
 //! the outputs by every node do, found in one pass backwards (adjoints: A. Griewank, A. Walther, Evaluating
 //! Derivatives, 2008, section 3.2): a node by which all derivatives are zero may have any value, zero among them.
+//!
+//! Joints that lead others are the reason: a joint about a parallel axis subtracts in one force what it adds in a
+//! multiple of another, and derivatives have such pairs too.
 
 use super::{Judge, Network, Writer};
 use crate::exact::{SplitMix64, negate_if};

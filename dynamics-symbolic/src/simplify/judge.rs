@@ -2,6 +2,17 @@
 //!
 //! Definitions that are equal as rational functions are not equal in doubles: a sum may cancel terms that the present
 //! definition never adds. So bounds on the errors of the outputs, at some points ([`Running`]), decide.
+//!
+//! Operations are not all that is counted: the prime field knows 1/cos(1.5708) = 272241.8 as a number like any other.
+//! With PI/2 typed as 1.5708, one program in a hundred multiplied by such a number and subtracted what it had added,
+//! and lost up to six digits.
+//!
+//! Errors are compared with those of the plain recursion (the plain gauge, nothing simplified), which are the natural
+//! scale of each output. Outputs of one row of a matrix whose columns have the same unit are measured by the largest
+//! among them (`derive::units`), and two states of a pair by the worse one. Rows of different joints are never
+//! compared. At four states, two of them with unlucky values of the fields, no redefinition may lead an output beyond
+//! 8 times that error. One that raises no error of its own node passes at once. A network with other multiples is
+//! judged as a whole, and multiples stay between 2^-30 and 2^30: multiples of multiples came to 1e266.
 
 use super::Network;
 use super::survey::Survey;

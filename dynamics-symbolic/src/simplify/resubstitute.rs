@@ -1,4 +1,11 @@
 //! A node as one operation on two others that are there anyway.
+//!
+//! A redefinition reads other nodes of equal value. Forward dynamics must not allow that in the steps that solve for
+//! accelerations (`Graph::holding`): where M is nearly singular all accelerations are wrong in many digits, but
+//! together they satisfy the equations to rounding, as the result of any elimination does. An equal definition that
+//! reads other nodes, such as (tau1 + tau2) / I for a joint that feels the sum, loses this property: torques were
+//! wrong by up to 9e-9 among 1,500 random arms. Holding the definitions costs nothing for most arms and two
+//! operations for the UR5. `tests/suite/residuals` measures the residuals.
 
 use super::survey::{Dependents, Survey};
 use super::{Judge, Network};

@@ -1,4 +1,4 @@
-//! The tables, as they are in `docs/GROWTH.md`.
+//! The tables, as they are in `docs/contributing/GROWTH.md`.
 
 use std::process::Command;
 

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! The first is a look at a few chains, in which one of 30 axes expands and compiles. The second
-//! measures up to 30 joints, in an unoptimised engine as well, and writes `docs/GROWTH.md`. Both
+//! measures up to 30 joints, in an unoptimised engine as well, and writes `docs/contributing/GROWTH.md`. Both
 //! write plots to `examples/output/`. The third prints the section about a tree alone.
 
 mod chain;
@@ -43,9 +43,12 @@ fn main() -> Outcome<()> {
     let document = document(&chains)? + &section(&measure_tree()?);
     println!("{document}");
     if effort.is_full {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/GROWTH.md");
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../docs/contributing/GROWTH.md"
+        );
         std::fs::write(path, document)?;
-        println!("written: docs/GROWTH.md");
+        println!("written: docs/contributing/GROWTH.md");
     }
     Ok(())
 }
@@ -54,7 +57,7 @@ fn main() -> Outcome<()> {
 struct Effort {
     /// Numbers of joints.
     joints: &'static [usize],
-    /// Whether the unoptimised engine is measured too, and the results become `docs/GROWTH.md`.
+    /// Whether the unoptimised engine is measured too, and the results become `docs/contributing/GROWTH.md`.
     is_full: bool,
 }
 

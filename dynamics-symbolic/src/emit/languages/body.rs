@@ -1,4 +1,11 @@
 //! The lines of a function, which all languages write alike.
+//!
+//! Every language writes the lines of `Program::lines`, as the Rust method does. `arrangement` has the shapes of
+//! values, and a module for each language what differs. `languages::c::batch` writes the lines into a loop over
+//! states, behind loops over the columns of their angles: gcc and clang make lanes of loops without branches. Python
+//! and MATLAB add -0 to each value, which changes no number and gives it the axes of all arguments. The test, in
+//! `dynamics-evaluation`, gives C, JavaScript and Python the sines and exponentials of Rust and demands equal bits.
+//! With their own sines errors stay below 1e-10 of the largest entry.
 
 use super::{Language, in_order, input_names, line_names, pivots, plain};
 use crate::function::{Argument, Request, spans};

@@ -2,6 +2,12 @@
 //!
 //! CasADi differentiates an external function `f` by `jac_f`, whose inputs are those of `f` and a place for each output,
 //! and whose outputs are a block for each output and input. Second derivatives are `jac_jac_f` by the same rule.
+//!
+//! `derivatives` says which programs have the derivatives of a function, `blocks` puts their values where CasADi
+//! expects them, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
+//! constant zero are no part of a pattern. A block of derivatives that no program has, by symbolic parameters or by
+//! the pose of a base, is full of NaN and not left out: CasADi would take what is left out as zero. `casadi_requests`
+//! names the programs that must be derived besides.
 
 mod blocks;
 mod derivatives;
