@@ -9,8 +9,12 @@ import time
 import pytest
 
 PROGRAM = """
+import signal
+
 import numpy as np
 import robot_dynamics as rd
+# A background job of a shell inherits that it ignores the signal.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 row = {"type": "revolute", "a": 0.3, "alpha": 0.4, "d": 0.1, "mass": 1, "com": [0.1, 0.2, 0.3],
        "inertia": {"xx": 1, "yy": 1, "zz": 1, "xy": 0.1, "yz": 0.1, "xz": 0.1}}
 arm = rd.Robot.from_table(
