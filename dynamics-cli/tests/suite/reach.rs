@@ -125,7 +125,7 @@ fn why_there_is_no_solution_is_told() {
     let brick = file("reach_brick.toml", BRICK);
     let message = errors(&["reach", &brick, "--pose", "1,0,0"], 1);
     assert!(
-        message.contains("neither `inverse-dynamics` nor `reach` knows"),
+        message.contains("which `reach` does not know"),
         "{message}"
     );
 }
