@@ -124,8 +124,5 @@ fn why_there_is_no_solution_is_told() {
     );
     let brick = file("reach_brick.toml", BRICK);
     let message = errors(&["reach", &brick, "--pose", "1,0,0"], 1);
-    assert!(
-        message.contains("which `reach` does not know"),
-        "{message}"
-    );
+    assert!(message.contains("which `reach` does not know"), "{message}");
 }
