@@ -298,6 +298,12 @@ fn inverse_reads_what_simulate_writes() {
             assert!(error < 1e-10, "{column}: {error:e} at {}", row[0]);
         }
     }
+    // One of its states.
+    let row = &rows(&found, 9)[10];
+    let state: Vec<String> = row[1..7].iter().map(f64::to_string).collect();
+    let at = format!("--at={}", state.join(","));
+    let alone = output(&["inverse", &pendulum, &at]);
+    assert_eq!(rows(&alone, 9)[0][1..], row[1..]);
 }
 
 #[test]
