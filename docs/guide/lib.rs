@@ -42,6 +42,6 @@ macro_rules! chapters {
 }
 
 chapters! {
-    about five_minutes conventions urdf trees moving_base tool_and_load closed_forms reaching control identification embedded
-    many_states integration scene rounding limits other_tools
+    about five_minutes own_urdf conventions urdf trees moving_base tool_and_load closed_forms reaching control identification embedded
+    many_states integration scene rounding generated_code languages limits other_tools
 }
