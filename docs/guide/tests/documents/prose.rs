@@ -7,7 +7,7 @@ use pulldown_cmark::{Event, Tag, TagEnd};
 pub(crate) struct Prose {
     /// The text of the paragraph, or entry of a list, that is being read.
     block: String,
-    /// How many headings, tables and blocks of code are open: their text is no prose.
+    /// How many headings, tables, blocks of code and pictures are open: their text is no prose.
     silent: usize,
     pub(crate) sentences: Vec<String>,
 }
@@ -16,13 +16,21 @@ impl Prose {
     pub(crate) fn hear(&mut self, event: &Event) {
         match event {
             Event::Start(
-                Tag::Heading { .. } | Tag::Table(_) | Tag::CodeBlock(_) | Tag::HtmlBlock,
+                Tag::Heading { .. }
+                | Tag::Table(_)
+                | Tag::CodeBlock(_)
+                | Tag::HtmlBlock
+                | Tag::Image { .. },
             ) => {
                 self.end_block();
                 self.silent += 1;
             }
             Event::End(
-                TagEnd::Heading(_) | TagEnd::Table | TagEnd::CodeBlock | TagEnd::HtmlBlock,
+                TagEnd::Heading(_)
+                | TagEnd::Table
+                | TagEnd::CodeBlock
+                | TagEnd::HtmlBlock
+                | TagEnd::Image,
             ) => {
                 self.silent -= 1;
             }

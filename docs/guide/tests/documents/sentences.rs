@@ -21,27 +21,22 @@ const ALL: usize = 18_000;
 /// Beginnings of a sentence whose noun comes late or never.
 const HEADLESS: [&str; 5] = ["What ", "Those ", "That of ", "Of ", "Such "];
 
-/// Documents of the folder `docs` for users; `ERRATA.md` is about other people's books.
-const REFERENCE: [&str; 5] = ["NOTATION", "TRUST", "ACCURACY", "PERFORMANCE", "PAGE"];
+/// Documents for users beside the guide; `ERRATA.md` is about other people's books.
+const REFERENCE: [&str; 8] = [
+    "README.md",
+    "dynamics-runtime/src/robot_dynamics.md",
+    "docs/README.md",
+    "docs/NOTATION.md",
+    "docs/TRUST.md",
+    "docs/ACCURACY.md",
+    "docs/PERFORMANCE.md",
+    "docs/PAGE.md",
+];
 
-/// All documents for users: README, reference, page of the macro, guide.
+/// All documents for users, with their paths: reference and guide.
 fn for_users() -> Vec<(String, Document)> {
-    let reference = REFERENCE.map(|name| format!("docs/{name}.md"));
-    let mut paths: Vec<PathBuf> = ["README.md", "dynamics-runtime/src/robot_dynamics.md"]
-        .into_iter()
-        .chain(reference.iter().map(String::as_str))
-        .map(|path| root().join(path))
-        .collect();
-    // The book includes the documents of `docs`: their chapters have the same names.
-    let is_own = |path: &PathBuf| {
-        let name = path.file_name().expect("a file");
-        name != "SUMMARY.md" && !root().join("docs").join(name).exists()
-    };
-    paths.extend(
-        documents(&root().join("docs/guide/src"))
-            .into_iter()
-            .filter(is_own),
-    );
+    let mut paths: Vec<PathBuf> = REFERENCE.iter().map(|path| root().join(path)).collect();
+    paths.extend(documents(&root().join("docs/guide/src")));
     let named = paths.into_iter().map(|path| {
         let name = path.strip_prefix(root()).expect("below the root");
         (name.display().to_string(), Document::read(&path))
