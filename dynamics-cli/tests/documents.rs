@@ -88,35 +88,88 @@ fn calls_in_documents_succeed() {
     assert!(calls >= 10, "{calls} calls were found");
 }
 
-/// The programs of the chapter on Python and MATLAB, which have assertions of their own.
+/// The programs of the chapters in Python and MATLAB, which have assertions of their own, with the text that the calls and
+/// the C compiler make for them. Those that use the Python package are run by its tests.
 #[test]
-#[ignore = "needs numpy and Octave: .ci/run runs it"]
+#[ignore = "needs numpy, Octave and a C compiler: .ci/run runs it"]
 fn programs_in_other_languages_run() {
-    let folder = folder(&documents()).join("programs");
+    let documents = documents();
+    let folder = folder(&documents).join("programs");
     std::fs::create_dir_all(&folder).expect("a folder");
     for table in ["two_link.toml", "any_rod.toml"] {
         std::fs::copy(folder.join("..").join(table), folder.join(table)).expect("the arm");
     }
-    let chapter = root().join("docs/guide/src/python_and_matlab.md");
-    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
-    assert!(call(&chapter, &folder) >= 2);
-    let mut programs = 0;
-    for (language, lines) in blocks(&chapter) {
-        let (file, interpreter, probe) = match language {
-            "python" => ("program.py", "/usr/bin/python3", ["-c", "import numpy"]),
-            "matlab" => ("program.m", "octave-cli", ["--eval", "1;"]),
-            _ => continue,
-        };
-        let probed = Command::new(interpreter).args(probe).output();
-        if !probed.is_ok_and(|output| output.status.success()) {
-            println!("left out: {interpreter} {probe:?} does not run");
-            continue;
+    let programs = documents.iter().map(|document| {
+        let programs: Vec<_> = programs(document).collect();
+        if !programs.is_empty() {
+            assert!(call(document, &folder) >= 1);
+            compile(document, &folder);
         }
-        // There is no screen.
-        let lines = lines.into_iter().filter(|line| !line.starts_with("plot("));
-        std::fs::write(folder.join(file), lines.collect::<Vec<_>>().join("\n")).expect("a file");
-        succeed(Command::new(interpreter).arg(file).current_dir(&folder));
-        programs += 1;
+        programs
+            .iter()
+            .filter(|program| run(program, &folder))
+            .count()
+    });
+    println!("{} programs", programs.sum::<usize>());
+}
+
+/// What a program is written to, what runs it, and what says whether that is there.
+struct Language {
+    file: &'static str,
+    interpreter: &'static str,
+    probe: [&'static str; 2],
+}
+
+const PYTHON: Language = Language {
+    file: "program.py",
+    interpreter: "/usr/bin/python3",
+    probe: ["-c", "import numpy"],
+};
+
+const OCTAVE: Language = Language {
+    file: "program.m",
+    interpreter: "octave-cli",
+    probe: ["--eval", "1;"],
+};
+
+fn programs(document: &str) -> impl Iterator<Item = (Language, Vec<&str>)> {
+    let blocks = blocks(document).into_iter();
+    // The first program of a chapter imports the package for those behind it.
+    let uses_package = document.contains("\nimport robot_dynamics");
+    blocks.filter_map(move |(language, lines)| match language {
+        "python" if !uses_package => Some((PYTHON, lines)),
+        "matlab" => Some((OCTAVE, lines)),
+        _ => None,
+    })
+}
+
+/// Runs the C compiler as a document says.
+fn compile(document: &str, folder: &Path) {
+    for (language, lines) in blocks(document) {
+        let calls = lines.iter().filter(|line| line.starts_with("cc "));
+        for call in calls.filter(|_| language == "sh") {
+            let arguments = call.split_whitespace().skip(1);
+            succeed(Command::new("cc").args(arguments).current_dir(folder));
+        }
     }
-    println!("{programs} programs");
+}
+
+/// Whether a program could be run: it succeeds, or says what is not there.
+fn run((language, lines): &(Language, Vec<&str>), folder: &Path) -> bool {
+    let Language {
+        file,
+        interpreter,
+        probe,
+    } = language;
+    let probed = Command::new(interpreter).args(probe).output();
+    if !probed.is_ok_and(|output| output.status.success()) {
+        println!("left out: {interpreter} {probe:?} does not run");
+        return false;
+    }
+    // There is no screen.
+    let lines = lines.iter().filter(|line| !line.starts_with("plot("));
+    let text: Vec<&str> = lines.copied().collect();
+    std::fs::write(folder.join(file), text.join("\n")).expect("a file");
+    succeed(Command::new(interpreter).arg(file).current_dir(folder));
+    true
 }

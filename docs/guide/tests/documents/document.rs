@@ -17,7 +17,8 @@ pub(crate) struct Document {
 
 impl Document {
     pub(crate) fn read(path: &Path) -> Self {
-        let text = text(path);
+        let text = std::fs::read_to_string(path);
+        let text = text.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let mut document = Document::default();
         let mut heading: Option<String> = None;
         let mut in_block = false;
@@ -73,22 +74,6 @@ fn addresses(html: &str) -> Vec<String> {
     values
         .filter_map(|text| Some(text.split_once('"')?.0.to_owned()))
         .collect()
-}
-
-/// The text of a document, with what `{{#include PATH}}` puts into it.
-fn text(path: &Path) -> String {
-    let text = std::fs::read_to_string(path);
-    let text = text.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let lines = text.lines().map(|line| {
-        let included = line
-            .strip_prefix("{{#include ")
-            .and_then(|line| line.strip_suffix("}}"));
-        match included {
-            Some(included) => self::text(&path.with_file_name(included)),
-            None => format!("{line}\n"),
-        }
-    });
-    lines.collect()
 }
 
 /// Documents that were read.
