@@ -19,7 +19,7 @@ const README: usize = 600;
 const ALL: usize = 18_000;
 
 /// Beginnings of a sentence whose noun comes late or never.
-const HEADLESS: [&str; 5] = ["What ", "Those ", "That of ", "Of ", "Such "];
+const HEADLESS: [&str; 4] = ["What ", "Those ", "That of ", "Of "];
 
 /// Documents for users beside the guide; `ERRATA.md` is about other people's books.
 const REFERENCE: [&str; 8] = [
