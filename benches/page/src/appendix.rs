@@ -45,12 +45,6 @@ impl Appendix {
         Appendix { path, text }
     }
 
-    /// What is behind `# `.
-    pub(crate) fn title(&self) -> &str {
-        let title = self.text.lines().find_map(|line| line.strip_prefix("# "));
-        title.unwrap_or_else(|| panic!("{} has a title", self.path))
-    }
-
     /// The command that writes the document: the first words in code.
     pub(crate) fn command(&self) -> &str {
         let command = self.text.split('`').nth(1);
@@ -92,12 +86,21 @@ impl Region {
             let cells: Vec<String> = cells.split('|').map(|cell| cell.trim().into()).collect();
             match tables.last_mut() {
                 Some((_, Rows { rows, .. })) if is_in_table => rows.push(cells),
-                _ => tables.push((heading.clone(), Rows { heads: cells, rows: Vec::new() })),
+                _ => tables.push((
+                    heading.clone(),
+                    Rows {
+                        heads: cells,
+                        rows: Vec::new(),
+                    },
+                )),
             }
             is_in_table = true;
         }
         let conditions = text.lines().next().unwrap_or_default();
-        Region { conditions: conditions.trim_end_matches('.').to_owned(), tables }
+        Region {
+            conditions: conditions.trim_end_matches('.').to_owned(),
+            tables,
+        }
     }
 
     /// The first table.
@@ -108,7 +111,9 @@ impl Region {
     /// The first table below a heading.
     pub(crate) fn below(&self, heading: &str) -> &Rows {
         let found = self.tables.iter().find(|(above, _)| above == heading);
-        &found.unwrap_or_else(|| panic!("a table below `{heading}`")).1
+        &found
+            .unwrap_or_else(|| panic!("a table below `{heading}`"))
+            .1
     }
 }
 
@@ -134,7 +139,10 @@ impl Rows {
     /// The cell of a column in the first row that begins with some words.
     pub(crate) fn cell(&self, begin: &[&str], head: &str) -> &str {
         let column = self.column(head);
-        let row = self.rows.iter().find(|row| row.iter().zip(begin).all(|(a, b)| a == b));
+        let row = self
+            .rows
+            .iter()
+            .find(|row| row.iter().zip(begin).all(|(a, b)| a == b));
         &row.unwrap_or_else(|| panic!("no row {begin:?} in {:?}", self.heads))[column]
     }
 
@@ -157,5 +165,6 @@ impl Rows {
 }
 
 pub(crate) fn number(cell: &str) -> f64 {
-    cell.parse().unwrap_or_else(|error| panic!("`{cell}`: {error}"))
+    cell.parse()
+        .unwrap_or_else(|error| panic!("`{cell}`: {error}"))
 }

@@ -8,6 +8,8 @@ use measuring::table::escaped;
 /// Marks of one tool.
 pub(crate) struct Series {
     pub(crate) name: &'static str,
+    /// The place of its shape and colour.
+    pub(crate) mark: usize,
     /// A value for each row; nothing where the tool has none.
     pub(crate) values: Vec<Option<f64>>,
 }
@@ -23,7 +25,7 @@ pub(crate) struct Chart {
 
 const WIDTH: f64 = 760.0;
 /// Where the axis begins and ends.
-const AXIS: [f64; 2] = [230.0, 730.0];
+const AXIS: [f64; 2] = [270.0, 735.0];
 /// Heading and legend.
 const TOP: f64 = 66.0;
 const ROW: f64 = 24.0;
@@ -39,7 +41,7 @@ const COLOURS: [[&str; 2]; 6] = [
     ["#666666", "#bbbbbb"],
 ];
 
-/// A disc, a square, a diamond, triangles and a cross around the origin.
+/// Around the origin: disc, square, diamond, two triangles, cross.
 const MARKS: [&str; 6] = [
     "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0z",
     "M-4.5-4.5h9v9h-9z",
@@ -73,9 +75,9 @@ impl Chart {
             let y = TOP + ROW * (row as f64 + 0.5);
             text(&mut svg, [AXIS[0] - 12.0, y + 4.5], "end", name);
             line(&mut svg, [AXIS[0], y], [AXIS[1], y]);
-            for (number, series) in self.series.iter().enumerate() {
+            for series in &self.series {
                 if let Some(value) = series.values[row] {
-                    mark(&mut svg, number, [place(value, range), y]);
+                    mark(&mut svg, series.mark, [place(value, range), y]);
                 }
             }
         }
@@ -84,8 +86,8 @@ impl Chart {
 
     fn legend(&self, svg: &mut String) {
         let mut x = 18.0;
-        for (number, series) in self.series.iter().enumerate() {
-            mark(svg, number, [x, 42.0]);
+        for series in &self.series {
+            mark(svg, series.mark, [x, 42.0]);
             text(svg, [x + 12.0, 46.5], "start", series.name);
             x += 34.0 + 7.2 * series.name.chars().count() as f64;
         }
@@ -93,7 +95,11 @@ impl Chart {
 
     /// The least and the largest value, with a margin.
     fn range(&self) -> [f64; 2] {
-        let values = self.series.iter().flat_map(|series| &series.values).flatten();
+        let values = self
+            .series
+            .iter()
+            .flat_map(|series| &series.values)
+            .flatten();
         values.fold([f64::INFINITY, 0.0], |[low, high], value| {
             [low.min(value / 1.15), high.max(value * 1.15)]
         })
@@ -102,8 +108,10 @@ impl Chart {
 
 fn style() -> String {
     let colours = |theme: usize| -> String {
-        let [text, ground, line] =
-            [["#222222", "#ffffff", "#dddddd"], ["#e6e6e6", "#1b1f24", "#3d444d"]][theme];
+        let [text, ground, line] = [
+            ["#222222", "#ffffff", "#dddddd"],
+            ["#e6e6e6", "#1b1f24", "#3d444d"],
+        ][theme];
         let marks = COLOURS.iter().enumerate();
         let marks = marks.map(|(number, colour)| format!(".m{number}{{fill:{}}}", colour[theme]));
         format!("text{{fill:{text}}}.ground{{fill:{ground}}}line{{stroke:{line}}}")
@@ -119,17 +127,29 @@ fn style() -> String {
 fn mark(svg: &mut String, number: usize, [x, y]: [f64; 2]) {
     let shape = MARKS[number];
     let at = format!("translate({x:.1} {y:.1})");
-    writeln!(svg, "<path class=\"m{number}\" d=\"{shape}\" transform=\"{at}\"/>").unwrap();
+    writeln!(
+        svg,
+        "<path class=\"m{number}\" d=\"{shape}\" transform=\"{at}\"/>"
+    )
+    .unwrap();
 }
 
 fn line(svg: &mut String, from: [f64; 2], to: [f64; 2]) {
     let [[x1, y1], [x2, y2]] = [from, to];
-    writeln!(svg, "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>").unwrap();
+    writeln!(
+        svg,
+        "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>"
+    )
+    .unwrap();
 }
 
 fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, words: &str) {
     let words = escaped(words);
-    writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>").unwrap();
+    writeln!(
+        svg,
+        "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>"
+    )
+    .unwrap();
 }
 
 /// Where a value stands on the axis.
@@ -137,10 +157,14 @@ fn place(value: f64, [low, high]: [f64; 2]) -> f64 {
     AXIS[0] + (AXIS[1] - AXIS[0]) * (value / low).ln() / (high / low).ln()
 }
 
-/// Ones, twos and fives of the powers of ten.
+/// Round numbers: of the powers of ten one, two and five, and more of them where the range is small.
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
+    let digits: &[&str] = match high / low {
+        ..10.0 => &["1", "1.5", "2", "3", "4", "5", "7"],
+        _ => &["1", "2", "5"],
+    };
     let powers = -3..7;
-    let ticks = powers.flat_map(|power| [1, 2, 5].map(|digit| format!("{digit}e{power}")));
+    let ticks = powers.flat_map(|power| digits.iter().map(move |digit| format!("{digit}e{power}")));
     let ticks = ticks.map(|tick| crate::appendix::number(&tick));
     ticks.filter(|tick| (low..=high).contains(tick)).collect()
 }

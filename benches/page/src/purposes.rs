@@ -23,16 +23,33 @@ pub(crate) fn all(of: &Appendices) -> Vec<Purpose> {
     let texts = [
         ("conditions", conditions(of)),
         ("numeric_inverse_kinematics", copy(reach.table(), &[])),
-        ("optimal_control", copy(of.optimal_control.region("optimal_control").table(), &[])),
-        ("missed_goals", missed_goals(of.goals.region("goals").table())),
+        (
+            "optimal_control",
+            copy(
+                of.optimal_control.region("optimal_control").table(),
+                &["difference of unknowns"],
+            ),
+        ),
+        (
+            "missed_goals",
+            missed_goals(of.goals.region("goals").table()),
+        ),
         ("missed_by_c", missed_by_c(c.table())),
     ];
-    let texts = texts.map(|(name, text)| Purpose { name, text, chart: None });
+    let texts = texts.map(|(name, text)| Purpose {
+        name,
+        text,
+        chart: None,
+    });
     let charted = [
         one_state(&arms),
         batches(&arms),
         robots("trees", "Trees: ns a state", trees.table()),
-        robots("moving_bases", "Bases that move: ns a state", legged.table()),
+        robots(
+            "moving_bases",
+            "Bases that move: ns a state",
+            legged.table(),
+        ),
         solutions(closed_forms.table()),
         languages(c.table()),
         generators(of.generators.region("generators").table()),
@@ -67,21 +84,21 @@ fn robot(id: &str) -> &str {
 
 /// Where, with what and when each table was measured.
 fn conditions(of: &Appendices) -> String {
-    let regions: [(&Appendix, &str); 8] = [
-        (&of.arms, "arms"),
-        (&of.trees, "trees"),
-        (&of.trees, "legged"),
-        (&of.inverse_kinematics, "closed_forms"),
-        (&of.inverse_kinematics, "reach"),
-        (&of.c, "c"),
-        (&of.optimal_control, "optimal_control"),
-        (&of.generators, "generators"),
+    let regions: [(&Appendix, &str, &str); 8] = [
+        (&of.arms, "arms", "six arms"),
+        (&of.trees, "trees", "trees"),
+        (&of.trees, "legged", "bases that move"),
+        (&of.inverse_kinematics, "closed_forms", "inverse kinematics"),
+        (&of.inverse_kinematics, "reach", "inverse kinematics"),
+        (&of.c, "c", "C"),
+        (&of.optimal_control, "optimal_control", "optimal control"),
+        (&of.generators, "generators", "other generators"),
     ];
-    let mut table = Table::new("", &["measured by", "results", "processor; compilers; date"]);
+    let mut table = Table::new("", &["measured by", "tables", "processor; compilers; date"]);
     let mut rows: Vec<[String; 3]> = Vec::new();
-    for (appendix, region) in regions {
+    for (appendix, region, label) in regions {
         let conditions = appendix.region(region).conditions;
-        let link = format!("[{}]({})", appendix.title(), appendix.path);
+        let link = format!("[{label}]({})", appendix.path);
         let row = [format!("`{}`", appendix.command()), link, conditions];
         // Two tables of one run have the same.
         if !rows.contains(&row) {
@@ -104,7 +121,10 @@ fn copy(rows: &Rows, without: &[&str]) -> String {
     let kept: Vec<usize> = (0..rows.heads.len())
         .filter(|&column| !without.contains(&rows.heads[column].as_str()))
         .collect();
-    let heads: Vec<&str> = kept.iter().map(|&column| rows.heads[column].as_str()).collect();
+    let heads: Vec<&str> = kept
+        .iter()
+        .map(|&column| rows.heads[column].as_str())
+        .collect();
     let mut table = Table::new("", &heads);
     for row in &rows.rows {
         table.row(kept.iter().map(|&column| row[column].clone()));
@@ -125,31 +145,44 @@ const OTHERS: [(&str, &[&str]); 5] = [
 
 fn one_state(arms: &Region) -> Purpose {
     let time = |arm: &str, function: &str, candidates: &[&str]| -> f64 {
-        let times = candidates.iter().filter_map(|candidate| {
-            arms.below(arm).number(&[function, candidate], NATIVE)
-        });
+        let times = candidates
+            .iter()
+            .filter_map(|candidate| arms.below(arm).number(&[function, candidate], NATIVE));
         times.fold(f64::INFINITY, f64::min)
     };
     let here: &[&str] = &["generated"];
     let symbols = FUNCTIONS.map(|(_, symbol)| format!("{symbol}, ns"));
-    let heads = ["arm"].into_iter().chain(symbols.iter().map(String::as_str));
+    let heads = ["arm"]
+        .into_iter()
+        .chain(symbols.iter().map(String::as_str));
     let heads: Vec<&str> = heads.chain(OTHERS.map(|(name, _)| name)).collect();
     let mut table = Table::new("", &heads);
     let ids = arms.below("Batches").heads[1..].iter().map(String::as_str);
     for arm in ids.clone() {
         let ours = FUNCTIONS.map(|(function, _)| {
-            arms.below(arm).cell(&[function, "generated"], NATIVE).to_owned()
+            arms.below(arm)
+                .cell(&[function, "generated"], NATIVE)
+                .to_owned()
         });
         let others = OTHERS.map(|(_, names)| {
             let ratio = |(function, _)| time(arm, function, names) / time(arm, function, here);
             two_digits(geometric_mean(FUNCTIONS.map(ratio)))
         });
-        table.row([robot(arm).to_owned()].into_iter().chain(ours).chain(others));
+        table.row(
+            [robot(arm).to_owned()]
+                .into_iter()
+                .chain(ours)
+                .chain(others),
+        );
     }
     let candidates = [("generated", here)].into_iter().chain(OTHERS);
-    let series = candidates.map(|(name, names)| Series {
+    let series = candidates.enumerate().map(|(mark, (name, names))| Series {
         name,
-        values: ids.clone().map(|arm| Some(time(arm, "inverse_dynamics", names))).collect(),
+        mark,
+        values: ids
+            .clone()
+            .map(|arm| Some(time(arm, "inverse_dynamics", names)))
+            .collect(),
     });
     Purpose {
         name: "one_state",
@@ -172,29 +205,36 @@ fn native(cell: &str) -> &str {
 fn batches(arms: &Region) -> Purpose {
     let batches = arms.below("Batches");
     let symbols = FUNCTIONS.map(|(_, symbol)| format!("{symbol}, ns"));
-    let heads = ["arm"].into_iter().chain(symbols.iter().map(String::as_str));
+    let heads = ["arm"]
+        .into_iter()
+        .chain(symbols.iter().map(String::as_str));
     let heads: Vec<&str> = heads.chain(["one state / batch"]).collect();
     let mut table = Table::new("", &heads);
     let ids: Vec<&str> = batches.heads[1..].iter().map(String::as_str).collect();
     let of_batch = |arm: &str, function: &str| {
         native(batches.cell(&[&format!("{function}_batch")], arm)).to_owned()
     };
-    let of_one = |arm: &str, function: &str| {
-        number(arms.below(arm).cell(&[function, "generated"], NATIVE))
-    };
+    let of_one =
+        |arm: &str, function: &str| number(arms.below(arm).cell(&[function, "generated"], NATIVE));
     for arm in &ids {
         let times = FUNCTIONS.map(|(function, _)| of_batch(arm, function));
         let ratio = |(function, _)| of_one(arm, function) / number(&of_batch(arm, function));
         let ratio = two_digits(geometric_mean(FUNCTIONS.map(ratio)));
-        table.row([robot(arm).to_owned()].into_iter().chain(times).chain([ratio]));
+        table.row(
+            [robot(arm).to_owned()]
+                .into_iter()
+                .chain(times)
+                .chain([ratio]),
+        );
     }
     let values = |time: &dyn Fn(&str, &str) -> f64| -> Vec<Option<f64>> {
         let arms = ids.iter();
-        arms.flat_map(|arm| SHOWN.map(|(function, _)| Some(time(arm, function)))).collect()
+        arms.flat_map(|arm| SHOWN.map(|(function, _)| Some(time(arm, function))))
+            .collect()
     };
-    let rows = ids.iter().flat_map(|arm| {
-        SHOWN.map(|(_, symbol)| format!("{}, {symbol}", robot(arm)))
-    });
+    let rows = ids
+        .iter()
+        .flat_map(|arm| SHOWN.map(|(_, symbol)| format!("{}, {symbol}", robot(arm))));
     Purpose {
         name: "batches",
         text: table.markdown_rows(),
@@ -203,8 +243,16 @@ fn batches(arms: &Region) -> Purpose {
             title: "Torques and accelerations: ns a state",
             rows: rows.collect(),
             series: vec![
-                Series { name: "one state", values: values(&of_one) },
-                Series { name: "batch", values: values(&|arm, function| number(&of_batch(arm, function))) },
+                Series {
+                    name: "one state",
+                    mark: 0,
+                    values: values(&of_one),
+                },
+                Series {
+                    name: "batch",
+                    mark: 1,
+                    values: values(&|arm, function| number(&of_batch(arm, function))),
+                },
             ],
         }),
     }
@@ -222,7 +270,9 @@ const COLUMNS: [(&str, &str); 4] = [
 ];
 
 fn robots(name: &'static str, title: &'static str, rows: &Rows) -> Purpose {
-    let columns = COLUMNS.iter().filter(|(head, _)| rows.heads.iter().any(|known| known == head));
+    let columns = COLUMNS
+        .iter()
+        .filter(|(head, _)| rows.heads.iter().any(|known| known == head));
     let columns: Vec<_> = columns.copied().collect();
     let names = columns.iter().map(|(_, name)| *name);
     let heads = ["robot", "function"].into_iter().chain(names);
@@ -230,7 +280,9 @@ fn robots(name: &'static str, title: &'static str, rows: &Rows) -> Purpose {
     let mut table = Table::new("", &heads);
     let [ours, theirs] = ["ns", "Pinocchio, ns"].map(|head| rows.cells(head));
     for (number_of_row, row) in rows.rows.iter().enumerate() {
-        let cells = columns.iter().map(|(head, _)| rows.cells(head)[number_of_row].to_owned());
+        let cells = columns
+            .iter()
+            .map(|(head, _)| rows.cells(head)[number_of_row].to_owned());
         let ratio = match theirs[number_of_row] {
             "" => String::new(),
             theirs => two_digits(number(theirs) / number(ours[number_of_row])),
@@ -238,20 +290,36 @@ fn robots(name: &'static str, title: &'static str, rows: &Rows) -> Purpose {
         let names = [robot(&row[0]).to_owned(), format!("`{}`", row[1])];
         table.row(names.into_iter().chain(cells).chain([ratio]));
     }
-    let series = columns.iter().map(|(head, name)| Series {
+    let series = columns.iter().map(|&(head, name)| Series {
         name,
-        values: rows.cells(head).iter().map(|cell| (!cell.is_empty()).then(|| number(cell))).collect(),
+        // That of Pinocchio is the same with and without batches of `f32`.
+        mark: COLUMNS
+            .iter()
+            .position(|column| column.0 == head)
+            .unwrap_or(0),
+        values: rows
+            .cells(head)
+            .iter()
+            .map(|cell| (!cell.is_empty()).then(|| number(cell)))
+            .collect(),
     });
     let symbol = |function: &str| {
         let known = FUNCTIONS.iter().find(|(name, _)| *name == function);
-        known.map_or("derivatives of qdd", |(_, symbol)| symbol).to_owned()
+        known
+            .map_or("derivatives of qdd", |(_, symbol)| symbol)
+            .to_owned()
     };
     let labels = rows.rows.iter();
     let labels = labels.map(|row| format!("{}, {}", robot(&row[0]), symbol(&row[1])));
     Purpose {
         name,
         text: table.markdown_rows(),
-        chart: Some(Chart { file: name, title, rows: labels.collect(), series: series.collect() }),
+        chart: Some(Chart {
+            file: name,
+            title,
+            rows: labels.collect(),
+            series: series.collect(),
+        }),
     }
 }
 
@@ -263,9 +331,14 @@ fn solutions(rows: &Rows) -> Purpose {
         chart: Some(Chart {
             file: "closed_forms",
             title: "Inverse kinematics in closed form: ns for all solutions of a pose",
-            rows: rows.cells("arm").iter().map(|arm| (*arm).to_owned()).collect(),
+            rows: rows
+                .cells("arm")
+                .iter()
+                .map(|arm| (*arm).to_owned())
+                .collect(),
             series: vec![Series {
                 name: "all solutions",
+                mark: 0,
                 values: times.iter().map(|time| Some(number(time))).collect(),
             }],
         }),
@@ -289,24 +362,38 @@ fn languages(rows: &Rows) -> Purpose {
     };
     let row = |arm: Option<&str>| {
         let name = arm.map_or("all", robot).to_owned();
-        [name].into_iter().chain(RATIOS.map(|(head, _)| format!("{:.2}", mean(arm, head))))
+        [name]
+            .into_iter()
+            .chain(RATIOS.map(|(head, _)| format!("{:.2}", mean(arm, head))))
     };
     for arm in rows.firsts() {
         table.row(row(Some(arm)));
     }
     table.row(row(None));
-    let series = RATIOS.map(|(head, name)| Series {
-        name,
-        values: rows.firsts().into_iter().map(|arm| Some(mean(Some(arm), head))).collect(),
-    });
+    let series = RATIOS
+        .iter()
+        .enumerate()
+        .map(|(mark, &(head, name))| Series {
+            name,
+            mark,
+            values: rows
+                .firsts()
+                .into_iter()
+                .map(|arm| Some(mean(Some(arm), head)))
+                .collect(),
+        });
     Purpose {
         name: "c",
         text: table.markdown_rows(),
         chart: Some(Chart {
             file: "c",
             title: "C beside Rust and CasADi: ratios of times, geometric means",
-            rows: rows.firsts().into_iter().map(|arm| robot(arm).to_owned()).collect(),
-            series: series.into(),
+            rows: rows
+                .firsts()
+                .into_iter()
+                .map(|arm| robot(arm).to_owned())
+                .collect(),
+            series: series.collect(),
         }),
     }
 }
@@ -332,13 +419,20 @@ fn missed_by_c(rows: &Rows) -> String {
 const TIMES: [&str; 2] = ["ns", "CppADCodeGen: ns"];
 
 fn generators(rows: &Rows) -> Purpose {
-    let heads = ["arm", "operations, CppADCodeGen / here", "time, CppADCodeGen / here"];
+    let heads = [
+        "arm",
+        "operations, CppADCodeGen / here",
+        "time, CppADCodeGen / here",
+    ];
     let mut table = Table::new("", &heads);
     let [ours, theirs] = ["operations", "CppADCodeGen: operations"].map(|head| rows.cells(head));
     let [our_times, their_times] = TIMES.map(|head| rows.cells(head));
     let of_row = |row: usize| {
         let operations = number(theirs[row]) / number(ours[row]);
-        [operations, number(their_times[row]) / number(our_times[row])]
+        [
+            operations,
+            number(their_times[row]) / number(our_times[row]),
+        ]
     };
     let means = |arm: Option<&str>| {
         let places = rows.rows.iter().enumerate();
@@ -351,9 +445,9 @@ fn generators(rows: &Rows) -> Purpose {
     }
     table.row(["all".to_owned()].into_iter().chain(means(None)));
     let arms = rows.firsts();
-    let labels = arms.iter().flat_map(|arm| {
-        SHOWN.map(|(_, symbol)| format!("{}, {symbol}", robot(arm)))
-    });
+    let labels = arms
+        .iter()
+        .flat_map(|arm| SHOWN.map(|(_, symbol)| format!("{}, {symbol}", robot(arm))));
     let values = |head: &str| {
         let of_arm = |arm| SHOWN.map(|(function, _)| rows.number(&[arm, function], head));
         arms.iter().copied().flat_map(of_arm).collect()
@@ -366,8 +460,16 @@ fn generators(rows: &Rows) -> Purpose {
             title: "Generated C code: ns a call",
             rows: labels.collect(),
             series: vec![
-                Series { name: "robot-dynamics", values: values(TIMES[0]) },
-                Series { name: "CppADCodeGen", values: values(TIMES[1]) },
+                Series {
+                    name: "robot-dynamics",
+                    mark: 0,
+                    values: values(TIMES[0]),
+                },
+                Series {
+                    name: "CppADCodeGen",
+                    mark: 1,
+                    values: values(TIMES[1]),
+                },
             ],
         }),
     }
@@ -377,8 +479,9 @@ fn generators(rows: &Rows) -> Purpose {
 fn missed_goals(rows: &Rows) -> String {
     let heads: Vec<&str> = rows.heads.iter().map(String::as_str).collect();
     let mut table = Table::new("", &heads);
-    for row in &rows.rows {
-        if row.iter().any(|cell| cell.starts_with("**")) {
+    for (place, row) in rows.rows.iter().enumerate() {
+        // The first row has the conditions.
+        if place == 0 || row.iter().any(|cell| cell.starts_with("**")) {
             table.row(row.iter().cloned());
         }
     }
