@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::ArgMatches;
 use dynamics_codegen::files::{Format, joint_names, names_in_values, number};
-use dynamics_evaluation::{FileMistake, ReadOptions, read_text};
+use dynamics_evaluation::{FileMistake, ReadOptions, read_text, text_of_joints};
 
 use crate::failure::Failure;
 
@@ -57,10 +57,17 @@ fn words(given: &ArgMatches, option: &str) -> Vec<String> {
     trimmed.map(str::to_owned).collect()
 }
 
-/// Names of the joints in a file; empty if it cannot be read, which is reported elsewhere.
+/// Names of the joints in a file, or in the one that it names; empty if it cannot be read, which is reported elsewhere.
 fn joints_of(path: &Path) -> Vec<String> {
-    let text = read_text(path).unwrap_or_default();
-    Format::of(path).map_or(Vec::new(), |format| joint_names(&text, format))
+    text_of_joints(path).map_or(Vec::new(), |(text, format)| joint_names(&text, format))
+}
+
+/// Whether a robot is a tree of links: that of a URDF file, which a table may name.
+pub(crate) fn has_links(path: &Path) -> bool {
+    match text_of_joints(path) {
+        Some((_, format)) => format == Format::Urdf,
+        None => Format::of(path) == Some(Format::Urdf),
+    }
 }
 
 /// The options of the command line about a file, with the names of `--field` bound to their values. If there are two
@@ -129,7 +136,7 @@ fn has_name(path: &Path, name: &str) -> bool {
 fn is_meant(path: &Path, other: Option<&Path>) -> impl Fn(&str) -> bool {
     let elsewhere = other.map(|other| (joints_of(path), joints_of(other)));
     // A table has no joints beside a chain, of which `rest` would be all.
-    let is_table = Format::of(path) != Some(Format::Urdf);
+    let is_table = !has_links(path);
     move |joint| match &elsewhere {
         Some((here, there)) => {
             let has = |names: &[String]| names.iter().any(|name| name == joint);

@@ -11,7 +11,7 @@ use dynamics_evaluation::{FileError, FileMistake, RuntimeRobot, read_file};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
-use crate::beside::{Beside, Lines, with_fields, with_names, with_values};
+use crate::beside::{Beside, Lines, has_links, with_fields, with_names, with_values};
 use crate::failure::Failure;
 use crate::progress::Progress;
 
@@ -85,8 +85,10 @@ pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], 
 
 /// Whether the options that are about trees of links have a file that is one.
 fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
-    let mut formats = paths.iter().map(|path| Format::of(path));
-    if formats.any(|format| !matches!(format, Some(Format::Toml | Format::Json))) {
+    if paths
+        .iter()
+        .any(|path| Format::of(path).is_none() || has_links(path))
+    {
         return Ok(());
     }
     let is_given = |option: &&str| matches!(given.try_contains_id(option), Ok(true));

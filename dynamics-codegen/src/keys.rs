@@ -31,6 +31,13 @@ const KEYS_BESIDE_A_FILE: &[&str] = word_list![
     joints
 ];
 
+/// The keys of a file that names the file of its robot.
+#[cfg_attr(not(feature = "files"), allow(dead_code))]
+pub(crate) const KEYS_OF_PROJECTS: &[&str] = word_list![
+    file chain ignore round_angles convention gravity base joint couple tool frame functions lock neglect tests allow let
+    fields joints
+];
+
 /// The keys of a file.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) const KEYS_OF_FILES: &[&str] =
@@ -45,6 +52,11 @@ pub(crate) const CALL: Part = Part {
 
 pub(crate) const FILE: Part = Part {
     keys: KEYS_OF_FILES,
+    ..CALL
+};
+
+pub(crate) const PROJECT: Part = Part {
+    keys: KEYS_OF_PROJECTS,
     ..CALL
 };
 

@@ -3,8 +3,10 @@
 use core::fmt;
 use std::path::{Path, PathBuf};
 
-use dynamics_codegen::description::{Entry, Expr, ExprKind, Name, Place, Table};
-use dynamics_codegen::files::{Format, MOST_BYTES, Request, bytes, model_beside, table, text};
+use dynamics_codegen::description::{Entry, Expr, ExprKind, FileName, Name, Place, Table};
+use dynamics_codegen::files::{
+    Format, MOST_BYTES, Request, bytes, file_named, joined, model_beside, table, text,
+};
 use dynamics_codegen::{Audience, Error, Model};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
@@ -221,8 +223,10 @@ impl ReadOptions {
             let links = links.iter().map(name).collect();
             table.entries.push(Entry::Chain(Some(links)));
         }
-        let ignore = self.ignore.iter().map(name).collect();
-        table.entries.push(Entry::Ignore(Some(ignore)));
+        if !self.ignore.is_empty() {
+            let ignore = self.ignore.iter().map(name).collect();
+            table.entries.push(Entry::Ignore(Some(ignore)));
+        }
         if let Some(within) = self.round_angles {
             let number = Rational::try_from(within).unwrap_or(Rational::ZERO);
             let kind = ExprKind::Number(number);
@@ -272,16 +276,76 @@ fn read(
     format: Format,
     options: &ReadOptions,
 ) -> Result<Model, FileError> {
-    let stem = path.file_stem().and_then(|stem| stem.to_str());
-    let name = stem.unwrap_or("robot");
-    // A mistake at the end of a file may have the line behind its last one.
-    let lines = text.lines().count() + 1;
-    let model = options.table(name, lines).and_then(|beside| {
-        let model = model_beside(name, text, format, beside)?;
-        without_neglected(model).map_err(|error| vec![error])
+    let name = path.file_stem().and_then(|stem| stem.to_str());
+    let name = name.unwrap_or("robot");
+    let Some(file) = file_named(text, format) else {
+        let sources = [(path, lines(text))];
+        let beside = options.table(name, lines(text));
+        let model = beside.and_then(|beside| model_beside(name, text, format, beside));
+        return complete(model, &sources);
+    };
+    let (urdf, of_robot) = text_named(path, &file)?;
+    let before = lines(&of_robot);
+    let sources = [(&*urdf, before), (path, lines(text))];
+    // Lines of the table are counted behind those of its file.
+    let behind = "\n".repeat(before) + text;
+    let entries = table(name, &behind, format, &Request::default());
+    let model = entries.and_then(|entries| {
+        let beside = joined(entries, options.table(name, before + lines(text))?);
+        model_beside(name, &of_robot, Format::Urdf, beside)
     });
+    complete(model, &sources)
+}
+
+/// The lines of a text, with one more: a mistake at its end may have the line behind the last one.
+fn lines(text: &str) -> usize {
+    text.lines().count() + 1
+}
+
+/// The path and the text of the URDF file that a table names.
+fn text_named(path: &Path, file: &FileName) -> Result<(PathBuf, String), FileError> {
+    let urdf = path.with_file_name(&file.path);
+    let refused = |message| {
+        let error = Error {
+            place: file.place,
+            message,
+        };
+        FileError::Mistakes(vec![mistake(&[(path, usize::MAX)], error)])
+    };
+    if Format::of(&urdf) != Some(Format::Urdf) {
+        let message = format!(
+            "`{}` is no URDF file: expected one that ends in `.urdf`",
+            file.path
+        );
+        return Err(refused(message));
+    }
+    match read_text(&urdf) {
+        Ok(text) => Ok((urdf, text)),
+        Err(FileError::Unreadable(_, reason)) => {
+            Err(refused(format!("`{}` cannot be read: {reason}", file.path)))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// The text that has the joints of a robot, and its format: that of a file, or of the URDF file that it names.
+#[doc(hidden)]
+pub fn text_of_joints(path: &Path) -> Option<(String, Format)> {
+    let (text, format) = (read_text(path).ok()?, Format::of(path)?);
+    match file_named(&text, format) {
+        Some(file) => Some((text_named(path, &file).ok()?.1, Format::Urdf)),
+        None => Some((text, format)),
+    }
+}
+
+/// The model with nothing in it that is neglected, or all mistakes with their places.
+fn complete(
+    model: Result<Model, Vec<Error>>,
+    sources: &[(&Path, usize)],
+) -> Result<Model, FileError> {
+    let model = model.and_then(|model| without_neglected(model).map_err(|error| vec![error]));
     model.map_err(|errors| {
-        let mistakes = errors.into_iter().map(|error| mistake(path, lines, error));
+        let mistakes = errors.into_iter().map(|error| mistake(sources, error));
         FileError::Mistakes(mistakes.collect())
     })
 }
@@ -306,31 +370,38 @@ fn without_neglected(mut model: Model) -> Result<Model, Error> {
 pub fn read_text(path: &Path) -> Result<String, FileError> {
     let unreadable = |reason| FileError::Unreadable(path.to_owned(), reason);
     let bytes = bytes(path, MOST_BYTES).map_err(|error| unreadable(error.to_string()))?;
-    text(bytes).map_err(|error| FileError::Mistakes(vec![mistake(path, usize::MAX, error)]))
+    text(bytes).map_err(|error| FileError::Mistakes(vec![mistake(&[(path, usize::MAX)], error)]))
 }
 
-/// A mistake with its place in a file of so many lines; behind them are the options, of which the functions are the
-/// first line.
-fn mistake(path: &Path, lines: usize, error: Error) -> FileMistake {
-    let (line, column) = match error.place {
+/// A mistake with its place in one of some files, each of so many lines; behind them are the options, of which the
+/// functions are the first line.
+fn mistake(sources: &[(&Path, usize)], error: Error) -> FileMistake {
+    let (mut line, column) = match error.place {
         Place::File { line, column } => (line, column),
         Place::Tokens { .. } => (1, 1),
     };
-    let is_of_options = line > lines;
+    let mut file = None;
+    for (path, lines) in sources {
+        if line <= *lines {
+            file = Some(path.to_path_buf());
+            break;
+        }
+        line -= lines;
+    }
+    if file.is_none() {
+        line = (line - 1).max(1);
+    }
     FileMistake {
-        file: (!is_of_options).then(|| path.to_owned()),
-        line: if is_of_options {
-            (line - lines - 1).max(1)
-        } else {
-            line
-        },
+        file,
+        line,
         column,
         message: error.message,
     }
 }
 
 impl RuntimeRobot {
-    /// The robot of a file: a table in TOML, in the macro's words, or in JSON, or a URDF file. Its functions are those that
+    /// The robot of a file: a table in TOML, in the macro's words, or in JSON, or a URDF file. A table may name a URDF file in
+    /// its folder, `file = "panda.urdf"`, with entries beside it. The functions of the robot are those that
     /// the options name, or else the file, or else those of a table that names none.
     ///
     /// ```no_run

@@ -32,7 +32,7 @@ pub use dynamics_runtime;
 pub use error::{BuildError, EvaluationError, UnknownField};
 pub use file::{FileError, FileMistake, ReadOptions};
 #[doc(hidden)]
-pub use file::{read_file, read_source, read_text};
+pub use file::{read_file, read_source, read_text, text_of_joints};
 pub use identified::{IdentificationError, ImpossibleLink, JointFriction, NearestPossible};
 pub use reach::RuntimePlace;
 pub use robot::RuntimeRobot;

@@ -27,6 +27,7 @@ use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
 use dynamics_symbolic::robot::Convention;
 
+use crate::beside::has_links;
 use crate::failure::Failure;
 use crate::load::{file_of, read_on_any_base};
 use arm::Arm;
@@ -60,9 +61,10 @@ fn target(given: &ArgMatches, path: &Path) -> Format {
         .and_then(|word| Format::of(&Path::new("robot").with_extension(word)));
     let out = given.get_one::<PathBuf>("out");
     let of_name = out.and_then(|out| Format::of(out));
-    let other = match Format::of(path) {
-        Some(Format::Urdf) => Format::Toml,
-        _ => Format::Urdf,
+    let other = if has_links(path) {
+        Format::Toml
+    } else {
+        Format::Urdf
     };
     of_option.or(of_name).unwrap_or(other)
 }

@@ -11,6 +11,7 @@ mod formulas;
 mod help;
 mod long_arms;
 mod moving_base;
+mod named_file;
 mod reach;
 mod refusals;
 mod rust;

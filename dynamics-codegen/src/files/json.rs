@@ -9,7 +9,7 @@ use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 
 use crate::diagnose::Diagnostics;
-use crate::keys::{KEYS_OF_FILES as KEYS, MOVING, TENSOR};
+use crate::keys::{KEYS_OF_FILES as KEYS, KEYS_OF_PROJECTS, MOVING, TENSOR};
 use crate::mistake::file as mistake;
 use crate::place::Place;
 use crate::tree::{Key, Kind, Lines, Node};
@@ -77,11 +77,16 @@ fn with_words_of_toml(root: &mut Node) {
     let Some(items) = root.items_mut() else {
         return;
     };
-    let is_published = items.iter().any(|(key, _)| key.word == "source");
-    items.retain(|(key, _)| !is_note(&key.word));
+    let is_published = has(items, "source");
+    // Beside joints, a file that is named is a remark.
+    let is_list =
+        |(key, value): &(Key, Node)| key.word == "joints" && matches!(value.kind, Kind::List(_));
+    let names_file = has(items, "file") && !items.iter().any(is_list);
+    let keys = if names_file { KEYS_OF_PROJECTS } else { KEYS };
+    items.retain(|(key, _)| !is_note(&key.word, keys));
     for (key, value) in items {
         match key.word.as_str() {
-            "joints" => {
+            "joints" if !names_file => {
                 key.word = "joint".to_owned();
                 if let Kind::List(rows) = &mut value.kind {
                     for (index, row) in rows.iter_mut().enumerate() {
@@ -112,10 +117,10 @@ fn with_words_of_toml(root: &mut Node) {
 }
 
 /// Whether the key is a remark, which says nothing about the robot: it is not a known key, nor similar to one.
-fn is_note(word: &str) -> bool {
+fn is_note(word: &str, keys: &[&str]) -> bool {
     !["joints", "frames"].contains(&word)
-        && !KEYS.contains(&word)
-        && words::nearest(word, KEYS).is_none()
+        && !keys.contains(&word)
+        && words::nearest(word, keys).is_none()
 }
 
 fn joint(row: &mut Node, index: usize, is_published: bool) {

@@ -42,6 +42,12 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     let request = request(&call.table, diagnostics)?;
     let used = &mut Vec::new();
     let mut read = read(&text, format, &request, used, diagnostics)?;
+    for entry in &read.entries {
+        if let Entry::File(Some(other)) = entry {
+            diagnostics.error(other.place, mistake::file_of_a_file(&other.path));
+            return None;
+        }
+    }
     for (key, place) in &call.table.keys {
         let is_in_file = read.keys.iter().any(|(other, _)| other == key);
         if is_in_file && !INSTEAD.contains(key) && !ADDING.contains(key) {

@@ -8,7 +8,7 @@ use dynamics_symbolic::exact::Rational;
 
 use super::request::{Format, MovingBase, Request};
 use super::{beside, fields, json, toml, urdf};
-use crate::description::{Entry, Expr, Name, Place, Positioned, Row, Table};
+use crate::description::{Entry, Expr, FileName, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
 use crate::tree::Language;
@@ -72,9 +72,8 @@ pub(super) fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
         [first, second, ..] => (first == 0) != (second == 0),
         _ => false,
     };
-    let start = Place::File { line: 1, column: 1 };
     if is_utf_16 {
-        return Err((start, mistake::utf_16()));
+        return Err((START, mistake::utf_16()));
     }
     String::from_utf8(bytes).map_err(|error| {
         let (good, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
@@ -115,9 +114,11 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
     }
 }
 
+/// Where a file begins.
+const START: Place = Place::File { line: 1, column: 1 };
+
 fn put_name(name: &str, table: &mut Table) {
-    let start = Place::File { line: 1, column: 1 };
-    table.name = Some(Name::new(name, start));
+    table.name = Some(Name::new(name, START));
     table.has_all_fields = true;
 }
 
@@ -183,22 +184,50 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
             diagnostics.error(*place, mistake::beside_a_file(key));
         }
     }
-    let (names, entries): (Vec<_>, Vec<_>) = beside
-        .entries
-        .into_iter()
-        .partition(|entry| matches!(entry, Entry::Let(..)));
-    bind_first(&mut table.entries, names);
-    for entry in entries {
-        if matches!(
+    beside.entries.retain(|entry| {
+        !matches!(
             entry,
             Entry::Chain(_)
                 | Entry::Ignore(_)
                 | Entry::RoundAngles(_)
                 | Entry::Convention(_)
                 | Entry::Joints(..)
-        ) {
-            continue;
+        )
+    });
+    let names_are_fields = beside.names_are_fields;
+    add(&mut table, beside);
+    fields::complete(&mut table, names_are_fields);
+    table
+}
+
+/// The entries of a table that names the file of its robot, with others beside it, as both stand beside that file.
+pub fn joined(mut table: Table, mut beside: Table) -> Table {
+    table
+        .entries
+        .retain(|entry| !matches!(entry, Entry::File(_)));
+    if let Some((_, place, rows)) = beside::take(&mut beside.entries) {
+        let cells = table.entries.iter_mut().find_map(|entry| match entry {
+            Entry::Beside(_, cells) => cells.as_mut(),
+            _ => None,
+        });
+        match cells {
+            Some(cells) => cells.extend(rows),
+            None => table.entries.push(Entry::Beside(place, Some(rows))),
         }
+    }
+    table.names_are_fields = beside.names_are_fields;
+    add(&mut table, beside);
+    table
+}
+
+/// Adds the entries beside a table to it, or puts them in place of its own.
+fn add(table: &mut Table, beside: Table) {
+    let (names, entries): (Vec<_>, Vec<_>) = beside
+        .entries
+        .into_iter()
+        .partition(|entry| matches!(entry, Entry::Let(..)));
+    bind_first(&mut table.entries, names);
+    for entry in entries {
         // The file has the body of a base of which nothing else is said here.
         if is_bare_base(&entry) && table.floating().is_some() {
             continue;
@@ -212,8 +241,6 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     table.fields.extend(beside.fields);
     table.audience = beside.audience;
     table.needed = beside.needed;
-    fields::complete(&mut table, beside.names_are_fields);
-    table
 }
 
 /// Whether an entry says that the base moves, and nothing of its body.
@@ -267,7 +294,7 @@ pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Reques
                     let position = locked.position.as_ref().and_then(constant);
                     (locked.name.clone(), position)
                 };
-                request.lock = locked.map(lock).collect();
+                request.lock.extend(locked.map(lock));
             }
             _ => {}
         }
@@ -312,6 +339,24 @@ pub fn joint_names(text: &str, format: Format) -> Vec<String> {
         let table = table.unwrap_or_default();
         let names = table.rows().iter().filter_map(|row| row.name.as_ref());
         names.map(|name| name.plain().to_owned()).collect()
+    })
+}
+
+/// The file that a table names as that of its robot.
+pub fn file_named(text: &str, format: Format) -> Option<FileName> {
+    let table = Diagnostics::without(|diagnostics| match format {
+        Format::Urdf => None,
+        _ => read(
+            text,
+            format,
+            &Request::default(),
+            &mut Vec::new(),
+            diagnostics,
+        ),
+    });
+    table?.entries.into_iter().find_map(|entry| match entry {
+        Entry::File(file) => file,
+        _ => None,
     })
 }
 

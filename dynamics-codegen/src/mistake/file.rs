@@ -35,6 +35,9 @@ mistakes! {
     in_file_too(word: &str, path: &str) "`{word}` stands in `{path}` too: remove one of the two";
     /// An entry in place of which the file stands.
     instead_of(word: &str, path: &str) "`{path}` stands in place of `{word}`: remove `{word}`";
+    /// A table that is read by a call and names a file itself.
+    file_of_a_file(path: &str)
+        "a table that a call reads names no other file: write `file: \"{path}\"` in the call, with these entries beside it";
     /// An entry beside a file that no file leaves open.
     beside_a_file(word: &str) "`{word}` beside a file, which says it itself: remove `{word}`";
     /// `chain` and the like without a file, or beside a file of another format.

@@ -17,7 +17,7 @@ use crate::description::{
     Vector, Wanted,
 };
 use crate::diagnose::Diagnostics;
-use crate::keys::{CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, Part, TOOL};
+use crate::keys::{CALL, DEFAULT, ENTRIES_BESIDE_A_FILE, FILE, FRAME, PROJECT, Part, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 use crate::words;
@@ -34,6 +34,7 @@ pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) 
     let mut table = Table::default();
     let part = match language {
         Language::Call => CALL,
+        _ if item(root, "file").is_some() => PROJECT,
         Language::Toml if has_cells_beside(root) => ENTRIES_BESIDE_A_FILE,
         Language::Toml | Language::Json => FILE,
     };
@@ -67,11 +68,16 @@ pub(crate) fn written_value(
 
 /// Whether the tree has a table `joints`, with cells for the joints of another file.
 fn has_cells_beside(root: &Node) -> bool {
+    item(root, "joints").is_some_and(|node| matches!(node.kind, Kind::Table(_)))
+}
+
+/// The value of a key of the tree.
+fn item<'a>(root: &'a Node, word: &str) -> Option<&'a Node> {
     let Kind::Table(items) = &root.kind else {
-        return false;
+        return None;
     };
-    let mut items = items.iter();
-    items.any(|(key, node)| key.word == "joints" && matches!(node.kind, Kind::Table(_)))
+    let found = items.iter().find(|(key, _)| key.word == word);
+    found.map(|(_, node)| node)
 }
 
 /// Adds an entry, which is without a value if that could not be read.
