@@ -3,7 +3,7 @@
 use crate::purposes::Purpose;
 
 /// The one place of this text. Each `{NAME}` is a table.
-const TEXT: &str = include_str!("page.md");
+const TEXT: &str = include_str!("page.txt");
 
 /// # Panics
 ///
