@@ -88,35 +88,141 @@ fn calls_in_documents_succeed() {
     assert!(calls >= 10, "{calls} calls were found");
 }
 
-/// The programs of the chapter on Python and MATLAB, which have assertions of their own.
+/// Lines of generated code that a document shows, in blocks that name their file, are lines of it.
 #[test]
-#[ignore = "needs numpy and Octave: .ci/run runs it"]
+fn generated_lines_in_documents_are_generated() {
+    let documents = documents();
+    let folder = folder(&documents);
+    let mut shown = 0;
+    for document in &documents {
+        for (language, lines) in blocks(document) {
+            let Some(file) = language.strip_prefix("text,") else {
+                continue;
+            };
+            let (name, extension) = file.split_once('.').expect("a file of a language");
+            let language = if extension == "rs" { "rust" } else { extension };
+            let out = folder.join("shown");
+            let mut generate = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+            generate.args(["generate", &format!("{name}.toml"), "--lang", language]);
+            succeed(generate.arg("--out").arg(&out).current_dir(&folder));
+            let text = std::fs::read_to_string(out.join(file)).expect("a file that was generated");
+            // Documentation has its formulas behind slashes.
+            let bare = |line: &str| line.trim().trim_start_matches("/// ").to_owned();
+            let generated: Vec<String> = text.lines().map(bare).collect();
+            let wanted: Vec<String> = lines.iter().map(|line| bare(line)).collect();
+            let mut windows = generated.windows(wanted.len());
+            assert!(
+                windows.any(|window| window == wanted),
+                "{file} has no such lines:\n{}",
+                lines.join("\n")
+            );
+            shown += 1;
+        }
+    }
+    assert!(shown >= 3, "{shown} pieces of generated code were found");
+}
+
+/// The program in C compiles and runs.
+#[test]
+#[ignore = "needs a C compiler: .ci/run runs it"]
+fn the_program_in_c_runs() {
+    let folder = folder(&documents()).join("c_program");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let arm = "two_link.toml";
+    std::fs::copy(folder.join("..").join(arm), folder.join(arm)).expect("the arm");
+    let chapter = root().join("docs/guide/src/languages.md");
+    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    let blocks = blocks(&chapter);
+    let program = blocks.iter().find(|(language, _)| *language == "c");
+    let (_, program) = program.expect("a program");
+    std::fs::write(folder.join("main.c"), program.join("\n")).expect("a file");
+    assert!(call(&chapter, &folder) >= 6);
+    compile(&chapter, &folder);
+    succeed(&mut Command::new(folder.join("main")));
+}
+
+/// The programs of the chapters in Python and MATLAB, which have assertions of their own, with the text that the calls and
+/// the C compiler make for them. Those that use the Python package are run by its tests.
+#[test]
+#[ignore = "needs numpy, Octave and a C compiler: .ci/run runs it"]
 fn programs_in_other_languages_run() {
-    let folder = folder(&documents()).join("programs");
+    let documents = documents();
+    let folder = folder(&documents).join("programs");
     std::fs::create_dir_all(&folder).expect("a folder");
     for table in ["two_link.toml", "any_rod.toml"] {
         std::fs::copy(folder.join("..").join(table), folder.join(table)).expect("the arm");
     }
-    let chapter = root().join("docs/guide/src/python_and_matlab.md");
-    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
-    assert!(call(&chapter, &folder) >= 2);
-    let mut programs = 0;
-    for (language, lines) in blocks(&chapter) {
-        let (file, interpreter, probe) = match language {
-            "python" => ("program.py", "/usr/bin/python3", ["-c", "import numpy"]),
-            "matlab" => ("program.m", "octave-cli", ["--eval", "1;"]),
-            _ => continue,
-        };
-        let probed = Command::new(interpreter).args(probe).output();
-        if !probed.is_ok_and(|output| output.status.success()) {
-            println!("left out: {interpreter} {probe:?} does not run");
-            continue;
+    let programs = documents.iter().map(|document| {
+        let programs: Vec<_> = programs(document).collect();
+        if !programs.is_empty() {
+            assert!(call(document, &folder) >= 1);
+            compile(document, &folder);
         }
-        // There is no screen.
-        let lines = lines.into_iter().filter(|line| !line.starts_with("plot("));
-        std::fs::write(folder.join(file), lines.collect::<Vec<_>>().join("\n")).expect("a file");
-        succeed(Command::new(interpreter).arg(file).current_dir(&folder));
-        programs += 1;
+        programs
+            .iter()
+            .filter(|program| run(program, &folder))
+            .count()
+    });
+    println!("{} programs", programs.sum::<usize>());
+}
+
+/// What a program is written to, what runs it, and what says whether that is there.
+struct Language {
+    file: &'static str,
+    interpreter: &'static str,
+    probe: [&'static str; 2],
+}
+
+const PYTHON: Language = Language {
+    file: "program.py",
+    interpreter: "/usr/bin/python3",
+    probe: ["-c", "import numpy"],
+};
+
+const OCTAVE: Language = Language {
+    file: "program.m",
+    interpreter: "octave-cli",
+    probe: ["--eval", "1;"],
+};
+
+fn programs(document: &str) -> impl Iterator<Item = (Language, Vec<&str>)> {
+    let blocks = blocks(document).into_iter();
+    // The first program of a chapter imports the package for those behind it.
+    let uses_package = document.contains("\nimport robot_dynamics");
+    blocks.filter_map(move |(language, lines)| match language {
+        "python" if !uses_package => Some((PYTHON, lines)),
+        "matlab" => Some((OCTAVE, lines)),
+        _ => None,
+    })
+}
+
+/// Runs the C compiler as a document says.
+fn compile(document: &str, folder: &Path) {
+    for (language, lines) in blocks(document) {
+        let calls = lines.iter().filter(|line| line.starts_with("cc "));
+        for call in calls.filter(|_| language == "sh") {
+            let arguments = call.split_whitespace().skip(1);
+            succeed(Command::new("cc").args(arguments).current_dir(folder));
+        }
     }
-    println!("{programs} programs");
+}
+
+/// Whether a program could be run: it succeeds, or says what is not there.
+fn run((language, lines): &(Language, Vec<&str>), folder: &Path) -> bool {
+    let Language {
+        file,
+        interpreter,
+        probe,
+    } = language;
+    let probed = Command::new(interpreter).args(probe).output();
+    if !probed.is_ok_and(|output| output.status.success()) {
+        println!("left out: {interpreter} {probe:?} does not run");
+        return false;
+    }
+    // There is no screen.
+    let lines = lines.iter().filter(|line| !line.starts_with("plot("));
+    let text: Vec<&str> = lines.copied().collect();
+    std::fs::write(folder.join(file), text.join("\n")).expect("a file");
+    succeed(Command::new(interpreter).arg(file).current_dir(folder));
+    true
 }

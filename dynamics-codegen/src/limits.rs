@@ -2,7 +2,7 @@
 //! within seconds and in little memory. All of them are far beyond the arms that are built.
 //!
 //! Time is that of the unoptimised macro, memory that of the compiler's process beside the usual.
-//! `tests::hostile` holds each of them to it. What comes before this crate is not in its hand: rustc
+//! `tests::limits` holds each of them to it. What comes before this crate is not in its hand: rustc
 //! itself ends with an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
 
 /// Tokens of a call. The table of 64 joints with every cell written takes 8,000.

@@ -20,23 +20,19 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use appendix::Appendices;
+use chart::Chart;
 
 /// The folder of the whole project.
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The page and its charts: where they stand in the project, and what they say. The book has charts of its own, for it
-/// includes the page from another folder.
+/// The page and its charts: where they stand in the project, and what they say.
 fn files(appendices: &Appendices) -> Vec<(String, String)> {
     let purposes = purposes::all(appendices);
     let charts = purposes.iter().flat_map(|purpose| &purpose.chart);
-    let mut files: Vec<_> = charts
-        .flat_map(|chart| {
-            ["docs/performance", "docs/guide/src/performance"]
-                .map(|folder| (format!("{folder}/{}.svg", chart.file), chart.svg()))
-        })
-        .collect();
+    let chart = |chart: &Chart| (format!("docs/performance/{}.svg", chart.file), chart.svg());
+    let mut files: Vec<_> = charts.map(chart).collect();
     files.push(("docs/PERFORMANCE.md".to_owned(), page::page(&purposes)));
     files
 }

@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::appendix::{Appendices, Appendix};
 use crate::chart::{Chart, Series};
-use crate::{files, page, purposes, root};
+use crate::{files, root};
 
 #[test]
 fn the_page_is_what_its_tables_make() {
@@ -12,44 +12,6 @@ fn the_page_is_what_its_tables_make() {
     for (path, text) in files(&Appendices::read(&root)) {
         let there = fs::read_to_string(root.join(&path)).unwrap_or_default();
         assert!(there == text, "{path}: run `cargo run -p performance`");
-    }
-}
-
-/// The words of a document that are neither in tables, headings and pictures nor in code, a list for each sentence.
-fn sentences(document: &str) -> Vec<Vec<&str>> {
-    let (mut sentences, mut sentence, mut is_code) = (Vec::new(), Vec::new(), false);
-    for line in document.lines() {
-        is_code ^= line.starts_with("```");
-        let is_prose = !is_code && !line.starts_with(['|', '#', '!', '<', '`']);
-        for word in line.split_whitespace().filter(|_| is_prose) {
-            sentence.push(word);
-            if word
-                .trim_end_matches(['*', ')', '"'])
-                .ends_with(['.', ':', '!', '?'])
-            {
-                sentences.push(std::mem::take(&mut sentence));
-            }
-        }
-    }
-    sentences.push(sentence);
-    sentences.retain(|sentence| !sentence.is_empty());
-    sentences
-}
-
-#[test]
-fn the_page_is_short() {
-    let page = page::page(&purposes::all(&Appendices::read(&root())));
-    let sentences = sentences(&page);
-    let words: usize = sentences.iter().map(Vec::len).sum();
-    println!("{words} words in {} sentences", sentences.len());
-    assert!(words <= 1_000, "{words} words");
-    assert!(
-        words <= 16 * sentences.len(),
-        "{words} words in {}",
-        sentences.len()
-    );
-    for sentence in sentences {
-        assert!(sentence.len() <= 40, "{}", sentence.join(" "));
     }
 }
 

@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use measuring::median;
-use measuring::table::{Table, nanoseconds, short};
+use measuring::table::{Table, digits, short};
 use testkit::plot::{Mark, Plot, Series};
 
 use crate::functions::{Function, Measured, Variant};
@@ -13,26 +13,30 @@ use crate::page::{Part, Section};
 const LEAST: f64 = 1e-18;
 
 pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
-    let mut section = Section::new("Functions");
+    let mut section = Section::appendix("Functions", "functions");
     section.text(
-        "Time of one evaluation, the median on one core, and errors at 64 states: 48 random ones, 8 \
-         at rest, 8 with angles of up to 10^6 rad, all of them numbers that single precision holds. \
-         The exact values are Newton-Euler in 31 digits on the doubles of the table. Errors are \
-         relative to the natural magnitude: max |M| for M, max |M| max |qd|^2 for V, sum m |g| reach, \
-         at least 1 m where a joint slides, for G, and max |M| max |qdd| with both for tau. The error \
-         of qdd is the torque that it takes, M times the error, over the magnitude of tau. Beside the largest error of the functions in \
-         doubles stands the largest bound that is proven for one of these states (Certified), which counts \
-         from the decimals of the table, not from its doubles, relative to the same magnitudes.",
+        "Times are medians of one evaluation on one core, over the time of the generated function in \
+         doubles. Errors are the largest at 64 states: 48 random ones, 8 at rest, and 8 with angles of up \
+         to 10^6 rad. Single precision holds all of their numbers. The exact values are Newton-Euler in \
+         31 digits on the doubles of the table.",
     );
     section.text(
-        "Bits: how many of the last of 53 bits of a single entry are wrong, in the worst case and in \
-         the median, whatever cancelled in it. Zeros: values that are identically zero, and how many \
+        "Errors are relative to the natural magnitude. It is max |M| for M and max |M| max |qd|^2 for V. \
+         For G it is sum m |g| reach, with at least 1 m where a joint slides. For tau it is \
+         max |M| max |qdd| with both of these. The error of qdd is the torque that it takes, M times the \
+         error, over the magnitude of tau. The proven bound is the largest of Certified at these \
+         states. It counts from the decimals of the table, not from its doubles.",
+    );
+    section.text(
+        "Bits are how many of the last of 53 bits of a single entry are wrong, in the worst case and in \
+         the median, whatever cancelled in it. Zeros are values that are identically zero, and how many \
          of them came out as anything else.",
     );
     section.parts.push(Part::Table(summary(all)));
     section.text(format!(
-        "Where errors in single precision are above {OF_SINGLES:e}: beside each stands what half a unit in the last \
-         place of the arguments, added for all of them, changes at that state, in exact arithmetic."
+        "The next table has the errors in single precision above {OF_SINGLES:e}. Beside each stands what \
+         half a unit in the last place of the arguments, added for all of them, changes at that state in \
+         exact arithmetic."
     ));
     section.parts.push(Part::Table(singles(all)));
     for robot in robots(all) {
@@ -41,10 +45,18 @@ pub(crate) fn section(all: &[Measured]) -> Result<Section, Box<dyn Error>> {
             format!("functions_{robot}"),
             plot(robot, &of_robot).svg()?,
         ));
-        section.parts.push(Part::Folded(table(robot, &of_robot)));
+        let table = table(robot, &of_robot);
+        section.parts.push(if SHOWN.contains(&robot) {
+            Part::Table(table)
+        } else {
+            Part::Folded(table)
+        });
     }
     Ok(section)
 }
+
+/// The robots whose tables are in the appendix; those of the others are on the page.
+const SHOWN: [&str; 3] = ["puma560", "panda", "two_link_saha"];
 
 fn robots(all: &[Measured]) -> Vec<&'static str> {
     let mut robots: Vec<_> = all.iter().map(|m| m.robot).collect();
@@ -74,13 +86,7 @@ fn summary(all: &[Measured]) -> Table {
             if found.is_empty() {
                 continue;
             }
-            let ratio = |m: &&Measured| {
-                let f64 = all.iter().find(|other| {
-                    (other.robot, other.function, other.variant)
-                        == (m.robot, function, Variant::F64)
-                });
-                f64.map_or(f64::NAN, |f64| m.nanoseconds / f64.nanoseconds)
-            };
+            let ratio = |m: &&Measured| ratio(m, all.iter());
             let zeros: usize = found.iter().map(|m| m.errors.zeros).sum();
             let broken: usize = found.iter().map(|m| m.errors.broken_zeros).sum();
             let largest = found.iter().map(|m| m.errors.largest).fold(0.0, f64::max);
@@ -99,6 +105,15 @@ fn summary(all: &[Measured]) -> Table {
         }
     }
     table
+}
+
+/// The time of a variant over that of the generated function in doubles.
+fn ratio<'a>(measured: &Measured, mut all: impl Iterator<Item = &'a Measured>) -> f64 {
+    let f64 = all.find(|other| {
+        (other.robot, other.function, other.variant)
+            == (measured.robot, measured.function, Variant::F64)
+    });
+    f64.map_or(f64::NAN, |f64| measured.nanoseconds / f64.nanoseconds)
 }
 
 /// What errors in single precision stay below, but for those of this table.
@@ -149,7 +164,7 @@ fn table(robot: &str, measured: &[&Measured]) -> Table {
     };
     let heads = [
         "function, variant",
-        "ns",
+        "time / f64",
         "largest error",
         "proven bound",
         "rms",
@@ -162,7 +177,7 @@ fn table(robot: &str, measured: &[&Measured]) -> Table {
         for m in measured.iter().filter(|m| m.function == function) {
             table.row([
                 format!("{}, {}", function.symbol(), m.variant.name()),
-                nanoseconds(m.nanoseconds),
+                digits(ratio(m, measured.iter().copied())),
                 short(m.errors.largest),
                 m.bound.map_or_else(String::new, short),
                 short(m.errors.rms),

@@ -16,16 +16,22 @@ use crate::problems::{FreePuma, OneLink, StiffArm, TwoLinks};
 const NO_RESULT: f64 = 1.0;
 
 pub(crate) fn section(quick: bool) -> Result<Section, Box<dyn Error>> {
-    let mut section = Section::new("Integrators");
+    let mut section = Section::appendix("Integrators", "integrators");
     section.text(
-        "The largest error of a position at the end of a free motion, against the time of the whole \
-         run and against the evaluations of the equations of motion (the structure-preserving \
-         methods evaluate M, its rate of change and the bias force instead). Every point is a run: \
-         steps of a power of two, or a tolerance of a power of ten. A cross is a run that did not \
-         reach the end or ended a radian or more from the truth. The vertical line is the problem's own \
-         floor: what the motion makes of one rounding of its initial state. The order is the slope \
-         of log error over log evaluations between 0.03 and a hundred floors.",
+        "Errors are the largest of a position at the end of a free motion. Beside them stand the time of \
+         the whole run and the evaluations of the equations of motion. The structure-preserving methods \
+         evaluate M, its rate of change and the bias force instead; the Taylor method counts orders of a \
+         series. Runs have steps of a power of two, or a tolerance of a power of ten. A cell `-` means \
+         that no run reached the error.",
     );
+    section.text(
+        "The problem's own floor is what the motion makes of one rounding of its initial state. The order \
+         is the slope of log error over log evaluations between 0.03 and a hundred floors.",
+    );
+    section.parts.push(Part::Legend(
+        "Every point of a plot is a run. A cross is a run that did not reach the end or ended a radian or \
+         more from the truth. The vertical line is the problem's floor.",
+    ));
     for problem in [
         from_file("one_link_free", "One link, 10 s", &OneLink, quick)?,
         from_file("two_link_free", "Two links, 10 s", &TwoLinks, quick)?,
@@ -52,7 +58,7 @@ fn from_file<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
     };
     let end = SVector::<_, N>::from_fn(|i, _| end[i].value());
     let text = format!(
-        "Free fall from rest; the reference is tests/data/trajectories/{file}.json, of 30 digits. The \
+        "Free fall from rest. The reference is tests/data/trajectories/{file}.json, of 30 digits. The \
          motion makes {growth:.0} of a unit change of its start."
     );
     let setting = Setting {
@@ -89,8 +95,8 @@ fn stiff(quick: bool) -> Problem {
         qd: Vector2::new(1.0, 10.0),
         duration: 0.2,
     };
-    let text = "A rod of 12 kg in a joint of 10^4 N m s and a wrist of 10^-6 kg m^2 in a joint of \
-                10^-2 N m s, at 1 and 10 rad/s at the start: rates of 2,500 and 10,000 per second";
+    let text = "A rod of 12 kg is in a joint of 10^4 N m s, a wrist of 10^-6 kg m^2 in a joint of \
+                10^-2 N m s. They start at 1 and 10 rad/s and decay at 2,500 and 10,000 per second";
     in_31_digits(&setting, text, 1024, quick)
 }
 
@@ -102,9 +108,9 @@ fn in_31_digits<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
 ) -> Problem {
     let (end, error, growth): (SVector<DoubleDouble, N>, _, _) = setting.reference(steps);
     let text = format!(
-        "{text}; the reference is extrapolation of order 16 in 31 digits by {steps} steps, which \
-         differs by {error:.0e} from that of half as many. The motion makes {growth:.1} of a unit \
-         change of its start."
+        "{text}. The reference is extrapolation of order 16 in 31 digits by {steps} steps. It differs \
+         by {error:.0e} from that of half as many. The motion makes {growth:.1} of a unit change of its \
+         start."
     );
     setting.problem(text, &end, growth, quick)
 }

@@ -4,8 +4,8 @@
 //! taskset -c 1 cargo run --release -p speed_error --features long_arms
 //! ```
 //!
-//! measures everything on one core and writes `target/speed_error/report.html`, with the plots and
-//! the tables as Markdown in files beside it. Arguments: `--quick` for a run of seconds with fewer
+//! measures everything on one core and writes `target/speed_error/report.html`. Beside it are the plots, and as Markdown
+//! the appendices of `docs/ACCURACY.md`, which belong in `docs/accuracy`. Arguments: `--quick` for a run of seconds with fewer
 //! robots and shorter measurements; `--long` to watch energies for 10^5 s instead of 10^3, which takes
 //! two minutes; `--functions`, `--numbers`, `--integrators`, `--structure`, `--pieces` or `--hard` for
 //! these parts alone; and a path for the page.
@@ -80,7 +80,7 @@ impl Arguments {
         match (self.quick, self.long) {
             (true, _) => 20.0,
             (_, true) => 1e5,
-            _ => 1e3,
+            _ => structure::USUAL,
         }
     }
 

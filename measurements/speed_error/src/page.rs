@@ -1,4 +1,5 @@
-//! The page: sections of text, tables and plots, in one file that needs no other.
+//! The page: sections of text, tables and plots, in one file that needs no other. Beside it, the appendices of
+//! `docs/ACCURACY.md`.
 
 use std::path::Path;
 
@@ -7,6 +8,8 @@ use measuring::table::{Table, escaped};
 /// Something of a section, in its order.
 pub(crate) enum Part {
     Text(String),
+    /// What the plots show.
+    Legend(&'static str),
     Table(Table),
     /// A table that is shown when it is asked for.
     Folded(Table),
@@ -19,6 +22,8 @@ pub(crate) enum Part {
 /// A section of the report.
 pub(crate) struct Section {
     pub(crate) title: &'static str,
+    /// The file of `docs/accuracy` that has its texts and tables, without `.md`.
+    appendix: Option<&'static str>,
     pub(crate) parts: Vec<Part>,
 }
 
@@ -26,7 +31,16 @@ impl Section {
     pub(crate) fn new(title: &'static str) -> Self {
         Section {
             title,
+            appendix: None,
             parts: Vec::new(),
+        }
+    }
+
+    /// A section that is an appendix of `docs/ACCURACY.md`, too.
+    pub(crate) fn appendix(title: &'static str, file: &'static str) -> Self {
+        Section {
+            appendix: Some(file),
+            ..Section::new(title)
         }
     }
 
@@ -44,6 +58,7 @@ impl Section {
         for part in &self.parts {
             match part {
                 Part::Text(text) => println!("{text}\n"),
+                Part::Legend(_) => {}
                 Part::Lines(lines) => println!("{lines}"),
                 Part::Table(table) | Part::Folded(table) => println!("{}", table.text()),
                 Part::Plot(..) => {}
@@ -51,20 +66,26 @@ impl Section {
         }
     }
 
-    /// The texts and the tables that are shown, for `docs/ACCURACY.md`.
-    fn markdown(&self) -> String {
+    /// The texts and the tables that are shown, as a file of `docs/accuracy`.
+    fn markdown(&self, command: &str, conditions: &Table) -> String {
         let parts = self.parts.iter().filter_map(|part| match part {
             Part::Text(text) => Some(format!("{text}\n\n")),
             Part::Table(table) => Some(format!("{}\n", table.markdown())),
             Part::Lines(lines) => Some(format!("```text\n{lines}```\n\n")),
-            Part::Folded(_) | Part::Plot(..) => None,
+            Part::Folded(_) | Part::Legend(_) | Part::Plot(..) => None,
         });
-        format!("## {}\n\n{}", self.title, parts.collect::<String>())
+        format!(
+            "# {}\n\nAn appendix of [Speed against error](../ACCURACY.md), written by `{command}`.\n\n{}\n{}",
+            self.title,
+            conditions.markdown_rows(),
+            parts.collect::<String>().trim_end()
+        ) + "\n"
     }
 
     fn html(&self) -> String {
         let parts = self.parts.iter().map(|part| match part {
             Part::Text(text) => format!("<p>{}</p>\n", escaped(text)),
+            Part::Legend(text) => format!("<p>{}</p>\n", escaped(text)),
             Part::Table(table) => table.html(),
             Part::Folded(table) => {
                 let title = escaped(&table.title);
@@ -84,13 +105,23 @@ impl Section {
     }
 }
 
+/// What the reader types to have all of it written anew, the arguments of this run at its end.
+fn command() -> String {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let separator = if arguments.is_empty() { "" } else { " -- " };
+    format!(
+        "taskset -c 1 cargo run --release -p speed_error --features long_arms{separator}{}",
+        arguments.join(" ")
+    )
+}
+
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:1000px;margin:2em auto;padding:0 1em}\
 table{border-collapse:collapse;margin:1em 0;font-size:14px}\
 td,th{padding:2px 9px;text-align:right;border-bottom:1px solid #ddd}\
 td:first-child,th:first-child{text-align:left}caption{text-align:left;font-weight:bold}\
 figure{margin:1em 0}svg{max-width:100%;height:auto}pre{font-size:12px;overflow-x:auto}summary{cursor:pointer}";
 
-/// Writes the page, and beside it its tables as Markdown and every plot as a file.
+/// Writes the page, and beside it the appendices as Markdown and every plot as a file.
 pub(crate) fn write(
     path: &Path,
     conditions: &[(&'static str, String)],
@@ -98,7 +129,7 @@ pub(crate) fn write(
 ) -> std::io::Result<()> {
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder)?;
-    let mut table = Table::new("Conditions", &["", ""]);
+    let mut table = Table::new("Conditions", &["condition", "value"]);
     for (name, value) in conditions {
         table.row([(*name).to_owned(), value.clone()]);
     }
@@ -112,8 +143,13 @@ pub(crate) fn write(
             table.html()
         ),
     )?;
-    let markdown: String = sections.iter().map(Section::markdown).collect();
-    std::fs::write(path.with_extension("md"), markdown)?;
+    let command = command();
+    for section in sections {
+        if let Some(file) = section.appendix {
+            let path = folder.join(file).with_extension("md");
+            std::fs::write(path, section.markdown(&command, &table))?;
+        }
+    }
     for part in sections.iter().flat_map(|section| &section.parts) {
         if let Part::Plot(name, svg) = part {
             std::fs::write(folder.join(name).with_extension("svg"), svg)?;

@@ -1,7 +1,7 @@
 //! What other numbers than doubles cost, in the same generated functions.
 
 use measuring::Effort;
-use measuring::table::{Table, nanoseconds};
+use measuring::table::{Table, digits};
 use num_dual::{Dual64, DualSVec64};
 use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{DoubleDouble, Scalar};
@@ -12,19 +12,19 @@ use crate::page::{Part, Section};
 use crate::samples::Samples;
 
 pub(crate) fn section(effort: Effort) -> Section {
-    let mut section = Section::new("Other numbers");
+    let mut section = Section::appendix("Other numbers", "numbers");
     section.text(
-        "One evaluation of inverse and of forward dynamics, ns: dual numbers carry a derivative \
-         along one direction, vectors of them the whole Jacobian by q, DoubleDouble 31 digits.",
+        "One evaluation of inverse and of forward dynamics, over its time in doubles. Dual numbers carry a \
+         derivative along one direction, vectors of them the whole Jacobian by q. DoubleDouble has 31 digits.",
     );
     let heads = ["numbers", "tau", "qdd", "tau", "qdd"];
     let mut table = Table::new("PUMA 560 (first two columns), Panda (last two)", &heads);
+    let mut rows = Vec::new();
     macro_rules! rows {
         ($($name:literal: $puma:ty, $panda:ty;)*) => {$(
             let [tau, qdd] = times::<$puma, 6>(&Puma560, effort);
             let [panda_tau, panda_qdd] = times::<$panda, 7>(&Panda, effort);
-            let row = [tau, qdd, panda_tau, panda_qdd].map(nanoseconds);
-            table.row(std::iter::once($name.to_owned()).chain(row));
+            rows.push(($name, [tau, qdd, panda_tau, panda_qdd]));
         )*};
     }
     rows! {
@@ -33,6 +33,12 @@ pub(crate) fn section(effort: Effort) -> Section {
         "Dual64": Dual64, Dual64;
         "DualSVec64, one for each joint": DualSVec64<6>, DualSVec64<7>;
         "DoubleDouble": DoubleDouble, DoubleDouble;
+    }
+    // The first row is that of doubles.
+    let doubles = rows.first().map_or([f64::NAN; 4], |(_, times)| *times);
+    for (name, times) in rows {
+        let row = std::array::from_fn::<_, 4, _>(|k| digits(times[k] / doubles[k]));
+        table.row(std::iter::once(name.to_owned()).chain(row));
     }
     section.parts.push(Part::Table(table));
     section

@@ -19,16 +19,27 @@ use crate::page::{Part, Section};
 use crate::problems::{OneLink as Swing, TwoLinks};
 use crate::samples::{Samples, State};
 
+/// How long the energy is watched in a run without `--long`, s.
+pub(crate) const USUAL: f64 = 1e3;
+
 /// Drifts below this are drawn here.
 const LEAST: f64 = 1e-16;
 
 pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
-    let mut section = Section::new("Energy and structure");
+    let mut section = if duration > USUAL {
+        Section::appendix("Energy over a long time", "energy_long")
+    } else {
+        Section::appendix("Energy and structure", "energy")
+    };
     section.text(format!(
         "Drift of the energy in free motion of {duration:e} s, by every method, with a step of 10 ms \
-         or a tolerance of 1e-9, at 101 samples between steps of the adaptive methods, so that the \
-         error of their interpolation is in it. A cross is where a run ended early."
+         or a tolerance of 1e-9. The {} samples are between steps of the adaptive methods, so that \
+         the error of their interpolation is in it.",
+        samples(duration)
     ));
+    section
+        .parts
+        .push(Part::Legend("A cross is where a run ended early."));
     let swing = SVector::<f64, 1>::new(2.0);
     drifts(&mut section, "One link from 2 rad", &Swing, swing, duration)?;
     let fall = SVector::<f64, 2>::zeros();
@@ -39,13 +50,15 @@ pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
         fall,
         duration,
     )?;
-    section.text(
-        "Identities of the generated functions in doubles at 48 random states: the asymmetry of M, its \
-         smallest eigenvalue over its largest, |qd'(Mdot - 2 C) qd| over max |M| max |qd|^3, and \
-         the power |dE/dt - qd'(tau - F)| over max |tau| max |qd|. Mdot is M on dual numbers of \
-         num-dual.",
-    );
-    section.parts.push(Part::Table(identities()));
+    if duration <= USUAL {
+        section.text(
+            "The last table has identities of the generated functions in doubles at 48 random states. \
+             They are the asymmetry of M, its smallest eigenvalue over its largest, \
+             |qd'(Mdot - 2 C) qd| over max |M| max |qd|^3, and the power |dE/dt - qd'(tau - F)| over \
+             max |tau| max |qd|. Mdot is M on dual numbers of num-dual.",
+        );
+        section.parts.push(Part::Table(identities()));
+    }
     Ok(section)
 }
 
@@ -113,8 +126,7 @@ fn runs<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
     q: SVector<f64, N>,
     duration: f64,
 ) -> Vec<Run<N>> {
-    // Methods with error control have a greatest number of steps between samples.
-    let samples = if duration > 1e4 { 1001 } else { 101 };
+    let samples = samples(duration);
     let by_family = FAMILIES.iter().map(|family| {
         let (method, setting) = family.method(0.01, 1e-9);
         let simulation = Simulation::new(arm)
@@ -133,6 +145,11 @@ fn runs<R: ForwardDynamics<N> + TaylorDynamics<N>, const N: usize>(
     let setting = "tolerance 1e-9".to_owned();
     runs.push(timed(TAYLOR, setting, || simulation.run()));
     runs
+}
+
+/// Methods with error control have a greatest number of steps between samples.
+fn samples(duration: f64) -> usize {
+    if duration > USUAL { 1001 } else { 101 }
 }
 
 fn timed<const N: usize>(

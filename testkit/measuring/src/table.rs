@@ -84,7 +84,12 @@ pub fn escaped(text: &str) -> String {
 
 /// A time in ns, with three digits.
 pub fn nanoseconds(time: f64) -> String {
-    match time {
+    digits(time)
+}
+
+/// A time or a ratio, with three digits, two of them decimals at most.
+pub fn digits(number: f64) -> String {
+    match number {
         t if t < 10.0 => format!("{t:.2}"),
         t if t < 100.0 => format!("{t:.1}"),
         t => format!("{t:.0}"),

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
+use crate::prose::Prose;
+
 #[derive(Default)]
 pub(crate) struct Document {
     /// What comes behind `#` in links to its headings.
@@ -13,15 +15,20 @@ pub(crate) struct Document {
     pub(crate) links: Vec<String>,
     /// Its blocks of code, with their language.
     pub(crate) blocks: Vec<(String, String)>,
+    /// Its sentences: paragraphs and entries of lists, without headings, tables and blocks of code.
+    pub(crate) sentences: Vec<String>,
 }
 
 impl Document {
     pub(crate) fn read(path: &Path) -> Self {
-        let text = text(path);
+        let text = std::fs::read_to_string(path);
+        let text = text.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let mut document = Document::default();
         let mut heading: Option<String> = None;
         let mut in_block = false;
+        let mut prose = Prose::default();
         for event in Parser::new_ext(&text, Options::ENABLE_TABLES) {
+            prose.hear(&event);
             match event {
                 Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
                 Event::End(TagEnd::Heading(_)) => document.anchor(heading.take()),
@@ -45,6 +52,7 @@ impl Document {
                 _ => {}
             }
         }
+        document.sentences = prose.sentences;
         document
     }
 
@@ -73,22 +81,6 @@ fn addresses(html: &str) -> Vec<String> {
     values
         .filter_map(|text| Some(text.split_once('"')?.0.to_owned()))
         .collect()
-}
-
-/// The text of a document, with what `{{#include PATH}}` puts into it.
-fn text(path: &Path) -> String {
-    let text = std::fs::read_to_string(path);
-    let text = text.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let lines = text.lines().map(|line| {
-        let included = line
-            .strip_prefix("{{#include ")
-            .and_then(|line| line.strip_suffix("}}"));
-        match included {
-            Some(included) => self::text(&path.with_file_name(included)),
-            None => format!("{line}\n"),
-        }
-    });
-    lines.collect()
 }
 
 /// Documents that were read.

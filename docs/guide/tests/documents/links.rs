@@ -46,20 +46,44 @@ fn complaint(library: &mut Library, path: &Path, link: &str) -> Option<&'static 
     (!known).then_some("there is no such heading")
 }
 
-/// The guide's table of contents has all of its chapters: mdBook leaves out the others.
-#[test]
-fn every_chapter_is_in_the_table_of_contents() {
-    let source = root().join("docs/guide/src");
-    let contents = source.join("SUMMARY.md");
-    let listed: Vec<PathBuf> = Document::read(&contents)
-        .links
+/// The pages of the book. mdBook leaves out all other documents.
+fn pages() -> Vec<PathBuf> {
+    let contents = root().join("docs/SUMMARY.md");
+    let links = Document::read(&contents).links;
+    let pages = links
         .iter()
-        .map(|link| source.join(link))
-        .collect();
-    let missing = documents(&source)
-        .into_iter()
-        .filter(|path| *path != contents && !listed.contains(path));
+        .map(|link| contents.with_file_name(link).canonicalize());
+    pages.map(|page| page.expect("a page")).collect()
+}
+
+#[test]
+fn every_chapter_is_a_page_of_the_book() {
+    let pages = pages();
+    let chapters = documents(&root().join("docs/guide/src")).into_iter();
+    let missing = chapters.filter(|path| !pages.contains(&path.canonicalize().expect("a chapter")));
     assert_none(missing.map(|path| path.display().to_string()).collect());
+}
+
+/// A page of the book links to other pages, or to pictures and files that mdBook copies: those in `docs`.
+#[test]
+fn links_of_the_book_stay_in_it() {
+    let (docs, pages) = (root().join("docs").canonicalize().expect("`docs`"), pages());
+    let mut outside = Vec::new();
+    for page in &pages {
+        for link in Document::read(page).links {
+            let file = link.split('#').next().unwrap_or_default();
+            // What is no file is a complaint of `links_lead_somewhere`.
+            let Ok(target) = page.with_file_name(file).canonicalize() else {
+                continue;
+            };
+            let is_document = target.extension().is_some_and(|end| end == "md");
+            let is_there = target.starts_with(&docs) && (!is_document || pages.contains(&target));
+            if !file.is_empty() && !is_there {
+                outside.push(format!("{}: {link}", page.display()));
+            }
+        }
+    }
+    assert_none(outside);
 }
 
 #[test]
