@@ -8,7 +8,8 @@ cd "$(dirname "$0")/.."
 target=$(realpath -m "${OPTIMAL_TARGET:-target/optimal_control}")
 for language in casadi python; do
   cargo run --quiet --release -p dynamics-cli --target-dir "$target" -- \
-    generate tests/data/urdf/panda.urdf --lang "$language" --functions inverse_dynamics --out "$target"
+    generate tests/data/urdf/panda.urdf --gravity 0,0,-9.81 --lock panda_finger_joint1=0 \
+    --lang "$language" --functions inverse_dynamics --out "$target"
 done
 [ -x "$target/venv/bin/python" ] || python3 -m venv "$target/venv"
 "$target/venv/bin/pip" install --quiet casadi==3.8.2 numpy
