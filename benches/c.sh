@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the C code of `robot-dynamics generate`, one state at a time and in batches of 64 by columns, beside Rust's native
-# build and beside CasADi's C code, in turn on one core. Writes the table into docs/PERFORMANCE.md.
+# build and beside CasADi's C code, in turn on one core. Writes the table into docs/performance/c.md.
 #
 # ROUNDS says how often each program runs (9), C_TARGET where everything is built.
 set -euo pipefail
@@ -33,4 +33,4 @@ table=$target/c-table.md
   python3 benches/rivals/elsewhere/c_table.py "$lines"
 } >"$table"
 cat "$table"
-sed -i -e "/^<!-- c -->/,/^<!-- end -->/{//!d}" -e "/^<!-- c -->/r $table" docs/PERFORMANCE.md
+benches/insert.sh c "$table" docs/performance/c.md

@@ -1,4 +1,5 @@
-//! Inverse kinematics in closed form: the time of all solutions of a pose, and how far they are from it.
+//! Inverse kinematics in closed form: the time of all solutions of a pose, and how far they are from it, as a table for
+//! `benches/inverse.sh`.
 //!
 //! `taskset -c 0 cargo bench -p benches --bench closed_forms`. Poses are those of random positions of the joints. The arms are
 //! those of `tests/inverse`, one of each class.
@@ -17,6 +18,26 @@ use testkit::random::Random;
 const POSES: usize = 1_000;
 const RUNS: usize = 31;
 
+/// What an arm is called in the table.
+fn name(arm: &'static str) -> &'static str {
+    match arm {
+        "Puma560" => "PUMA 560, spherical wrist",
+        "Ur5" => "UR5, three parallel axes",
+        "Stanford" => "Stanford arm",
+        "Shoulder" => "spherical shoulder, with base and tool",
+        "ThreeRolls" => "wrist of three rolls at 60 degrees",
+        "GantryWithWrist" => "gantry with a wrist",
+        "SevenJoints" => "seven joints, steps at the elbow, tool",
+        "Iiwa14" => "KUKA LBR iiwa 14, one angle of the elbow",
+        "Scara" => "SCARA",
+        "Elbow3r" => "three joints, position",
+        "RrrPlanar" => "plane arm, position and angle",
+        "Cylindrical" => "cylindrical arm, position",
+        "TwoLink" => "two links, position",
+        other => other,
+    }
+}
+
 /// Seven joints have one more argument.
 macro_rules! solutions {
     ($arm:ident, $pose:ident, 7) => {
@@ -29,10 +50,7 @@ macro_rules! solutions {
 
 macro_rules! rows {
     ($($name:ident: $n:tt, $reads_rotation:literal;)*) => {{
-        let mut table = Table::new(
-            "Inverse kinematics in closed form",
-            &["arm", "joints", "solutions", "ns for all", "largest error of the pose"],
-        );
+        let mut table = Table::new("", &["arm", "joints", "solutions", "ns for all", "error"]);
         $({
             let arm = $name;
             let mut random = Random::seeded(1);
@@ -57,14 +75,14 @@ macro_rules! rows {
             let times = (0..RUNS).map(|_| 1e9 * seconds(solve_all).1 / POSES as f64);
             let time = median(times);
             table.row([
-                stringify!($name).to_owned(),
+                name(stringify!($name)).to_owned(),
                 $n.to_string(),
                 format!("{:.1}", count as f64 / POSES as f64),
                 format!("{time:.0}"),
                 format!("{error:.0e}"),
             ]);
         })*
-        println!("{}", table.text());
+        print!("{}", table.markdown_rows());
     }};
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures C code that generators write, CppADCodeGen's beside that of `robot-dynamics generate`: one compiler, the same
-# flags, in turn on one core. Writes the table into docs/PERFORMANCE.md.
+# flags, in turn on one core. Writes the table into docs/performance/generators.md.
 #
 # ROUNDS says how often each program runs (9), GENERATORS_TARGET where everything is built.
 set -euo pipefail
@@ -22,4 +22,4 @@ table=$target/table.md
   python3 benches/rivals/elsewhere/generators.py "$lines" "$target/generated-c" "$theirs.c"
 } >"$table"
 cat "$table"
-sed -i -e "/^<!-- generators -->/,/^<!-- end -->/{//!d}" -e "/^<!-- generators -->/r $table" docs/PERFORMANCE.md
+benches/insert.sh generators "$table" docs/performance/generators.md

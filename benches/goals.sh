@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures what the project has set itself goals for, and writes the table of goals, met or missed, into a file of this
-# processor in docs/contributing/goals, and those of all processors into docs/PERFORMANCE.md: the generated functions beside a trial
+# processor in docs/contributing/goals, and those of all processors into README.md there: the generated functions beside a trial
 # that benches/rivals/elsewhere/trial.sh builds, in turn on one core, and the C code that `robot-dynamics generate`
 # writes; then two cores beside one. With `avx2` the same without AVX-512, where a processor has it.
 #
@@ -50,7 +50,6 @@ case $(of_processor vendor_id) in
 esac
 width=$(tr -d - <<<"${name,,}")
 cp "$table" "docs/contributing/goals/$vendor-$(of_processor 'cpu family')-$(of_processor model)-$width.md"
-# In the document the table stands between two comments.
 summary=$target/summary.md
-python3 benches/goals_summary.py docs/contributing/goals/*.md >"$summary"
-sed -i -e "/^<!-- goals -->/,/^<!-- end -->/{//!d}" -e "/^<!-- goals -->/r $summary" docs/PERFORMANCE.md
+python3 benches/goals_summary.py docs/contributing/goals/*-*-*.md >"$summary"
+benches/insert.sh goals "$summary" docs/contributing/goals/README.md

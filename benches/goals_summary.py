@@ -2,7 +2,8 @@
 
 Usage: goals_summary.py FILE...
 
-Prints a table: for each goal its bar, and in a column for each file what was measured, bold where the bar is missed.
+Prints a table: for each goal its bar, and in a column for each file what was measured, bold where the bar is missed. The
+first row has the compilers and the date of each file.
 """
 
 import re
@@ -17,10 +18,12 @@ def key(goal):
 
 
 def main(files):
-    heads, goals = [], {}
+    heads, conditions, goals = [], [], {}
     for number, file in enumerate(files):
         with open(file, encoding="utf-8") as lines:
             heads.append(next(lines).removeprefix("# Goals on ").strip())
+            next(lines)
+            conditions.append(next(lines).split("doubles; ")[1].strip().removesuffix("."))
             for row in filter(None, map(ROW.match, lines)):
                 goal, measured, bar, verdict = row.groups()
                 bars, cells = goals.setdefault(key(goal), ({}, ["–"] * len(files)))
@@ -28,6 +31,7 @@ def main(files):
                 cells[number] = measured if verdict == "met" else f"**{measured}**"
     print("| goal | bar |", " | ".join(heads), "|")
     print("|---|---" + "|--:" * len(files) + "|")
+    print("| compilers; date | |", " | ".join(conditions), "|")
     for goal, (bars, cells) in goals.items():
         print("|", " | ".join([goal, ", ".join(bars), *cells]), "|")
 

@@ -1,4 +1,5 @@
-//! Numeric inverse kinematics of the Panda: how many poses are reached, how long that takes, and how searches end.
+//! Numeric inverse kinematics of the Panda: how many poses are reached, how long that takes, and how searches end, as a
+//! table for `benches/inverse.sh`.
 //!
 //! `taskset -c 0 cargo bench -p benches --bench reach`. Reachable poses are those of random positions within the limits; for
 //! the others the tip is farther from the shoulder than the lengths of the links allow. What counts as reached is looked at
@@ -59,9 +60,9 @@ fn is_right(numeric: &NewtonEuler<7>, pose: &Matrix4<f64>, q: &SVector<f64, 7>) 
 fn kind(reason: &Reason) -> &'static str {
     match reason {
         Reason::OutOfReach { .. } => "out of reach",
-        Reason::Minimum => "minimum",
-        Reason::Limits { .. } => "limits",
-        Reason::Iterations => "iterations",
+        Reason::Minimum => "in a minimum",
+        Reason::Limits { .. } => "held by limits",
+        Reason::Iterations => "out of iterations",
         _ => "other",
     }
 }
@@ -87,6 +88,14 @@ fn ends(
     (counts, wrong)
 }
 
+/// A number below a million, with a comma behind its thousands.
+fn grouped(number: usize) -> String {
+    match number {
+        0..1_000 => number.to_string(),
+        _ => format!("{},{:03}", number / 1_000, number % 1_000),
+    }
+}
+
 fn main() {
     let mut random = Random::seeded(7);
     let start = SVector::from_fn(|joint, _| 0.5 * (LIMITS[joint][0] + LIMITS[joint][1]));
@@ -95,10 +104,8 @@ fn main() {
         .map(|_| Panda.forward_kinematics(&positions(&mut random)))
         .collect();
     let others: Vec<_> = (0..UNREACHABLE).map(|_| unreachable(&mut random)).collect();
-    let mut table = Table::new(
-        "Numeric inverse kinematics of the Panda",
-        &["poses", "mean us", "ends", "wrong successes"],
-    );
+    let heads = ["poses", "mean, us a pose", "ends", "wrong successes"];
+    let mut table = Table::new("", &heads);
     for (name, poses, passes) in [("reachable", &reachable, 11), ("out of reach", &others, 1)] {
         let (counts, wrong) = ends(&solver, poses, &start);
         let solve_all = || {
@@ -114,14 +121,14 @@ fn main() {
         let mean = median(passes);
         let ends: Vec<_> = counts
             .iter()
-            .map(|(end, count)| format!("{count} {end}"))
+            .map(|(end, count)| format!("{} {end}", grouped(*count)))
             .collect();
         table.row([
-            format!("{} {name}", poses.len()),
+            format!("{} {name}", grouped(poses.len())),
             format!("{mean:.2}"),
             ends.join(", "),
             wrong.to_string(),
         ]);
     }
-    println!("{}", table.text());
+    print!("{}", table.markdown_rows());
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Measures what docs/PERFORMANCE.md shows, and writes it: a plain and a native build of benches/rivals,
-# run in turn on one core. Programs that benches/rivals/elsewhere/build.sh has built run with them;
-# otherwise their lines are those of benches/rivals/elsewhere/measured.txt.
+# Measures what docs/PERFORMANCE.md shows, and writes it. The arms are measured here, for docs/performance/arms.md: a plain
+# and a native build of benches/rivals, run in turn on one core. Programs that benches/rivals/elsewhere/build.sh has built
+# run with them; otherwise their lines are those of benches/rivals/elsewhere/measured.txt.
 set -euo pipefail
 cd "$(dirname "$0")/rivals"
 rounds=${ROUNDS:-9}
@@ -39,7 +39,8 @@ if [ ${#elsewhere[@]} -gt 0 ]; then
   } >elsewhere/measured.txt
 fi
 "$target/rivals-plain" report "$target/plain.txt" "$target/native.txt" elsewhere/measured.txt \
-  >../../docs/PERFORMANCE.md
+  >"$target/arms.md"
+../insert.sh arms "$target/arms.md" docs/performance/arms.md
 # The table of goals, met or missed, for the widest lanes that there are, and for those of AVX2.
 ../goals.sh
 if grep -qw avx512f /proc/cpuinfo; then ../goals.sh avx2; fi
@@ -47,5 +48,9 @@ if grep -qw avx512f /proc/cpuinfo; then ../goals.sh avx2; fi
 ../c.sh
 # The table of C code that generators write.
 ../generators.sh
-# The table of robots with branches.
+# The tables of robots with branches, and on bases that move.
 ../trees.sh
+# The tables of inverse kinematics.
+../inverse.sh
+# The table of an optimal control problem.
+../optimal_control.sh

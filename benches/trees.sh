@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures robots with branches, and on bases that move, the generated functions beside Pinocchio's, in turn on one core.
-# Writes the tables into docs/PERFORMANCE.md.
+# Writes the tables into docs/performance/trees.md.
 #
 # ROUNDS says how often each program runs (9), TREES_TARGET where everything is built.
 set -euo pipefail
@@ -27,5 +27,5 @@ for kind in trees legged; do
     python3 benches/trees_table.py "$lines"
   } >"$table"
   cat "$table"
-  sed -i -e "/^<!-- $kind -->/,/^<!-- end -->/{//!d}" -e "/^<!-- $kind -->/r $table" docs/PERFORMANCE.md
+  benches/insert.sh "$kind" "$table" docs/performance/trees.md
 done

@@ -35,6 +35,11 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         return Ok(text + &left_out.sentence(terms));
     }
     let mut text = table(robot);
+    for note in &model.notes {
+        // Notes are in the words of a call of the macro.
+        let note = note.replace("`round_angles: ", "`--round-angles ");
+        let _ = writeln!(text, "\n{}", note.trim());
+    }
     text.push_str(&operations(&programs));
     if robot.freedoms().has_base() {
         text.push_str("\nformulas of robots on a base that moves: `--format text`\n");

@@ -88,6 +88,59 @@ fn calls_in_documents_succeed() {
     assert!(calls >= 10, "{calls} calls were found");
 }
 
+/// Lines of generated code that a document shows, in blocks that name their file, are lines of it.
+#[test]
+fn generated_lines_in_documents_are_generated() {
+    let documents = documents();
+    let folder = folder(&documents);
+    let mut shown = 0;
+    for document in &documents {
+        for (language, lines) in blocks(document) {
+            let Some(file) = language.strip_prefix("text,") else {
+                continue;
+            };
+            let (name, extension) = file.split_once('.').expect("a file of a language");
+            let language = if extension == "rs" { "rust" } else { extension };
+            let out = folder.join("shown");
+            let mut generate = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+            generate.args(["generate", &format!("{name}.toml"), "--lang", language]);
+            succeed(generate.arg("--out").arg(&out).current_dir(&folder));
+            let text = std::fs::read_to_string(out.join(file)).expect("a file that was generated");
+            // Documentation has its formulas behind slashes.
+            let bare = |line: &str| line.trim().trim_start_matches("/// ").to_owned();
+            let generated: Vec<String> = text.lines().map(bare).collect();
+            let wanted: Vec<String> = lines.iter().map(|line| bare(line)).collect();
+            let mut windows = generated.windows(wanted.len());
+            assert!(
+                windows.any(|window| window == wanted),
+                "{file} has no such lines:\n{}",
+                lines.join("\n")
+            );
+            shown += 1;
+        }
+    }
+    assert!(shown >= 3, "{shown} pieces of generated code were found");
+}
+
+/// The program in C compiles and runs.
+#[test]
+#[ignore = "needs a C compiler: .ci/run runs it"]
+fn the_program_in_c_runs() {
+    let folder = folder(&documents()).join("c_program");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let arm = "two_link.toml";
+    std::fs::copy(folder.join("..").join(arm), folder.join(arm)).expect("the arm");
+    let chapter = root().join("docs/guide/src/languages.md");
+    let chapter = std::fs::read_to_string(chapter).expect("the chapter");
+    let blocks = blocks(&chapter);
+    let program = blocks.iter().find(|(language, _)| *language == "c");
+    let (_, program) = program.expect("a program");
+    std::fs::write(folder.join("main.c"), program.join("\n")).expect("a file");
+    assert!(call(&chapter, &folder) >= 6);
+    compile(&chapter, &folder);
+    succeed(&mut Command::new(folder.join("main")));
+}
+
 /// The programs of the chapters in Python and MATLAB, which have assertions of their own, with the text that the calls and
 /// the C compiler make for them. Those that use the Python package are run by its tests.
 #[test]

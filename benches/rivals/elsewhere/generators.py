@@ -39,7 +39,7 @@ def main(lines, ours, theirs):
     for candidate, files in (OURS, Path(ours).glob("*.c")), (THEIRS, [Path(theirs)]):
         for name, count in (pair for file in files for pair in operations(file.read_text())):
             counts[name, candidate] = count
-    print("| arm | function | operations | ns | error | CppADCodeGen: operations | ns | error | ns, ratio |")
+    print("| arm | function | operations | ns | error | CppADCodeGen: operations | CppADCodeGen: ns | CppADCodeGen: error | ns, ratio |")
     print("|---|---|--:|--:|--:|--:|--:|--:|--:|")
     ratios = []
     for arm in ARMS:

@@ -1,5 +1,5 @@
 """A swing-up by direct collocation, solved by IPOPT with exact Hessians: functions of `--lang casadi` beside an SX graph, and
-beside the C code that CasADi writes of that graph and of its derivatives.
+beside the C code that CasADi writes of that graph and of its derivatives. Prints the table for `benches/optimal_control.sh`.
 
     python swing_up.py FOLDER
 
@@ -111,7 +111,7 @@ def run(solver: ca.Function, given: dict[str, np.ndarray]) -> Result:
 def main() -> None:
     folder = Path(sys.argv[1])
     problems = {
-        "--lang casadi": problem(compiled(folder / "panda_casadi.c")),
+        "`--lang casadi`": problem(compiled(folder / "panda_casadi.c")),
         "SX": problem(of_graph(folder)),
         "SX written in C": problem(of_written_graph(folder)),
     }
@@ -120,14 +120,15 @@ def main() -> None:
         for name, of_name in problems.items():
             results[name].append(run(*of_name))
     graph = results["SX"]
+    print("| functions | in functions, s | of SX | in all, s | iterations | optimum | difference of unknowns |")
+    print("|---|--:|--:|--:|--:|--:|--:|")
     for name, runs in results.items():
         in_functions, in_all = (statistics.median(getattr(run, time) for run in runs) for time in TIMES)
         ratio = statistics.median(run.in_functions / other.in_functions for run, other in zip(runs, graph, strict=True))
         difference = np.abs(runs[0].unknowns - graph[0].unknowns).max()
-        print(
-            f"{name}: optimum {runs[0].optimum:.12f} in {runs[0].iterations} iterations, unknowns within {difference:.1e}, "
-            f"{in_functions:.3f} s in functions ({ratio:.2f} of SX), {in_all:.3f} s in all"
-        )
+        cells = [name, f"{in_functions:.3f}", f"{ratio:.2f}", f"{in_all:.3f}", str(runs[0].iterations)]
+        cells += [f"{runs[0].optimum:.12f}", f"{difference:.0e}"]
+        print("|", " | ".join(cells), "|")
 
 
 if __name__ == "__main__":

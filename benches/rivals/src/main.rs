@@ -2,8 +2,8 @@
 //! symplex.
 //!
 //! `benches/report.sh` builds this program twice, plain and for this machine's own instructions, has
-//! each `measure` in turn, and has one of them print the `report`, `docs/PERFORMANCE.md`. To measure
-//! one build by hand: `cargo run --release -- measure`.
+//! each `measure` in turn, and has one of them print the `report`, what `docs/performance/arms.md` has of them.
+//! To measure one build by hand: `cargo run --release -- measure`.
 
 mod candidates;
 mod errors;

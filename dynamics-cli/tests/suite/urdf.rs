@@ -112,6 +112,21 @@ fn the_chain_ends_where_it_is_told() {
     assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
 }
 
+/// Angles that were perhaps meant as quarter turns are counted, with the option that takes them for it.
+#[test]
+fn angles_near_a_quarter_turn_are_shown() {
+    let file = file("nearly.urdf", turntable("1.5708"));
+    let chain = ["--chain", "base,flange", "--ignore", "rest"];
+    let shown =
+        |options: &[&str]| output(&[&["show", &file][..], &chain, &GRAVITY, options].concat());
+    let note = "As multiples, `--round-angles 1e-5` takes 1 of them.";
+    assert!(shown(&[]).contains(note), "{}", shown(&[]));
+    let rounded = shown(&["--round-angles", "1e-5"]);
+    let note =
+        "One angle of the file is taken as multiples of a quarter turn: `--round-angles 1e-5`.";
+    assert!(rounded.contains(note), "{rounded}");
+}
+
 /// A file without a robot is told as that, and not what its robot would need.
 #[test]
 fn a_file_without_joints_is_told_before_options_that_are_missing() {

@@ -63,7 +63,7 @@ pub(super) fn two_singles(level: Level, a: f32, b: f32) -> Pair<f32, 4> {
 /// Whether eight doubles are in two vectors, and not in one of 512 bits.
 ///
 /// On Intel's processors an instruction of 512 bits takes both units that multiply doubles, and the operations behind the
-/// sines take up to twice as long (PERFORMANCE.md). AMD's, which alone have SSE4a, gain by one vector. Where the build
+/// sines take up to twice as long (`docs/contributing/TRIED.md`). AMD's, which alone have SSE4a, gain by one vector. Where the build
 /// leaves the instructions to the processor at hand, sines are calls, and are over before the rest begins.
 const IS_HALVED: bool = cfg!(all(
     target_feature = "avx512f",

@@ -1,6 +1,6 @@
 //! The names of the entries of arguments and values: those of joints are counted, those of a base that moves have axes.
 
-use crate::function::{Argument, Freedoms};
+use crate::function::{Argument, Freedoms, Function, Sizes};
 
 /// The axes of what a base that moves has six of: linear, then angular.
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -28,6 +28,23 @@ impl Letter {
             _ => counted(argument, index - freedoms.base),
         }
     }
+}
+
+/// Whether an entry of an argument of some function is called like that.
+pub(super) fn is_entry(freedoms: Freedoms, name: &str) -> bool {
+    let sizes = Sizes {
+        freedoms,
+        parameters: 0,
+    };
+    let of_base = freedoms.has_base().then_some(&Argument::Base);
+    let arguments = Function::ALL
+        .iter()
+        .flat_map(|function| function.arguments());
+    let mut entries = arguments.chain(of_base).flat_map(|argument| {
+        let count = argument.shape().map_or(0, |shape| shape.entries(sizes));
+        (0..count).map(|index| Letter::new(freedoms, *argument, index).text)
+    });
+    entries.any(|entry| entry == name)
 }
 
 /// An entry that has a number, from 1.

@@ -1,6 +1,7 @@
 //! The names of the variables of formulas.
 
 use super::atom::{Atom, Run};
+use super::entries::is_entry;
 use super::expression::{Base, Expression, Factor};
 use super::groups::{Groups, Member};
 use crate::function::Freedoms;
@@ -9,7 +10,7 @@ use std::collections::BTreeSet;
 
 /// The names of one arm.
 pub(super) struct Names {
-    /// The struct's fields, without `r#`.
+    /// The struct's fields, without `r#`; with `self.` in front of a name that an input has too.
     pub(super) fields: Vec<String>,
     pub(super) groups: Groups,
     pub(super) angles: Vec<Value>,
@@ -29,15 +30,20 @@ impl Names {
         angles: Vec<Value>,
         divisors: Vec<Expression>,
     ) -> Self {
+        let freedoms = robot.freedoms();
         let plain = |field: &String| field.strip_prefix("r#").unwrap_or(field).to_owned();
         let fields: Vec<String> = robot.fields.iter().map(plain).collect();
+        let is_short = freedoms.joints < 10 && !fields.iter().any(|field| is_like_a_sine(field));
+        let told_apart = |field: String| match is_entry(freedoms, &field) {
+            true => format!("self.{field}"),
+            false => field,
+        };
         let stribeck = |row: &crate::robot::Row| Some(row.stribeck.as_ref()?.velocity.clone());
         Names {
             // Indices of two digits would run into each other.
-            is_short: robot.freedoms().joints < 10
-                && !fields.iter().any(|field| is_like_a_sine(field)),
-            freedoms: robot.freedoms(),
-            fields,
+            is_short,
+            freedoms,
+            fields: fields.into_iter().map(told_apart).collect(),
             groups,
             angles,
             divisors,

@@ -5,7 +5,7 @@ use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::formula::{Budget, Format, Formulas, Structure};
 use dynamics_symbolic::program::Arithmetic;
-use dynamics_symbolic::robot::{Robot, Symbol, Value};
+use dynamics_symbolic::robot::{Base, Robot, Symbol, Value};
 
 const BUDGET: Budget = Budget {
     terms: 400,
@@ -228,6 +228,30 @@ fn a_field_that_is_called_as_a_sine() {
     let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
     let expected = "G1 = l1 g (c1 + m2) cos(q1) + m2 l2 g cos(q1 + q2)";
     assert_eq!(of_gravity[0], expected);
+}
+
+/// Fields that are called as an input is are written with `self.` in front: positions and velocities of joints, and the
+/// pose of a base that moves.
+#[test]
+fn a_field_that_is_called_as_an_input() {
+    let mut robot = two_link_craig();
+    robot.fields[2] = "qd1".to_owned();
+    let of_velocity = lines(&robot, &[Function::CoriolisVector], Format::Text);
+    let expected = "V2 = m2 self.qd1 l2 sin(q2) qd1^2";
+    assert_eq!(of_velocity[1], expected);
+    let mut robot = arms::floating("free_body");
+    robot.fields = ["r31", "vx"].map(str::to_owned).into();
+    if let Some(Base::Floating(body)) = &mut robot.base {
+        body.mass = Value::Field(0);
+        body.com = [0, 0, 0].map(Value::integer);
+    }
+    let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
+    assert_eq!(of_gravity[0], "G1 = 9.81 self.r31 r31");
+    // An arm's formulas have no such number.
+    let mut robot = two_link_craig();
+    robot.fields[0] = "r31".to_owned();
+    let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
+    assert_eq!(of_gravity[0], "G1 = l1 g (r31 + m2) c1 + m2 l2 g c12");
 }
 
 #[test]

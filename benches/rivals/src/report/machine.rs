@@ -5,7 +5,8 @@ use std::process::Command;
 /// Instruction sets that matter for the times.
 const FEATURES: [&str; 6] = ["sse2", "avx", "fma", "avx2", "avx512f", "avx512dq"];
 
-pub(crate) fn description() -> String {
+/// In one line.
+pub(crate) fn conditions() -> String {
     let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let field = |name: &str| -> String {
         let line = cpu.lines().find(|line| line.starts_with(name));
@@ -19,11 +20,7 @@ pub(crate) fn description() -> String {
         .collect();
     let cores = std::thread::available_parallelism().map_or(0, usize::from);
     format!(
-        "| | |\n|---|---|\n\
-         | processor | {}, family {}, model {}, {cores} cores; {} |\n\
-         | compiler | {} |\n\
-         | flags | plain: none; native: `-C target-cpu=native`; both: cargo's release profile |\n\
-         | date | {} |\n",
+        "{}, family {}, model {}, {cores} cores; {}; {}; {}.",
         field("model name"),
         field("cpu family"),
         field("model\t"),

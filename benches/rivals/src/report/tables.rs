@@ -15,40 +15,6 @@ macro_rules! names {
 }
 const ARMS: [&str; 6] = for_each_arm!(names);
 
-/// Every function of every arm: the generated time, and the others' as multiples of it.
-pub(crate) fn overview(native: &Records, elsewhere: &Records) -> String {
-    let sources = [native, elsewhere];
-    let others: Vec<(&Records, &str)> = sources
-        .into_iter()
-        .flat_map(|records| {
-            records
-                .names("time", 3)
-                .into_iter()
-                .map(move |name| (records, name))
-        })
-        .filter(|(_, name)| *name != GENERATED)
-        .collect();
-    let names = others.iter().map(|(_, name)| *name);
-    let heads: Vec<&str> = ["arm", "function", "ns"].into_iter().chain(names).collect();
-    let mut table = Table::new("", &heads);
-    for arm in ARMS {
-        for function in NAMES {
-            let ours = native
-                .median(["time", arm, function, GENERATED])
-                .expect("measured");
-            let ratios = others.iter().map(|(records, name)| {
-                let ratio = records
-                    .median(["time", arm, function, name])
-                    .map(|time| time / ours);
-                or_dash(ratio.map(three_digits))
-            });
-            let names = [arm.to_owned(), function.to_owned(), three_digits(ours)];
-            table.row(names.into_iter().chain(ratios));
-        }
-    }
-    table.markdown_rows() + "\n"
-}
-
 /// A table for each arm: times and errors of every candidate in both builds.
 pub(crate) fn details(plain: &Records, native: &Records, elsewhere: &Records) -> String {
     ARMS.map(|arm| {
@@ -145,7 +111,7 @@ pub(crate) fn groups(plain: &Records, native: &Records) -> String {
     text
 }
 
-pub(super) fn three_digits(x: f64) -> String {
+fn three_digits(x: f64) -> String {
     match x {
         ..9.95 => format!("{x:.1}"),
         _ => format!("{x:.0}"),

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 
+use crate::prose::Prose;
+
 #[derive(Default)]
 pub(crate) struct Document {
     /// What comes behind `#` in links to its headings.
@@ -13,6 +15,8 @@ pub(crate) struct Document {
     pub(crate) links: Vec<String>,
     /// Its blocks of code, with their language.
     pub(crate) blocks: Vec<(String, String)>,
+    /// Its sentences: paragraphs and entries of lists, without headings, tables and blocks of code.
+    pub(crate) sentences: Vec<String>,
 }
 
 impl Document {
@@ -22,7 +26,9 @@ impl Document {
         let mut document = Document::default();
         let mut heading: Option<String> = None;
         let mut in_block = false;
+        let mut prose = Prose::default();
         for event in Parser::new_ext(&text, Options::ENABLE_TABLES) {
+            prose.hear(&event);
             match event {
                 Event::Start(Tag::Heading { .. }) => heading = Some(String::new()),
                 Event::End(TagEnd::Heading(_)) => document.anchor(heading.take()),
@@ -46,6 +52,7 @@ impl Document {
                 _ => {}
             }
         }
+        document.sentences = prose.sentences;
         document
     }
 

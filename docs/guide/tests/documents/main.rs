@@ -1,9 +1,11 @@
-//! What the project's documents point at exists: files and headings that they link to, and the examples, packages and
-//! tests that their commands name.
+//! The files and headings that the project's documents link to exist, and the examples, packages and tests that their
+//! commands name. Their sentences are short.
 
 mod commands;
 mod document;
 mod links;
+mod prose;
+mod sentences;
 
 use std::path::{Path, PathBuf};
 
