@@ -20,9 +20,9 @@
 //! `JointTypeSpherical`, whose angular velocity is in body coordinates, and the fourth component of the quaternion is appended
 //! to q.
 //!
-//! With v' = S v, where S turns the linear and the angular part or neither, a force is f' = S f, a mass matrix M' = S M S^T, a
-//! Jacobian J' = J S^T: power v.f and energy 1/2 v.M v are the same. Accelerations have one more term where the linear
-//! velocity is in the axes of the world: `d/dt (R v) = R (dv/dt + w x v)`.
+//! Let v' = S v, where S turns the linear and the angular part or neither. Then a force is f' = S f, a mass matrix M' =
+//! S M S^T, a Jacobian J' = J S^T: power v.f and energy 1/2 v.M v are the same. Accelerations have one more term where
+//! the linear velocity is in the axes of the world: `d/dt (R v) = R (dv/dt + w x v)`.
 //!
 //! Joints are matched by their names. Pinocchio sorts the children of a link by the alphabet, so its order is that of
 //! `model.names` behind `universe` and `root_joint`, and seldom that of a file.

@@ -272,7 +272,7 @@ mod tests {
 
     use super::{Wanted, after};
 
-    /// Of an arm, symmetric and positive definite.
+    /// The inverse mass matrix of an arm, symmetric and positive definite.
     const INVERSE: Matrix3<f64> = Matrix3::new(2.0, -1.5, 0.3, -1.5, 3.0, -0.4, 0.3, -0.4, 1.0);
 
     fn lower(velocity: f64) -> Option<Wanted> {

@@ -267,8 +267,8 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
 
 impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// A force of the surroundings at a frame, besides those that were given before, at the tool or at other frames.
-    /// `place` returns the pose and the Jacobian of the frame; `law` the wrench (fx fy fz nx ny nz), N and N m, at the
-    /// frame's origin in the axes of the world, as a function of t in s, that pose and the frame's twist.
+    /// `place` returns the pose and the Jacobian of the frame. `law` returns the wrench (fx fy fz nx ny nz), N and N m,
+    /// at the frame's origin in the axes of the world, as a function of t in s, that pose and the frame's twist.
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;

@@ -1,4 +1,4 @@
-//! What a run returns, and how it ends.
+//! The results of a run, and how it ends.
 
 use core::cell::Cell;
 use core::f64::consts::FRAC_PI_2;
