@@ -330,7 +330,7 @@ pub struct Tool {
 pub enum Link {
     /// As it is written: the row of that joint, or `base`.
     Named(Name),
-    /// That of the row of this index, or the base: a file knows which.
+    /// The link of the row of this index, or the base: a file knows which.
     Row(Option<usize>),
 }
 

@@ -14,8 +14,9 @@
 //!    it writes the same items with empty methods, so that the code around the call
 //!    still passes the type check.
 //!
-//! `diagnose` collects the errors of a call, which are reported together, each at its `place`; `mistake`
-//! has all their texts, each in the words of its `audience`; `words` finds the word that was meant; `limits` says how much a call may ask for.
+//! `diagnose` collects the errors of a call, which are reported together, each at its `place`. `mistake` has all their
+//! texts, each in the words of its `audience`. `words` finds the word that was meant; `limits` says how much a call may
+//! need.
 #![forbid(unsafe_code)]
 
 extern crate proc_macro;

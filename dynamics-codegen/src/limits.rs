@@ -2,14 +2,14 @@
 //! within seconds and in little memory. All of them are far beyond the arms that are built.
 //!
 //! Time is that of the unoptimised macro, memory that of the compiler's process beside the usual.
-//! `tests::limits` holds each of them to it. What comes before this crate is not in its hand: rustc
-//! itself ends with an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
+//! `tests::limits` holds each of them to it. This crate has no hand in the compiler before it: rustc itself ends with
+//! an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
 
 /// Tokens of a call. The table of 64 joints with every cell written takes 8,000.
 pub(crate) const MOST_TOKENS: usize = 100_000;
 
-/// Delimiters inside each other, anywhere in a call: what is read by recursion takes some kilobytes of
-/// the stack for each.
+/// Delimiters inside each other, anywhere in a call: each of them takes some kilobytes of the stack, because they are
+/// read by recursion.
 pub(crate) const DEEPEST_DELIMITERS: usize = 120;
 
 /// Letters of a name: names are repeated in the documentation of every method.

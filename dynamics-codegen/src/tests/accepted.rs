@@ -1,4 +1,4 @@
-//! What is accepted, and what it means.
+//! Calls that are accepted, and what they mean.
 
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Convention, JointType, Value};

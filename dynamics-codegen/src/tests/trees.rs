@@ -368,7 +368,7 @@ fn frames_beside_a_file_add_to_its_own() {
     );
 }
 
-/// What is neglected is found on trees as on arms.
+/// Terms to neglect are found on trees as on arms.
 #[test]
 fn terms_are_neglected_on_trees() {
     let call = arm(

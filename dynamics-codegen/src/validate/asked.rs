@@ -129,7 +129,8 @@ fn from_the_ends<'t>(ends: &[usize], parts: &Parts, table: &'t Table) -> Vec<&'t
     names
 }
 
-/// Reports frames of a call that have no body and that no function is about. Those of a file are for all who read it.
+/// Reports frames of a call that have no body and that no function is about. Frames of a file are for all who read
+/// it.
 fn report_idle(asked: &[Asked], table: &Table, scope: &Scope) {
     let frames = named(asked).filter_map(|wanted| wanted.frame.as_ref());
     let of_functions: BTreeSet<&str> = frames.map(Name::plain).collect();

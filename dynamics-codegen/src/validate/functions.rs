@@ -145,8 +145,8 @@ pub(crate) fn read_masses(table: &Table) -> bool {
     has_default || functions.any(Function::reads_masses)
 }
 
-/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too. What a base
-/// that moves needs is asked elsewhere.
+/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too. The needs
+/// of a base that moves are checked elsewhere.
 pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
     let allow = table.allow();
     let is_allowed =

@@ -564,7 +564,7 @@ fn only<T>(mut things: impl Iterator<Item = T>) -> Option<T> {
     first.filter(|_| things.next().is_none())
 }
 
-/// What a joint says of its row.
+/// The row of a joint, as far as its element has it.
 fn row(joint: &Joint) -> Row {
     let number = |(x, place): &(Rational, Place)| Given::As(Expr::signed(x.clone(), *place));
     let given = |x: &Option<(Rational, Place)>| x.as_ref().map_or(Given::Absent, number);
