@@ -216,7 +216,7 @@ fn neglected(
         " That the mass matrix is positive definite at all positions was not shown."
     };
     vec![format!(
-        " Of the abbreviated model: what stays below {} % is neglected. The largest error at {STATES} sampled \
+        " The model is abbreviated: what stays below {} % is neglected. The largest error at {STATES} sampled \
          states is {:.1e} of the largest value of the complete function, which takes {} operations, {} more.{definite}",
         percent(neglected.share),
         error.relative,

@@ -3,8 +3,8 @@
 //! Column j: the wrench that accelerates the body made of links j to n by a
 //! unit acceleration of joint j, carried inwards.
 //!
-//! Gravity is an acceleration -g of the base. What joint j feels of that is, for M is symmetric, what the
-//! base feels along -g of a unit acceleration of joint j: G_j = -g.f_j with the force of column j.
+//! Gravity is an acceleration -g of the base. M is symmetric, so joint j feels of that what the base feels
+//! along -g of a unit acceleration of joint j: G_j = -g.f_j with the force of column j.
 //!
 //! V comes from the same bodies. The acceleration of a point of link k is what it would
 //! have as a point of link k - 1, and what joint k adds to that; so the links outside joint j, taken as one

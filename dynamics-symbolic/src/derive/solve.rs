@@ -6,7 +6,7 @@
 //! losing its inertia. An entry of joints of which neither carries the other is zero in M, and stays zero in U: what
 //! is taken out of a joint's row is shared among the joints that carry it (Featherstone 2008, 6.5).
 //!
-//! What is computed solves a system beside M to rounding, however nearly singular M is (Higham 2002,
+//! The computed x solves a system beside M to rounding, however nearly singular M is (Higham 2002,
 //! 10.1), because its entries share their errors: the factors are of one matrix, and each x_j makes
 //! good what the x_i before it are, not what they should be. An equal definition that reads
 //! something else would lose that, so that all definitions are held.

@@ -26,7 +26,7 @@ pub struct JointSymbols<'g> {
     pub qdd: Expr<'g>,
     /// The rate of the velocity.
     pub rate: Expr<'g>,
-    /// What the motion of a base adds to the accelerations of its joints, D u: see `mechanism::base`.
+    /// The acceleration that the motion of a base adds to its joints, D u: see `mechanism::base`.
     pub added: Expr<'g>,
     /// Force or torque.
     pub tau: Expr<'g>,
@@ -111,7 +111,7 @@ impl<'g> Symbols<'g> {
         self.new_pose(Argument::Pose)
     }
 
-    /// What the motion of the base adds to the accelerations of its joints.
+    /// Adds the accelerations of the base's joints that come from the motion of the base itself.
     fn add_motion_of_base(&mut self) {
         let u = core::array::from_fn(|k| self.joints[k].qd);
         let added = self.base_rate().times(u);

@@ -135,8 +135,8 @@ impl Branches<'_> {
     }
 }
 
-/// A root, or a direction; none if a root is not in the field. Of two roots either will do: it turns the elbow by half a turn,
-/// or the other way.
+/// A root, or a direction; none if a root is not in the field. Either of two roots will do: it turns the
+/// elbow by half a turn, or the other way.
 fn numbers(rule: Rule, coefficients: &[Number]) -> Option<Vec<Number>> {
     match (rule, coefficients) {
         (Rule::Root, [square]) => Some(vec![square.square_root()?]),

@@ -103,7 +103,7 @@ impl LinearForm {
         is_near.then(|| nearest.rem_euclid(4.0) as u8)
     }
 
-    /// The form of a value. What it would take long numbers to separate is one of the others, as it is written.
+    /// The form of a value. A part that only long numbers could separate is one of the others, as it is written.
     fn read(value: &Value) -> Self {
         let number = |number: Rational, pi: Rational| LinearForm {
             number,
