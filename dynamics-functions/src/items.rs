@@ -82,7 +82,7 @@ pub fn runtime_methods() -> TokenStream {
                 ///
                 /// # Errors
                 ///
-                /// Those of [`evaluate`](RuntimeRobot::evaluate).
+                /// The errors of [`evaluate`](RuntimeRobot::evaluate).
                 #[allow(clippy::type_complexity)]
                 pub fn #method(&self #(, #arguments: &[f64])*) -> Result<#value, EvaluationError> {
                     self.of_kind(#name, &[#(#arguments),*])
@@ -92,7 +92,7 @@ pub fn runtime_methods() -> TokenStream {
                 ///
                 /// # Errors
                 ///
-                /// Those of [`batch`](RuntimeRobot::batch).
+                /// The errors of [`batch`](RuntimeRobot::batch).
                 pub fn #batch(
                     &self,
                     #(#arguments: &[f64],)*
