@@ -89,7 +89,7 @@ pub(crate) fn read_on_base(
     )
 }
 
-/// What a file holds, or the place of the first mistake with a hint.
+/// The points of a file, or the place of the first mistake with a hint.
 fn points<T>(
     path: &Path,
     read: impl FnOnce(&[u8]) -> Result<T, CsvError>,

@@ -61,7 +61,7 @@ fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String
     source.map_err(|messages| Failure::of_file(path, messages))
 }
 
-/// What the options ask of C.
+/// The options of C.
 struct OfC {
     numbers: CNumbers,
     /// Whether a header for C++, a file for CMake and a test are written too.

@@ -132,7 +132,7 @@ struct Names {
 }
 
 impl Names {
-    /// Those of the joints, and those of the frames, each of which is a link.
+    /// The names of the joints, and of the frames, each of which is a link.
     fn new(arm: &Arm) -> Self {
         let joints = arm.joints.iter().map(|joint| joint.row.name.clone());
         let frames = arm.robot.frames.iter().map(|frame| frame.name.clone());
