@@ -135,7 +135,7 @@ impl Plan {
     }
 }
 
-/// What came of a run: its samples, and how it stopped where that was before its end.
+/// The outcome of a run: its samples, and how it stopped where that was before its end.
 type Ran = Result<(Motion, Option<Stopped>), EvaluationError>;
 
 fn is_invalid(cause: &Cause) -> bool {

@@ -1,4 +1,4 @@
-//! What a robot says of its functions: formulas, operations, source code, and a check.
+//! Questions about a robot's functions: formulas, operations, source code, and a check.
 
 use std::sync::Arc;
 

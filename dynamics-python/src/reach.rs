@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::robot::Arm;
 
-/// What is asked for.
+/// The request of a search.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Asked {
