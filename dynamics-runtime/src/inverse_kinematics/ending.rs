@@ -7,9 +7,9 @@ use crate::size::{JointVector as _, Size};
 /// How far frames are from their targets: the largest of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
-    /// Between positions, m. Zero where no position was asked for.
+    /// Between positions, m. Zero where no position was requested.
     pub position: f64,
-    /// The angle between rotations or directions, rad. Zero where none was asked for.
+    /// The angle between rotations or directions, rad. Zero where none was requested.
     pub rotation: f64,
 }
 

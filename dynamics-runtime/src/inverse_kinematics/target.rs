@@ -76,7 +76,7 @@ impl Target {
         self
     }
 
-    /// Whether it can be asked for: its numbers are finite, its weights above zero and its rotation is one.
+    /// Whether it can be requested: its numbers are finite, its weights above zero and its rotation is one.
     pub(super) fn is_possible(&self) -> bool {
         let is_weight = |weight: f64| weight > 0.0 && weight.is_finite();
         let position = self.position.unwrap_or_default();

@@ -72,7 +72,7 @@ pub type Rbdl<const N: usize> = Layout<RbdlRules, N>;
 /// The layout of a library for a robot with `N` joints on a base that moves. Made once, it converts both ways; nothing of it
 /// allocates.
 ///
-/// The lengths of vectors are told by their types: `V` is 6 + N, `Q` is 7 + N. Others do not compile.
+/// The lengths of vectors follow from their types: `V` is 6 + N, `Q` is 7 + N. Others do not compile.
 pub struct Layout<L, const N: usize> {
     /// Where each joint is among those of the library.
     places: [usize; N],

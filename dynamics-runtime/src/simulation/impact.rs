@@ -186,7 +186,7 @@ fn rebounds<D: Size>(
         if impacts == 2 * MOST_IMPACTS {
             return None;
         }
-        // Without restitution one impact is the last, but for rounding.
+        // Without restitution one impact is the last, except for rounding.
         let is_elastic = impacts < MOST_IMPACTS;
         let e = if is_elastic { restitution } else { 0.0 };
         let wanted = size.each(|i| {

@@ -68,7 +68,7 @@ pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
     }
     let (half, unit) = (x.constant(L::Number::HALF), x.constant(L::Number::ONE));
     let Reduced { n, rest, excess } = L::Number::reduce(x);
-    // One parity of n asks for the sine, the other for the cosine.
+    // One parity of n needs the sine, the other the cosine.
     let choose = |sine: L, cosine: L| match part {
         Part::Cosine => n.select_by_lowest_bit(sine, cosine),
         _ => n.select_by_lowest_bit(cosine, sine),
