@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::{Argument, Function, Request, Shape, Size};
 
 /// The types by which the trait `Function` knows the functions, their names, and the trait by which the compiler says
-/// what to do about a method that was not asked for.
+/// what to do about a method that was not requested.
 pub fn function_names() -> TokenStream {
     let functions = Function::ALL.into_iter().map(|function| {
         let name = format_ident!("{function:?}");
