@@ -99,7 +99,7 @@ fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
     (!call.is_refused).then(|| validate::model(&call.table, diagnostics))?
 }
 
-/// The robot of a table, wherever it was read, and the functions that are asked for; or every reason why there is
+/// The robot of a table, wherever it was read, and the functions that are requested; or every reason why there is
 /// no such robot, from the top to the end.
 pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
@@ -237,7 +237,8 @@ impl Generated {
     }
 }
 
-/// The methods of inverse kinematics, or `None` where the arm has no closed form: that is reported where it is asked for.
+/// The methods of inverse kinematics, or `None` where the arm has no closed form: that is reported where it is
+/// requested.
 fn inverses(
     model: &Model,
     call: &call::Call,

@@ -17,7 +17,7 @@ use crate::words;
 pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
     let asked = parts.functions.as_deref().unwrap_or_default();
     report_without_tip(asked, parts, table, scope);
-    // A frame that could not be read may be the one that is asked for, and a slip may mean one that seems to be idle.
+    // A frame that could not be read may be the one that is requested, and a slip may mean one that seems to be idle.
     let is_unread =
         |entry: &Entry| matches!(entry, Entry::Frames(_, None) | Entry::Functions(None));
     let is_unreadable = |asked: &Asked| matches!(asked, Asked::Unreadable);

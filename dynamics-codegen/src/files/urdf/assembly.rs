@@ -23,7 +23,7 @@ use crate::words;
 /// The place of a mistake in the whole file.
 pub(super) const START: Place = Place::File { line: 1, column: 1 };
 
-/// The rows of the tree that is asked for, how their joints move, and the frames of its links.
+/// The rows of the tree that is requested, how their joints move, and the frames of its links.
 pub(super) fn entries<'a>(
     tree: &'a Tree,
     request: &'a Request,
