@@ -61,8 +61,8 @@ pub(super) fn gravity_vector<R: Ring>(chain: &Chain<R>) -> Vec<R> {
     forces
 }
 
-/// V, or V + G where `gravity` is the chain's, of these velocities and of the accelerations if these are constant: zero, but for
-/// the joints of a base that moves.
+/// V, or V + G where `gravity` is the chain's, of these velocities and of the accelerations if these are
+/// constant: zero, except for the joints of a base that moves.
 pub(super) fn bias_force<R: Ring>(
     chain: &Chain<R>,
     [qd, still]: [&[R]; 2],
@@ -90,7 +90,7 @@ pub(super) fn bias_force<R: Ring>(
     forces
 }
 
-/// The force of what the velocity of a joint adds to the motion of the links behind it, but for what the joint
+/// The force of what the velocity of a joint adds to the motion of the links behind it, except for what the joint
 /// itself feels of that, which is nothing.
 fn added<R: Ring>(
     body: &Body<R>,

@@ -13,7 +13,7 @@
 //!
 //! M is factored from the tip inwards: its pivots are then the inertias that each joint feels with the joints outside
 //! it free, and `SingularMassMatrix` can name the joint. Factoring takes operations that grow with the cube of the
-//! number of joints, articulated bodies some 470 a joint for a generic chain. The shorter form is emitted. A form
+//! number of joints, articulated bodies about 470 a joint for a generic chain. The shorter form is emitted. A form
 //! that is longer by a tenth in the plain gauge is not searched. `tests/golden/forward_dynamics.txt` and
 //! `forward_dynamics_of_long_chains.txt` have the counts of both.
 

@@ -272,7 +272,7 @@ impl<'g> Symbols<'g> {
     }
 
     /// An entry of another argument than q, qd, qdd and tau: a symbol from the first time on that it is
-    /// asked for.
+    /// requested.
     pub fn entry(&mut self, argument: Argument, index: usize) -> Expr<'g> {
         let key = (argument, index);
         if let Some((_, known)) = self.entries.iter().find(|(known, _)| *known == key) {
@@ -316,7 +316,7 @@ impl<'g> Symbols<'g> {
         let joint = self.joints[i];
         let direction = turning(direction, joint.sin_cos, rate).with(joint.q, rate);
         // Where a follower has a sine of its own, that changes too: rates of anything else than symbols
-        // are never asked for.
+        // are never requested.
         let leader = |i: usize| self.arm.moved_by(i).map(|(leader, _)| leader);
         let own = self.arm.following().filter(|&i| leader(i) == Some(number));
         own.fold(direction, |direction, i| {

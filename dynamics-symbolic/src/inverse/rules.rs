@@ -127,7 +127,8 @@ fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
     (!is_on_axis && view.allows(&y.0[..2])).then_some(Turned { x, y, size })
 }
 
-/// y.(L p) = y.(A Z B p) with y at right angles to all that slides and along all that turns, but for joint t, which slides by d:
+/// y.(L p) = y.(A Z B p) with y at right angles to all that slides and along all that turns, except for joint t, which
+/// slides by d:
 /// d = (y.(L p) - y.(A B p)) / y.z
 fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();

@@ -213,7 +213,7 @@ impl<'g> Search<'g, '_> {
         false
     }
 
-    /// The position that is reached is the one that was asked for.
+    /// The position that is reached is the one that was requested.
     fn condition(&self) -> Found<'g> {
         let all: BTreeSet<usize> = joints(&self.chain).map(|joint| joint.number).collect();
         let (way, ..) = between(&self.chain, &all);

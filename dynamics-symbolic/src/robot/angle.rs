@@ -218,7 +218,7 @@ mod tests {
         );
     }
 
-    /// Axes that are parallel but for 1e-9 rad exchange a little torque, and none where they are parallel.
+    /// Axes that are parallel within 1e-9 rad exchange a little torque, and none where they are parallel.
     #[test]
     fn tiny_angles_are_not_zero() {
         let tiny = rational(1, 1_000_000_000);

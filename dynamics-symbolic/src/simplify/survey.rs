@@ -69,7 +69,7 @@ impl Survey {
     }
 
     /// Whether the node at a position is one of some dependents. They are found as
-    /// far as they are asked for: most questions are about nodes nearby.
+    /// far as they are requested: most questions are about nodes nearby.
     fn depends(&self, network: &Network<'_>, dependents: &Dependents, position: usize) -> bool {
         let Some(place) = position.checked_sub(dependents.first) else {
             return false;
