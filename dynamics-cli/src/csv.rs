@@ -13,7 +13,7 @@ use crate::failure::Failure;
 
 pub(crate) use dynamics_runtime::simulation::shortest;
 
-/// Bytes of a file that is read: 100,000 rows of seven joints have some 15 million.
+/// Bytes of a file that is read: 100,000 rows of seven joints have about 15 million.
 const MOST_BYTES: usize = 100_000_000;
 
 /// The motion as a table. A number that is not finite is a failure, which names its time and its column.

@@ -90,7 +90,7 @@ fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
 }
 
 /// Names and texts of the files of inverse kinematics in closed form, in the languages that have them: they are no longer
-/// asked for then.
+/// requested then.
 fn inverses(
     language: Option<&str>,
     path: &Path,

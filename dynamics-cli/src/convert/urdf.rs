@@ -251,7 +251,7 @@ impl Writer {
         self.line(1, "</joint>");
     }
 
-    /// URDF asks for the greatest effort and velocity too: where the table has none, they are so great that they bound
+    /// URDF requires the greatest effort and velocity too: where the table has none, they are so great that they bound
     /// nothing.
     fn limit(&mut self, row: &Row) {
         const NONE: &str = "1000000000";

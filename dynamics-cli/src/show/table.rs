@@ -222,7 +222,7 @@ fn joint_type(row: &Row) -> &'static str {
     }
 }
 
-/// Places one after the other, but for those that change nothing.
+/// Places one after the other, except for those that change nothing.
 fn places(robot: &Robot, places: &[Placement]) -> String {
     let is_still = |x: &Placement| x.xyz.iter().chain(&x.rpy).all(Value::is_zero);
     let (still, moving): (Vec<_>, Vec<_>) = places.iter().partition(|place| is_still(place));
