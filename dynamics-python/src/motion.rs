@@ -15,7 +15,7 @@ use crate::force::Force;
 use crate::results::array;
 use crate::robot::Arm;
 
-/// A run that is asked for.
+/// A run that is requested.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Plan {

@@ -28,7 +28,7 @@ struct Asked {
 /// Joint positions, and what is missing there, m and rad.
 type Found = (Vec<f64>, f64, f64);
 
-/// Why there are none, and whether something else was asked for than targets can be.
+/// Why there are none, and whether something else was requested than targets can be.
 type Failed = (String, bool);
 
 /// The target that so many numbers say.
