@@ -77,7 +77,7 @@ struct Moments<'g> {
     of_links: Vec<Moment<'g>>,
     /// The first moment of what no joint moves, about the origin of frame 0.
     of_base: Vector3<Expr<'g>>,
-    /// The first moment of all links that joints move.
+    /// The first moment of all that joints move.
     of_joints: Vector3<Expr<'g>>,
     /// The mass of all links, where it is still to be divided by.
     divisor: Option<Expr<'g>>,
