@@ -46,7 +46,7 @@ const WALL: f64 = 5_000.0;
 const STIFFNESS: f64 = 400.0;
 const DAMPING: f64 = 80.0;
 
-/// The wall is `NEAR` before the tool, and the tool is told to go `FAR` ahead, m.
+/// The wall is `NEAR` before the tool, and the tool has to go `FAR` ahead, m.
 const NEAR: f64 = 0.05;
 const FAR: f64 = 0.15;
 

@@ -41,7 +41,7 @@ type Outcome<T> = Result<T, Box<SimulationError<3>>>;
 
 const START: Vector = Vector3::new(0.0, 0.6, -0.9);
 
-/// What is to be followed: position, velocity and acceleration.
+/// The motion to follow: position, velocity and acceleration.
 fn desired(t: f64) -> [Vector; 3] {
     let (size, rate) = (Vector3::new(0.8, 0.4, 0.6), Vector3::new(1.5, 2.1, 2.7));
     let of = |f: fn(f64, f64) -> f64| SVector::from_fn(|i, _| size[i] * f(rate[i], t));

@@ -105,7 +105,7 @@ fn at_one_pose() {
     }
 }
 
-/// What each generated function costs.
+/// The cost of each generated function.
 fn operation_counts() {
     println!(
         "\n{:<20}{:>8}{:>8}{:>8}{:>16}",

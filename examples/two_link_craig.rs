@@ -139,7 +139,7 @@ fn order_of_the_euler_scheme() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What first order costs: steps of 5 ms beside Dormand-Prince, angles and energy.
+/// The cost of first order: steps of 5 ms beside Dormand-Prince, angles and energy.
 fn plot_the_euler_scheme() -> Result<(), Box<dyn Error>> {
     let euler = fall(Method::CraigEuler { step: 5e-3 }, 3.0, 301)?;
     let reference = fall(Method::default(), 3.0, 301)?;

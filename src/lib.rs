@@ -57,7 +57,7 @@
 //! # Compile time
 //!
 //! The macro runs inside the compiler. By default it is compiled without optimisation; these lines in the top-level
-//! `Cargo.toml` make it some ten times faster:
+//! `Cargo.toml` make it about ten times faster:
 //!
 //! ```toml
 //! [profile.dev.build-override]

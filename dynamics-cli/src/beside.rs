@@ -25,7 +25,7 @@ pub(crate) struct Lines(Vec<String>);
 impl Lines {
     /// The message of a mistake in the options: behind the option that it is about.
     pub(crate) fn message(&self, mistake: &FileMistake) -> String {
-        // Chains and joints that are left out are told at the first line, which is empty.
+        // Chains and joints that are left out are reported at the first line, which is empty.
         let line = mistake.line.checked_sub(2);
         match line.and_then(|line| self.0.get(line)) {
             Some(option) => format!("`{option}`: {}", mistake.message),

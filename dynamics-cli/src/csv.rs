@@ -13,7 +13,7 @@ use crate::failure::Failure;
 
 pub(crate) use dynamics_runtime::simulation::shortest;
 
-/// Bytes of a file that is read: 100,000 rows of seven joints have some 15 million.
+/// Bytes of a file that is read: 100,000 rows of seven joints have about 15 million.
 const MOST_BYTES: usize = 100_000_000;
 
 /// The motion as a table. A number that is not finite is a failure, which names its time and its column.
@@ -89,7 +89,7 @@ pub(crate) fn read_on_base(
     )
 }
 
-/// What a file holds, or the place of the first mistake with a hint.
+/// The points of a file, or the place of the first mistake with a hint.
 fn points<T>(
     path: &Path,
     read: impl FnOnce(&[u8]) -> Result<T, CsvError>,

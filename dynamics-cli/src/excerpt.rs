@@ -28,9 +28,9 @@ fn message(mistake: &FileMistake) -> String {
     without_controls(&mistake.to_string())
 }
 
-/// The text with a visible character for each one that would act on the terminal: control characters, but for the end
-/// of a line and the tab, and those that change the direction of writing. It has as many characters as before, so that
-/// places in it stay what they are.
+/// The text with a visible character for each one that would act on the terminal: control characters, except for the
+/// end of a line and the tab, and those that change the direction of writing. It has as many characters as before, so
+/// that places in it stay what they are.
 pub(crate) fn without_controls(text: &str) -> String {
     let mut rest = text.chars().peekable();
     let mut shown = String::with_capacity(text.len());

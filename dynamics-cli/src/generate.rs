@@ -61,7 +61,7 @@ fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String
     source.map_err(|messages| Failure::of_file(path, messages))
 }
 
-/// What the options ask of C.
+/// The options of C.
 struct OfC {
     numbers: CNumbers,
     /// Whether a header for C++, a file for CMake and a test are written too.
@@ -90,7 +90,7 @@ fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
 }
 
 /// Names and texts of the files of inverse kinematics in closed form, in the languages that have them: they are no longer
-/// asked for then.
+/// requested then.
 fn inverses(
     language: Option<&str>,
     path: &Path,

@@ -28,7 +28,7 @@ pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
         .map_or(0, |count| *count as usize)
 }
 
-/// The robot of a file on any base, and what is asked for. The names of `--field` stand for their values.
+/// The robot of a file on any base, and what is requested. The names of `--field` stand for their values.
 pub(crate) fn read_on_any_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     read_any(path, with_values(given, path, None, "chain")?, Vec::new())
@@ -101,7 +101,7 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     })
 }
 
-/// The model of a file, of which functions are needed besides those that are asked for.
+/// The model of a file, of which functions are needed besides those that are requested.
 fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
     let Beside {
         options,
@@ -152,8 +152,8 @@ fn mistaken(mut mistakes: Vec<FileMistake>, lines: &Lines) -> Failure {
     }
 }
 
-/// The functions that a model asks for but `taylor_series` and closed forms of inverse kinematics, which are no programs over
-/// numbers: a remark says so.
+/// The functions that a model requests, except `taylor_series` and closed forms of inverse kinematics, which are no
+/// programs over numbers: a remark says so.
 pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
     let series = Request::from(Function::TaylorSeries);
     let requests = model.requests.iter().map(|(request, _)| request);

@@ -75,7 +75,7 @@ fn struct_name(module: &str) -> Ident {
     }
 }
 
-/// The text of the items. What stands in a macro of the runtime's is formatted as the items that it is.
+/// The text of the items. Items inside a macro of the runtime are formatted like other items.
 fn formatted(mut file: syn::File) -> String {
     let mut macros = Vec::new();
     for item in &mut file.items {

@@ -85,7 +85,7 @@ impl LeftOut {
     }
 }
 
-/// The format in which formulas alone are asked for.
+/// The format in which formulas alone are requested.
 fn format(given: &ArgMatches) -> Option<Format> {
     match given.get_one::<String>("format")?.as_str() {
         "text" => Some(Format::Text),

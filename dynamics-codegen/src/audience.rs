@@ -127,7 +127,7 @@ impl Audience {
         })
     }
 
-    /// Two functions that are asked for.
+    /// Two functions that are requested.
     pub(crate) fn functions(self, one: &str, other: &str) -> String {
         match self {
             Audience::Call => format!("`functions: [{one}, {other}]`"),

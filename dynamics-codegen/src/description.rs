@@ -69,7 +69,7 @@ pub struct Table {
     pub mentions: BTreeSet<String>,
     /// The reader of messages.
     pub audience: Audience,
-    /// Functions that are derived besides those that the entries ask for: the table has to say what they read.
+    /// Functions that are derived besides those that the entries request: the table has to say what they read.
     pub needed: Vec<Function>,
 }
 
@@ -211,7 +211,7 @@ pub enum Asked {
     Unreadable,
 }
 
-/// A function that is asked for by its name.
+/// A function that is requested by its name.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// The function, or the one that is inverted.
@@ -225,7 +225,7 @@ pub struct Wanted {
 }
 
 impl Wanted {
-    /// The word by which it is asked for.
+    /// The word by which it is requested.
     pub fn name(&self) -> &'static str {
         if self.is_inverse {
             INVERSE_KINEMATICS
@@ -330,7 +330,7 @@ pub struct Tool {
 pub enum Link {
     /// As it is written: the row of that joint, or `base`.
     Named(Name),
-    /// That of the row of this index, or the base: a file knows which.
+    /// The link of the row of this index, or the base: a file knows which.
     Row(Option<usize>),
 }
 
@@ -347,7 +347,7 @@ pub struct Frame {
     pub places: Vec<robot::Placement>,
     /// The body that is fixed to it.
     pub body: Body,
-    /// Whether it is a link of a file, which no function has to ask for.
+    /// Whether it is a link of a file, which no function has to name.
     pub is_link: bool,
 }
 

@@ -16,7 +16,7 @@ use crate::place::Place;
 pub struct Error {
     /// Where.
     pub place: Place,
-    /// What is wrong, what was expected, and what to write instead where that is known.
+    /// The text: what is wrong, what was expected, and what to write instead where that is known.
     pub message: String,
 }
 

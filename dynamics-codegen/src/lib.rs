@@ -14,8 +14,9 @@
 //!    it writes the same items with empty methods, so that the code around the call
 //!    still passes the type check.
 //!
-//! `diagnose` collects the errors of a call, which are reported together, each at its `place`; `mistake`
-//! has all their texts, each in the words of its `audience`; `words` finds the word that was meant; `limits` says how much a call may ask for.
+//! `diagnose` collects the errors of a call, which are reported together, each at its `place`. `mistake` has all their
+//! texts, each in the words of its `audience`. `words` finds the word that was meant; `limits` says how much a call may
+//! need.
 #![forbid(unsafe_code)]
 
 extern crate proc_macro;
@@ -98,7 +99,7 @@ fn model(call: &call::Call, diagnostics: &Diagnostics) -> Option<Model> {
     (!call.is_refused).then(|| validate::model(&call.table, diagnostics))?
 }
 
-/// The robot of a table, wherever it was read, and the functions that are asked for; or every reason why there is
+/// The robot of a table, wherever it was read, and the functions that are requested; or every reason why there is
 /// no such robot, from the top to the end.
 pub fn check(table: &description::Table) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
@@ -236,7 +237,8 @@ impl Generated {
     }
 }
 
-/// The methods of inverse kinematics, or `None` where the arm has no closed form: that is reported where it is asked for.
+/// The methods of inverse kinematics, or `None` where the arm has no closed form: that is reported where it is
+/// requested.
 fn inverses(
     model: &Model,
     call: &call::Call,

@@ -1,15 +1,15 @@
-//! How much one call may ask for: the limits that end a table which nobody wrote by hand in an error
+//! How much one call may need: the limits that end a table which nobody wrote by hand in an error
 //! within seconds and in little memory. All of them are far beyond the arms that are built.
 //!
 //! Time is that of the unoptimised macro, memory that of the compiler's process beside the usual.
-//! `tests::limits` holds each of them to it. What comes before this crate is not in its hand: rustc
-//! itself ends with an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
+//! `tests::limits` holds each of them to it. This crate has no hand in the compiler before it: rustc itself ends with
+//! an overflow of its stack where it reads delimiters 100,000 deep (10,000 are read).
 
 /// Tokens of a call. The table of 64 joints with every cell written takes 8,000.
 pub(crate) const MOST_TOKENS: usize = 100_000;
 
-/// Delimiters inside each other, anywhere in a call: what is read by recursion takes some kilobytes of
-/// the stack for each.
+/// Delimiters inside each other, anywhere in a call: each of them takes some kilobytes of the stack, because they are
+/// read by recursion.
 pub(crate) const DEEPEST_DELIMITERS: usize = 120;
 
 /// Letters of a name: names are repeated in the documentation of every method.
@@ -25,7 +25,7 @@ pub(crate) const MOST_DIGITS: usize = 100;
 pub(crate) const DEEPEST_VALUE: usize = 100;
 
 /// Terms of one value, the `let`s in it written out: rustc overflows its stack on expressions that are
-/// nested some 800 deep.
+/// nested about 800 deep.
 pub(crate) const MOST_TERMS: usize = 500;
 
 /// Terms of all values of a call, the `let`s in them written out. Each takes some hundred bytes, and
@@ -52,11 +52,11 @@ pub(crate) const MOST_PLACES: usize = 20_000;
 /// Joints that follow others, for which a table has room without an allocator.
 pub(crate) const MOST_FOLLOWERS: usize = 8;
 
-/// Joints where a function is asked for whose length grows with their square or cube, such as
+/// Joints where a function is requested whose length grows with their square or cube, such as
 /// `coriolis_matrix`: it takes ten seconds, all cells full, and has 180,000 operations.
 pub(crate) const MOST_JOINTS_OF_LONG_FUNCTIONS: usize = 32;
 
-/// Joints where a function is asked for that has as many values as the cube of their number: a quarter
+/// Joints where a function is requested that has as many values as the cube of their number: a quarter
 /// of a minute, and 57,000 operations for 7,000 values.
 pub(crate) const MOST_JOINTS_OF_CUBIC_FUNCTIONS: usize = 12;
 
@@ -78,6 +78,6 @@ pub(crate) const MOST_OF_FRAMES: usize = 4096;
 /// Names that a message lists.
 pub(crate) const MOST_LISTED: usize = 20;
 
-/// Bytes of a file. The URDF files of arms have some 20,000; those with meshes written out are not read.
+/// Bytes of a file. The URDF files of arms have about 20,000; those with meshes written out are not read.
 #[cfg(feature = "files")]
 pub const MOST_BYTES: usize = 4_000_000;

@@ -12,7 +12,7 @@ pub enum BuildError {
     NoJoints,
     /// A cell of the table refers to a field that the robot does not have, by this index.
     NoSuchField(usize),
-    /// Two of the functions that are asked for have this name.
+    /// Two of the functions that are requested have this name.
     Repeated(String),
     /// No program was found for a function, with the reason.
     Failure(String),
@@ -51,7 +51,7 @@ impl core::error::Error for BuildError {}
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EvaluationError {
-    /// The function of that name was not asked for when the robot was made.
+    /// The function of that name was not requested when the robot was made.
     NotDerived(String),
     /// The same of a function that a simulation needs.
     NotSimulated(String),

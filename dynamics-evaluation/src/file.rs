@@ -129,7 +129,7 @@ impl ReadOptions {
         self
     }
 
-    /// The names of the functions, in place of those that the file asks for: `default` are those of a file that asks for
+    /// The names of the functions, in place of those that the file names: `default` are those of a file that names
     /// none. A method that returns several functions is an entry, `functions = [{ control_terms = ["mass_matrix", ..] }]`.
     pub fn functions(mut self, names: impl IntoIterator<Item = impl Into<String>>) -> Self {
         self.functions = Some(owned(names));
@@ -195,7 +195,7 @@ impl ReadOptions {
         self
     }
 
-    /// Functions that are derived besides those that are asked for: if one reads masses, the file has to have them.
+    /// Functions that are derived besides those that are requested: if one reads masses, the file has to have them.
     /// Messages speak to somebody who typed a command line.
     #[doc(hidden)]
     pub fn for_command(mut self, needed: Vec<Function>) -> Self {
@@ -238,7 +238,7 @@ impl ReadOptions {
     }
 }
 
-/// Reads a robot and the functions that are asked for.
+/// Reads a robot and the functions that are requested.
 ///
 /// # Errors
 ///

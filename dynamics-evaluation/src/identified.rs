@@ -167,7 +167,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`IdentificationError`]: `regressor` was not asked for, another number of values, a value or a field that is
+    /// [`IdentificationError`]: `regressor` was not requested, another number of values, a value or a field that is
     /// not finite, or base parameters that no bodies have.
     pub fn identified(&self, base_parameters: &[f64]) -> Result<RuntimeRobot, IdentificationError> {
         self.with_parameters(base_parameters, |_| Ok(()))

@@ -64,7 +64,7 @@ impl RuntimeRobot {
     /// # Errors
     ///
     /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotDerived`] unless both
-    /// [`place_functions`](RuntimeRobot::place_functions) were asked for.
+    /// [`place_functions`](RuntimeRobot::place_functions) were requested.
     pub fn place(&self, frame: Option<&str>) -> Result<RuntimePlace<'_>, EvaluationError> {
         if self.robot().floating().is_some() {
             return Err(EvaluationError::MovingBase);

@@ -80,7 +80,7 @@ impl Clone for RuntimeRobot {
 }
 
 impl RuntimeRobot {
-    /// The robot with the functions that are asked for, each derived and proven.
+    /// The robot with the functions that are requested, each derived and proven.
     ///
     /// Fields have no value yet: until each has one by [`set_field`](RuntimeRobot::set_field), values that
     /// depend on them are NaN.
@@ -216,7 +216,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    /// [`EvaluationError::NotDerived`] where it was not requested.
     pub fn operations(&self, function: &str) -> Result<Operations, EvaluationError> {
         self.function(function).map(|function| function.operations)
     }
@@ -225,7 +225,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    /// [`EvaluationError::NotDerived`] where it was not requested.
     pub fn slots(&self, function: &str) -> Result<usize, EvaluationError> {
         self.function(function).map(|function| function.tape.slots)
     }
@@ -235,7 +235,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError`] where the function was not asked for, an argument is too short or too long,
+    /// [`EvaluationError`] where the function was not requested, an argument is too short or too long,
     /// or M is singular.
     pub fn evaluate(&self, function: &str, arguments: &[&[f64]]) -> Result<Value, EvaluationError> {
         let function = self.function(function)?;
@@ -298,7 +298,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    /// [`EvaluationError::NotDerived`] where it was not requested.
     pub fn arguments(
         &self,
         function: &str,
@@ -311,7 +311,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    /// [`EvaluationError::NotDerived`] where it was not requested.
     pub fn entries(&self, function: &str) -> Result<usize, EvaluationError> {
         self.function(function)
             .map(|function| function.layout.entries())

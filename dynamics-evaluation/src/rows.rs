@@ -49,7 +49,7 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotDerived`] where it was not asked for.
+    /// [`EvaluationError::NotDerived`] where it was not requested.
     pub fn arrangement(&self, function: &str) -> Result<Arrangement, EvaluationError> {
         let function = self.function(function)?;
         let sizes = function.layout.sizes;

@@ -103,7 +103,7 @@ impl RuntimeRobot {
     /// # Errors
     ///
     /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotSimulated`] unless all
-    /// [`simulation_functions`](RuntimeRobot::simulation_functions) but the two of the tip were asked for.
+    /// [`simulation_functions`](RuntimeRobot::simulation_functions) except the two of the tip were requested.
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
         match self.robot().floating() {
             Some(_) => Err(EvaluationError::MovingBase),
@@ -131,7 +131,7 @@ impl<'a> RuntimeDynamics<'a> {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::NotSimulated`] where `forward_kinematics` or `jacobian` was not asked for.
+    /// [`EvaluationError::NotSimulated`] where `forward_kinematics` or `jacobian` was not requested.
     pub fn with_tip(self) -> Result<RuntimeDynamics<'a, Tip>, EvaluationError> {
         self.arm.simulated(&OF_SIMULATIONS)
     }

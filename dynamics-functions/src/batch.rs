@@ -61,7 +61,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// Of the runtime's own methods.
+    /// The methods for many states of a function of the runtime.
     fn of_table(function: Function, receiver: Receiver) -> Batch {
         let request = Request::from(function);
         let settings = settings(function.arguments());
@@ -84,8 +84,8 @@ impl Batch {
         }
     }
 
-    /// Of what a robot was asked for as its request of this index: several functions as one, a function of a frame, or, if
-    /// its base moves, any function. `path` is that of the runtime.
+    /// The methods for many states of a robot's request of this index: several functions as one, a function of a
+    /// frame, or, if its base moves, any function. `path` is that of the runtime.
     pub fn of_robot(
         request: &Request,
         index: usize,
@@ -109,7 +109,7 @@ impl Batch {
         };
         Batch {
             name: request.name().to_owned(),
-            description: format!("What `{method}` returns."),
+            description: format!("The values that `{method}` returns."),
             arguments: request.arguments(),
             result: Ident::new("all_values", Span::call_site()),
             refuses: request.refuses(),
@@ -182,7 +182,7 @@ impl Batch {
         }
     }
 
-    /// What the arm has to be, where that is not known.
+    /// The bounds of the arm's type, where that is not known.
     fn bounds(&self, parallel: bool, n: &TokenStream) -> Option<TokenStream> {
         if self.sizes.is_some() {
             return None;
@@ -220,7 +220,7 @@ impl Batch {
             (true, _) => vec![
                 format!(" `{name}_batch` on all cores, by rayon's global thread pool."),
                 String::new(),
-                " What takes less than some twenty microseconds stays on this core.".to_owned(),
+                " Work of less than about twenty microseconds stays on this core.".to_owned(),
             ],
             (false, Receiver::Each) => {
                 vec![format!(
@@ -241,7 +241,7 @@ impl Batch {
         lines
     }
 
-    /// What it is and what it takes.
+    /// The documentation's text: what the method is, and its arguments.
     fn in_full(&self) -> Vec<String> {
         let mut lines = vec![
             format!(" At every state: {}", self.description),

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::{Argument, Function, Request, Shape, Size};
 
 /// The types by which the trait `Function` knows the functions, their names, and the trait by which the compiler says
-/// what to do about a method that was not asked for.
+/// what to do about a method that was not requested.
 pub fn function_names() -> TokenStream {
     let functions = Function::ALL.into_iter().map(|function| {
         let name = format_ident!("{function:?}");
@@ -82,7 +82,7 @@ pub fn runtime_methods() -> TokenStream {
                 ///
                 /// # Errors
                 ///
-                /// Those of [`evaluate`](RuntimeRobot::evaluate).
+                /// The errors of [`evaluate`](RuntimeRobot::evaluate).
                 #[allow(clippy::type_complexity)]
                 pub fn #method(&self #(, #arguments: &[f64])*) -> Result<#value, EvaluationError> {
                     self.of_kind(#name, &[#(#arguments),*])
@@ -92,7 +92,7 @@ pub fn runtime_methods() -> TokenStream {
                 ///
                 /// # Errors
                 ///
-                /// Those of [`batch`](RuntimeRobot::batch).
+                /// The errors of [`batch`](RuntimeRobot::batch).
                 pub fn #batch(
                     &self,
                     #(#arguments: &[f64],)*

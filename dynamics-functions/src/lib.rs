@@ -21,8 +21,8 @@ pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Freedoms, Shape, Size, Sizes};
 pub use table::Function;
 
-/// The word by which inverse kinematics in closed form are asked for, and the name of the method. They are no row of the
-/// table: their values are as many as there are solutions.
+/// The word by which inverse kinematics in closed form are requested, and the name of the method. They are no row
+/// of the table: their values are as many as there are solutions.
 pub const INVERSE_KINEMATICS: &str = "inverse_kinematics";
 
 /// The name of the method of inverse kinematics for a frame of this name, or for the tip.
@@ -78,7 +78,7 @@ impl Function {
         Function::ALL.into_iter().find(|f| f.name() == name)
     }
 
-    /// The set that is generated where a table asks for no functions by name.
+    /// The set that is generated where a table names no functions.
     pub fn default_set(has_friction: bool) -> Vec<Function> {
         let belongs = |function: &Function| match function.row().set {
             Set::Default => true,

@@ -130,7 +130,7 @@ impl Request {
         &self.parts
     }
 
-    /// Those functions without their frames.
+    /// The functions of the parts, without their frames.
     pub fn functions(&self) -> impl Iterator<Item = Function> {
         self.parts.iter().map(|part| part.function)
     }

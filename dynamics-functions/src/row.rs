@@ -19,7 +19,7 @@ pub struct Row {
     pub description: &'static str,
     /// The letter of its values in the formulas of small arms, where these are shown.
     pub symbol: Option<&'static str>,
-    /// Whether it is generated without being asked for.
+    /// Whether it is generated without being requested.
     pub set: Set,
     /// The trait of the runtime for this function alone, if it has one: functions that can also be evaluated with
     /// given sines, and Taylor series. All others implement the runtime's trait `Function`.
@@ -47,7 +47,7 @@ pub enum Set {
     Default,
     /// In the default set of a table with friction.
     WithFriction,
-    /// Only if it is asked for by name.
+    /// Only if it is requested by name.
     ByName,
 }
 

@@ -20,7 +20,7 @@ pub enum Size {
 /// The degrees of freedom of one robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Freedoms {
-    /// Those of the base: none of one that stands, six of one that moves.
+    /// Degrees of freedom of the base: none of one that stands, six of one that moves.
     pub base: usize,
     /// Joints that move by themselves.
     pub joints: usize,

@@ -48,9 +48,9 @@ const USUAL: Row = Row {
     reads_base: true,
 };
 
-/// Makes the enumeration, the list of its variants and the way to their rows out of the table: of each function the name
-/// with its arguments and the arrangement of its values, the description, and the columns in which it differs from
-/// [`USUAL`].
+/// Makes the enumeration, the list of its variants and the way to their rows out of the table. The table has for
+/// each function the name with its arguments and the arrangement of its values, the description, and the columns
+/// in which it differs from [`USUAL`].
 macro_rules! functions {
     ($(
         $(#[$meaning:meta])*

@@ -90,7 +90,7 @@ struct Settings<'py> {
     nan: bool,
 }
 
-/// What is computed of a function: its values or their bounds, at so many states and on so many threads.
+/// An evaluation of a function: its values or their bounds, at so many states and on so many threads.
 type Evaluation = fn(&Ready, &[&[f64]], &mut [f64], usize, usize) -> Result<(), EvaluationError>;
 
 /// The value at many states, or of arguments that are converted first.

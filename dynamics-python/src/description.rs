@@ -18,7 +18,7 @@ const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 /// The stack of a derivation, as the main thread of a program has it.
 const STACK: usize = 8 << 20;
 
-/// A robot and the functions that were asked for.
+/// A robot and the functions that were requested.
 pub(crate) struct Description {
     pub(crate) robot: Robot,
     functions: Vec<Lazy>,

@@ -17,7 +17,7 @@ mod robot;
 
 use pyo3::prelude::*;
 
-/// What the Python modules of the package build on.
+/// The native module that the Python modules of the package build on.
 #[pymodule(gil_used = false)]
 mod _native {
     #[pymodule_export]

@@ -15,7 +15,7 @@ use crate::force::Force;
 use crate::results::array;
 use crate::robot::Arm;
 
-/// A run that is asked for.
+/// A run that is requested.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Plan {
@@ -135,7 +135,7 @@ impl Plan {
     }
 }
 
-/// What came of a run: its samples, and how it stopped where that was before its end.
+/// The outcome of a run: its samples, and how it stopped where that was before its end.
 type Ran = Result<(Motion, Option<Stopped>), EvaluationError>;
 
 fn is_invalid(cause: &Cause) -> bool {

@@ -1,4 +1,4 @@
-//! What a robot says of its functions: formulas, operations, source code, and a check.
+//! Questions about a robot's functions: formulas, operations, source code, and a check.
 
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ impl Arm {
         source.map_err(PyRuntimeError::new_err)
     }
 
-    /// The file for CasADi, which has derivatives that nobody has asked for by name.
+    /// The file for CasADi, which has derivatives that nobody has requested by name.
     fn casadi(&self, py: Python<'_>, functions: &[String]) -> PyResult<(String, String)> {
         let requests = self.requests(functions)?;
         let robot = &self.description.robot;
@@ -63,7 +63,7 @@ impl Arm {
     }
 }
 
-/// Programs of functions that a robot may have been asked for or not.
+/// Programs of functions, whether these were requested for a robot or not.
 fn derived_anew(
     py: Python<'_>,
     robot: &Robot,

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 
 use crate::robot::Arm;
 
-/// What is asked for.
+/// The request of a search.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Asked {
@@ -28,7 +28,7 @@ struct Asked {
 /// Joint positions, and what is missing there, m and rad.
 type Found = (Vec<f64>, f64, f64);
 
-/// Why there are none, and whether something else was asked for than targets can be.
+/// Why there are none, and whether something else was requested than targets can be.
 type Failed = (String, bool);
 
 /// The target that so many numbers say.

@@ -21,7 +21,7 @@ pub(crate) fn array<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let wrong = |error: numpy::ndarray::ShapeError| PyValueError::new_err(error.to_string());
     let array = match *axes {
-        // Of the usual numbers of axes an array takes a tenth less of a call.
+        // A call is a tenth shorter where arrays of the usual numbers of axes are made so.
         [_] => return Ok(PyArray1::from_slice(py, numbers).into_any()),
         [rows, columns] => {
             let view = ArrayView::from_shape((rows, columns), numbers).map_err(wrong)?;

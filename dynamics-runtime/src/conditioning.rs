@@ -12,7 +12,8 @@ use crate::singular::relative_pivot;
 /// In M = U D U^T, factored from the tip inwards, the pivot d_i is the inertia that joint i feels while the joints
 /// beyond it are free; M_ii is that with these locked. A solution of M x = b loses about `-log10(min d_i / M_ii)` digits.
 /// Unlike the condition number, this ratio does not change with the units of the joints, nor with small masses at the
-/// end of a large arm (van der Sluis 1969: scaling a positive definite matrix by its diagonal is nearly the best).
+/// end of a large arm. Scaling a positive definite matrix by its diagonal is nearly the best scaling (van der Sluis
+/// 1969).
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;

@@ -49,7 +49,7 @@ impl Scalar for Dual {
             let slope = fused(x.slope, a.value, b.slope);
             Dual::new(fused(x.value, a.value, b.value), fused(x.value, a.slope, slope))
         };
-        // Constant but for its jump.
+        // Constant except for its jump.
         sign(x) => Dual::new(Scalar::sign(x.value), 0.0);
         is_positive(x) => Scalar::is_positive(x.value);
         ratio_to_f64(x, of) => x.value / of.value;

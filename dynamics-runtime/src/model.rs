@@ -240,9 +240,9 @@ pub trait SizedMomenta<D: Size> {
         solve(self.inertia(q), p)
     }
 
-    /// The velocities of an arm some of whose joints stand still. Those joints have exactly zero; the velocities
-    /// of the others solve M_ff qd_f = p_f, where M_ff has the rows and columns of the moving joints alone. The
-    /// momenta of the joints that stand still are not read.
+    /// The velocities of an arm some of whose joints stand still. Joints that stand still have exactly zero; the
+    /// others' velocities solve M_ff qd_f = p_f, where M_ff has the rows and columns of the moving joints
+    /// alone. Momenta of joints that stand still are not read.
     ///
     /// # Errors
     ///

@@ -310,7 +310,7 @@ mod tests {
         }
     }
 
-    /// What is accepted is finite at all times.
+    /// A motion that is accepted is finite at all times.
     #[test]
     fn extreme_durations_and_distances_are_finite() {
         for (distance, duration) in [

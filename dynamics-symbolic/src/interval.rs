@@ -162,7 +162,7 @@ impl Interpretation for Intervals {
         Interval::rounded(PI, PI)
     }
 
-    /// The macro asks for numbers before.
+    /// The macro requires numbers before.
     fn field(&mut self, _: usize) -> Interval {
         Interval::exact(f64::NAN)
     }

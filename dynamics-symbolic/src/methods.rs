@@ -89,7 +89,7 @@ impl std::error::Error for Failure {}
 /// Finds the program of a function, or the one of several.
 type Derivation = dyn Fn(&Robot, &[Part]) -> Program;
 
-/// Derives, proves and emits the methods that are asked for; `path` is the path of the runtime crate.
+/// Derives, proves and emits the methods that are requested; `path` is the path of the runtime crate.
 ///
 /// # Errors
 ///
@@ -216,7 +216,7 @@ fn neglected(
         " That the mass matrix is positive definite at all positions was not shown."
     };
     vec![format!(
-        " Of the abbreviated model: what stays below {} % is neglected. The largest error at {STATES} sampled \
+        " The model is abbreviated: what stays below {} % is neglected. The largest error at {STATES} sampled \
          states is {:.1e} of the largest value of the complete function, which takes {} operations, {} more.{definite}",
         percent(neglected.share),
         error.relative,
@@ -261,12 +261,12 @@ fn method(
     })
 }
 
-/// The program of what is asked for, which the macro writes down, and others evaluate or write down in
+/// The program of what is requested, which the macro writes down, and others evaluate or write down in
 /// another language.
 ///
 /// # Errors
 ///
-/// As [`expand`]; besides where `taylor_series` is asked for, which is no program over numbers.
+/// As [`expand`]; besides where `taylor_series` is requested, which is no program over numbers.
 pub fn proven_program(robot: &Robot, request: &Request) -> Result<Proven, Failure> {
     let failure = |reason| Failure {
         request: request.clone(),

@@ -14,11 +14,11 @@ pub(crate) fn command() -> Command {
         .long_about(
             "Equations of motion of a robot: shown, checked, generated and run.\n\n\
              A robot FILE is a Denavit-Hartenberg table in TOML, in the words of the macro `robot_dynamics!`, or in \
-             JSON; or a URDF file, the whole of it or the arm between two links that --chain names. Its functions are \
-             derived and proven equal to the textbook Lagrangian each time. SI units, radians. Numbers of options may be \
-             values, such as PI/2 or deg(90).\n\n\
-             Mistakes in a file are told on standard error as FILE:LINE:COLUMN: what is wrong, what was expected. The \
-             exit status is 0, 1 where something is wrong with the file or the robot, 2 where the command line is.",
+             JSON. It may also be a URDF file, the whole of it or the arm between two links that --chain names. Its \
+             functions are derived and proven equal to the textbook Lagrangian each time. SI units, radians. Numbers \
+             of options may be values, such as PI/2 or deg(90).\n\n\
+             Mistakes in a file are written to standard error as FILE:LINE:COLUMN: what is wrong, what was expected. \
+             The exit status is 0, 1 if something is wrong with the file or the robot, 2 if the command line is wrong.",
         )
         .after_help(
             "Examples:\n  \

@@ -52,7 +52,7 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
                 .long("round-angles")
                 .value_name("RAD")
                 .value_parser(small_angle)
-                .help("How near an angle or axis of a URDF file is to a multiple of a quarter turn that it is taken for, such as 1e-4"),
+                .help("The largest distance at which an angle or axis of a URDF file is taken for a multiple of a quarter turn, such as 1e-4"),
         )
         .arg(
             words("allow", "WORD")
@@ -63,10 +63,10 @@ pub(super) fn of_a_file(name: &'static str, about: &'static str) -> Command {
         .next_help_heading(None::<&str>)
 }
 
-/// The functions that are asked for.
+/// The functions that are requested.
 pub(super) fn functions() -> Arg {
     words("functions", "A,B,C").action(ArgAction::Append).help(
-        "The functions, in place of the file's; `default` are those of a file that names none",
+        "The functions, in place of the file's; `default` is the set of a file that names none",
     )
 }
 

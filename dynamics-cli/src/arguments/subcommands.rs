@@ -30,11 +30,12 @@ const BESIDES: &str = "The functions, in place of the file's: their names are ch
 fn show() -> Command {
     of_a_file("show", "Print the table, what the functions are and cost, and their formulas")
         .long_about(
-            "Print the table, of a URDF file the joints as it places them; and, of each function, what it is, its units, its operations, which of its entries are \
-             zero or constant and on what the others depend, and the formulas of arms of up to three joints. With \
-             --format, print the formulas alone, of arms of any length. Formulas of more than --terms terms are not \
-             printed, nor those that take too long to multiply out: a sentence names them. Names in the file's cells that \
-             have no value are fields: they are listed first, and stand in the formulas.",
+            "Print the table, or the joints of a URDF file as it places them. Then print for each function what it is, \
+             its units, its operations, which entries are zero or constant and on what the others depend. The formulas \
+             of arms of up to three joints follow. With --format, print the formulas alone, of arms of any length. \
+             Formulas of more than --terms terms are not printed, nor those that take too long to multiply out: a \
+             sentence names them. Names in the file's cells that have no value are fields: they are listed first, and \
+             stand in the formulas.",
         )
         .arg(functions())
         .arg(choice("format", "FORMAT", ["text", "latex", "mathml"]).help("Print formulas alone, in this format"))
@@ -50,9 +51,10 @@ fn show() -> Command {
 fn check() -> Command {
     of_a_file("check", "Compare every function with numeric Newton-Euler, and with another file")
         .long_about(
-            "Compare every function with the numeric Newton-Euler algorithm on the raw table. With --against, compare M, \
-             V, G, tau and the pose of the tip with those of another file besides, or what --functions names: the table \
-             that somebody typed with the one it came from. The exit status is 1 where a difference is too large.",
+            "Compare every function with the numeric Newton-Euler algorithm on the raw table. With --against, compare \
+             M, V, G, tau and the pose of the tip, or the functions that --functions names, with another file besides. \
+             So a table that somebody typed is compared with its source. The exit status is 1 where a difference is \
+             too large.",
         )
         .arg(functions())
         .arg(path("against", "Another file of the same arm").long("against"))
@@ -78,17 +80,18 @@ fn check() -> Command {
 fn generate() -> Command {
     of_a_file("generate", "Write the functions as source code: Rust, C, JavaScript, Python, MATLAB or for CasADi")
         .long_about(
-            "Write the functions as source code into the folder that --out names, and say which files. `rust` is what \
-             the macro `robot_dynamics!` expands to, as a file of a crate that depends on `robot-dynamics`: a struct with \
-             the name of the file, documented methods, the runtime's traits. `c` is C99, a header and a source without \
-             dependencies, which are C++ and device code as well; its sines stand in it, with the digits of Rust's; with \
-             --scalar float no operation is in double precision. `js` is an ES module. `python` is a module for numpy, \
-             jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which Octave runs too. \
-             `casadi` is a C file for `casadi.external`, with first derivatives of `inverse_dynamics`, `forward_dynamics`, \
-             `bias_force` and `center_of_mass`, and second ones of `inverse_dynamics`. The same file \
-             gives the same bytes each time.\n\n\
-             Names in the file's cells that have no value are fields: of the struct in Rust, of a struct in C and MATLAB, \
-             of an object in JavaScript and Python, which is the first argument; for CasADi this is a vector.",
+            "Write the functions as source code into the folder that --out names, and say which files. `rust` is the \
+             expansion of the macro `robot_dynamics!`, as a file of a crate that depends on `robot-dynamics`. It has a \
+             struct with the name of the file, documented methods and the runtime's traits. `c` is C99, a header and a \
+             source without dependencies, which are C++ and device code as well. It has sines of its own, with the \
+             digits of Rust's. With --scalar float no operation is in double precision. `js` is an ES module. `python` \
+             is a module for numpy, jax.numpy, torch, casadi and sympy; `matlab` is a file for each function, which \
+             Octave runs too. `casadi` is a C file for `casadi.external`, with first derivatives of \
+             `inverse_dynamics`, `forward_dynamics`, `bias_force` and `center_of_mass`, and second ones of \
+             `inverse_dynamics`. The same file gives the same bytes each time.\n\n\
+             Names in the file's cells that have no value are fields of the struct in Rust. In C and MATLAB they are \
+             fields of a struct, in JavaScript and Python of an object, which is the first argument. For CasADi they \
+             are a vector.",
         )
         .arg(functions())
         .arg(
@@ -121,11 +124,12 @@ fn generate() -> Command {
 fn evaluate() -> Command {
     of_a_file("evaluate", "Print the values of all functions at one state")
         .long_about(
-            "Print the values of all functions at one state, in tables with the names of the joints: the poses of the tip \
-             and of frames first, then what the file or --functions asks for. --at lists the positions of the joints that \
-             move, then their velocities, then their accelerations: with N joints N, 2 N or 3 N numbers, zeros where the \
-             list ends. It may be given once for each of the three. On a base that moves, velocities, accelerations and \
-             torques begin with six numbers of the base in its own axes, linear before angular.",
+            "Print the values of all functions at one state, in tables with the names of the joints. The poses of the \
+             tip and of frames come first, then the functions that the file or --functions names. --at lists the \
+             positions of the joints that move, then their velocities, then their accelerations. With N joints these \
+             are N, 2 N or 3 N numbers, zeros where the list ends. --at may be given once for each of the three. On a \
+             base that moves, velocities, accelerations and torques begin with six numbers of the base in its own \
+             axes, linear before angular.",
         )
         .arg(functions())
         .arg(
@@ -147,10 +151,11 @@ fn evaluate() -> Command {
 fn simulate() -> Command {
     of_a_file("simulate", "Move the arm, and write its motion as CSV")
         .long_about(
-            "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, velocities, \
-             accelerations, torques and energies as CSV. Joints with dry friction stick; limits are passed as if they were not there. \
-             On a base that moves, velocities and torques begin with six numbers of the base in its own axes, linear before \
-             angular, and the CSV has the rotation of the base by rows and its position.",
+            "Move the arm under constant torques by Dormand and Prince's method, and write time, positions, \
+             velocities, accelerations, torques and energies as CSV. Joints with dry friction stick; limits are passed \
+             as if they were not there. On a base that moves, velocities and torques begin with six numbers of the \
+             base in its own axes, linear before angular. The CSV then has the rotation of the base by rows and its \
+             position.",
         )
         .arg(functions().help(BESIDES))
         .arg(pose("Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
@@ -169,13 +174,14 @@ fn inverse() -> Command {
     of_a_file("inverse-dynamics", "Find the torques of a motion, and write them as CSV")
         .visible_alias("inverse")
         .long_about(
-            "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. The \
-             motion is cycloidal from --from to --to, or passes the rows of a CSV file: a time and a position of each joint, \
-             joined by cubic splines at rest at both ends. A file that `simulate` wrote also has the \
-             velocities and accelerations to pass. --at is one state, as `evaluate` takes it: a single row.\n\n\
-             On a base that moves, a file is one of `simulate`. With --to the base is held at --pose; with --at its six \
-             velocities and accelerations come before those of the joints. The torques begin with the force on the base and \
-             the moment about its origin, in its own axes: `base.fx` to `base.nz`.\n\n\
+            "Find the torques of a motion, and write time, positions, velocities, accelerations and torques as CSV. \
+             The motion is cycloidal from --from to --to, or passes the rows of a CSV file. A row has a time and a \
+             position of each joint. Cubic splines join the rows, at rest at both ends. A file that `simulate` wrote \
+             also has the velocities and accelerations to pass. --at is one state, as `evaluate` takes it: a single \
+             row.\n\n\
+             On a base that moves, a file is one of `simulate`. With --to the base is held at --pose; with --at its \
+             six velocities and accelerations come before those of the joints. The torques begin with the force on the \
+             base and the moment about its origin, in its own axes: `base.fx` to `base.nz`.\n\n\
              --from and --to are positions of the joints. This is no inverse kinematics: `reach` finds the joint \
              positions of a pose of the tip.",
         )
@@ -213,12 +219,12 @@ fn reach() -> Command {
     of_a_file("reach", "Find the positions of the joints at which the tip has a pose: inverse kinematics")
         .visible_alias("inverse-kinematics")
         .long_about(
-            "Find the positions of the joints at which the tip, or a frame, has a pose: inverse kinematics. All that are \
-             found stand in a table, within the limits of the joints, the nearest to --from first. They are searched for \
-             numerically, from --from and from random starts, the same in each run; more --starts find what few starts \
-             lead to. Roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other; without them the \
-             rotation is free.\n\n\
-             The exit status is 1 where no position was found, with the reason and with the positions that came nearest.",
+            "Find the positions of the joints at which the tip, or a frame, has a pose: inverse kinematics. A table \
+             lists all that are found, within the limits of the joints, the nearest to --from first. They are searched \
+             for numerically, from --from and from random starts, the same in each run; more --starts find what few \
+             starts lead to. Roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other; \
+             without them the rotation is free.\n\n\
+             If no position was found, the exit status is 1, with the reason and the positions that came nearest.",
         )
         .arg(pose("Where the tip is to be: X,Y,Z,ROLL,PITCH,YAW, m and rad, or X,Y,Z alone").required(true))
         .arg(words("frame", "NAME").value_delimiter(None).help("The frame that is to be there, in place of the tip"))
@@ -236,9 +242,10 @@ fn reach() -> Command {
 fn measure() -> Command {
     of_a_file("measure", "Measure the time and the rounding error of each function on this machine")
         .long_about(
-            "Measure each function on this machine: nanoseconds of a single evaluation and of a state in a batch, on one \
-             core, and the largest error of rounding, against the same program in 31 digits, relative to the largest entry. \
-             Programs are evaluated and not compiled: generated code takes a fraction of these times, with the same errors.",
+            "Measure each function on this machine: nanoseconds of a single evaluation and of a state in a batch, on \
+             one core. The largest rounding error is against the same program in 31 digits, relative to the largest \
+             entry. Programs are evaluated and not compiled: generated code takes a fraction of these times, with the \
+             same errors.",
         )
         .arg(functions())
         .arg(out())
@@ -248,13 +255,13 @@ fn measure() -> Command {
 fn convert() -> Command {
     of_a_file("convert", "Write the robot as another kind of file: TOML, JSON or URDF")
         .long_about(
-            "Write the robot as another kind of file: a URDF file as a Denavit-Hartenberg table, a table as URDF, or a \
-             table of one convention as one of the other. Positions keep their zeros and their signs; what four numbers a \
-             joint cannot say at the ends of the arm stands in `base` and `tool`. Joints that are locked become parts of \
-             the links before them. Numbers are exact where the file's are and angles are quarter turns, and rounded to 25 \
-             digits where they are longer. `robot-dynamics check --against` compares the two files.",
+            "Write the robot as another kind of file. A URDF file becomes a Denavit-Hartenberg table, a table becomes \
+             URDF, or a table of the other convention. Positions keep their zeros and their signs. `base` and `tool` \
+             have what four numbers a joint cannot say at the ends of the arm. Joints that are locked become parts of \
+             the links before them. Numbers are exact where the file's are and angles are quarter turns, and rounded \
+             to 25 digits where they are longer. `robot-dynamics check --against` compares the two files.",
         )
-        .arg(functions().help("The functions that the table asks for"))
+        .arg(functions().help("The functions that the table names"))
         .arg(choice("to", "FORMAT", ["toml", "json", "urdf"]).help(
             "The format; where this is left out that of the name of --out, or TOML for URDF and URDF for tables",
         ))
@@ -280,9 +287,9 @@ fn page() -> Command {
     of_a_file("page", "Write a page that shows the arm, and moves it")
         .long_about(
             "Write one HTML file that shows the arm in 3D with its table, M, V, G, tau and the pose of its tip at any \
-             state, plays prescribed and free motions, and plots them. It needs nothing besides: it works from a disk, \
-             without a network, and on a phone. A base that moves is held at a pose, or moves freely: a free fall with a spin \
-             is what free motion shows at first.",
+             state. It plays prescribed and free motions, and plots them. It needs nothing besides: it works from a \
+             disk, without a network, and on a phone. A base that moves is held at a pose, or moves freely: at first \
+             it falls freely with a spin.",
         )
         .arg(functions().help(BESIDES))
         .mut_arg("field", |arg| {
@@ -291,7 +298,7 @@ fn page() -> Command {
         .arg(pose("Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out"))
         .arg(vector("from", "Positions at the start, rad or m; zeros, or the middle of limits without zero, where this is left out"))
         .arg(vector("to", "Positions at the end of the prescribed motion, rad or m"))
-        .arg(vector("velocity", "Velocities at the start of free motion, six of a base that moves first; zeros, and a spin of such a base, where this is left out"))
+        .arg(vector("velocity", "Velocities at the start of free motion, first the six of a base that moves. If this is left out: zeros, and a spin of such a base"))
         .arg(number_between("duration", 1e-3, 1e3, "Time of the motions, s").default_value("3"))
         .arg(out())
         .after_help(

@@ -108,7 +108,7 @@ pub(super) fn origins(frame: &Transform) -> Vec<Origin> {
     ]
 }
 
-/// Whether two frames are the same, but for digits that the feet of normals lose between axes that are
+/// Whether two frames are the same, except for digits that the feet of normals lose between axes that are
 /// nearly parallel.
 pub(super) fn is_same(one: &Transform, other: &Transform) -> bool {
     let [one, other] =

@@ -403,7 +403,7 @@ fn frame_names(robot: &Robot) -> Vec<String> {
     robot.frames.iter().map(name).collect()
 }
 
-/// The functions that were asked for by name.
+/// The functions that were requested by name.
 fn functions(model: &Model) -> Option<(String, Node)> {
     if model.requests.iter().all(|(_, place)| place.is_none()) {
         return None;

@@ -54,7 +54,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     }
 }
 
-/// The format that is asked for: by name, by that of the file that is written, or the other one.
+/// The format that is requested: by name, by that of the file that is written, or the other one.
 fn target(given: &ArgMatches, path: &Path) -> Format {
     let of_option = given
         .get_one::<String>("to")

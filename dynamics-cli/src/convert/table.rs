@@ -125,7 +125,7 @@ impl<'a> Branches<'a> {
         Some(self.table(base))
     }
 
-    /// The table on a base that stands where the first joint asks for it.
+    /// The table on a base that stands where the first joint needs it.
     fn on_standing_base(mut self, ends: Ends) -> Option<Table<'a>> {
         let (arm, convention) = (self.arm, self.convention);
         let mut axis = Axis::of(&arm.joints.first()?.frame);

@@ -132,7 +132,7 @@ struct Names {
 }
 
 impl Names {
-    /// Those of the joints, and those of the frames, each of which is a link.
+    /// The names of the joints, and of the frames, each of which is a link.
     fn new(arm: &Arm) -> Self {
         let joints = arm.joints.iter().map(|joint| joint.row.name.clone());
         let frames = arm.robot.frames.iter().map(|frame| frame.name.clone());
@@ -251,7 +251,7 @@ impl Writer {
         self.line(1, "</joint>");
     }
 
-    /// URDF asks for the greatest effort and velocity too: where the table has none, they are so great that they bound
+    /// URDF requires the greatest effort and velocity too: where the table has none, they are so great that they bound
     /// nothing.
     fn limit(&mut self, row: &Row) {
         const NONE: &str = "1000000000";

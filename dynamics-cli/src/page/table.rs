@@ -181,7 +181,7 @@ impl Writer<'_> {
         self.0.joint_of(row) - self.0.freedoms().base
     }
 
-    /// What the row's joint is, how it moves and where it stands.
+    /// The cells of the row's joint: what it is, how it moves and where it stands.
     fn joint(
         &self,
         index: Option<usize>,

@@ -179,8 +179,8 @@ fn placed(robot: &Robot, row: &Row, mount: &Mount, width: usize) -> String {
 // Each cell is shown by `cells`, `placed` or `further`.
 const _: () = assert!(Row::CELLS == 11);
 
-/// What a row says besides its place, its mass and the centre of that. A motor has its inertia and its gear ratio, dry
-/// friction one value for each direction, a spring its stiffness and its position at rest.
+/// The entries of a row besides its place, its mass and the centre of that. A motor has its inertia and its gear
+/// ratio, dry friction one value for each direction, a spring its stiffness and its position at rest.
 fn further(robot: &Robot, row: &Row) -> String {
     let stribeck = row.stribeck.iter();
     let stribeck = stribeck.flat_map(|stribeck| [&stribeck.friction, &stribeck.velocity]);
@@ -222,7 +222,7 @@ fn joint_type(row: &Row) -> &'static str {
     }
 }
 
-/// Places one after the other, but for those that change nothing.
+/// Places one after the other, except for those that change nothing.
 fn places(robot: &Robot, places: &[Placement]) -> String {
     let is_still = |x: &Placement| x.xyz.iter().chain(&x.rpy).all(Value::is_zero);
     let (still, moving): (Vec<_>, Vec<_>) = places.iter().partition(|place| is_still(place));

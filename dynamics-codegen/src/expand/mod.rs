@@ -168,8 +168,8 @@ fn without_others(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<Strin
     Some(names)
 }
 
-/// The methods that the user's code may call: those asked for, or all functions where that is not known. Where nothing
-/// was asked for it is the default set.
+/// The methods that the user's code may call: those requested, or all functions where that is not known. Where nothing
+/// was requested it is the default set.
 fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
     let asked = entries.iter().find_map(|entry| match entry {
         Entry::Functions(functions) => Some(functions),
@@ -200,7 +200,7 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
     requests.into_iter().filter(is_method).collect()
 }
 
-/// Inverse kinematics that are asked for, each once.
+/// Inverse kinematics that are requested, each once.
 fn stubs_of_inverses(entries: &[Entry], target: &Target) -> Vec<TokenStream> {
     let asked = entries.iter().find_map(|entry| match entry {
         Entry::Functions(Some(functions)) => Some(functions),
@@ -381,8 +381,8 @@ impl Items {
                     #table
                 }
 
-                /// What the generated methods compute, value by value, where that is short enough to
-                /// read: formulas of at most 24 terms of arms of up to three joints.
+                /// The formulas of the generated methods, value by value, where they are short enough to
+                /// read: at most 24 terms, of arms of up to three joints.
                 pub fn formulas() -> &'static [#path::Formula] {
                     &[#(#formulas),*]
                 }

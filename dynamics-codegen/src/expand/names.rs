@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-/// Arguments and local variables of the generated code, but for those whose names have a `_` in them.
+/// Arguments and local variables of the generated code, except for those whose names have a `_` in them.
 pub(crate) const NAMES: [&str; 19] = [
     "base",
     "q",

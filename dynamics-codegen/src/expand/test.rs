@@ -1,4 +1,4 @@
-//! The test that `tests: true` asks for.
+//! The test that `tests: true` requests.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;

@@ -235,7 +235,7 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
             quote!(FloatingState<#n, #v>),
         )
     } else {
-        // Of an unknown number of joints one impl, for none, so that a check of the robot infers the number.
+        // One impl, for no joints, where their number is unknown: a check of the robot then infers the number.
         (quote!(Evaluate<#n>), quote!(State<#n>))
     };
     let header = start(target, &quote!(), name);

@@ -4,8 +4,8 @@ use crate::description::{Entry, Name, Place, Table};
 use crate::validate::free_names;
 use crate::words;
 
-/// Adds the names that the file lists, but for those that have a value; if it lists none, and they are to be fields, the
-/// names that nothing binds.
+/// Adds the names that the file lists, except for those that have a value; if it lists none, and they are
+/// to be fields, the names that nothing binds.
 pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
     match table.listed_fields().map(<[Name]>::to_vec) {
         Some(names) => {

@@ -1,8 +1,9 @@
 //! JSON, as a tree with the words of TOML.
 //!
-//! The shape is that of published tables: `joints` with the cells `a`, `alpha`, `d`, `theta`, `mass`, `com`,
-//! `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`, `coulomb`, and `tool`, `frames` and a `base`
-//! that moves, whose `inertia` is such a list too, beside notes such as `source`. The words of the macro are read as well.
+//! The shape is that of published tables. They have `joints` with the cells `a`, `alpha`, `d`, `theta`,
+//! `mass`, `com`, `inertia` (a list: xx, yy, zz, xy, yz, xz), `motor_inertia`, `gear_ratio`, `viscous`,
+//! `coulomb`. They also have `tool`, `frames`, a `base` that moves, whose `inertia` is such a list too, and
+//! notes such as `source`. The words of the macro are read as well.
 
 use jsonc_parser::ast::{ObjectProp, Value};
 use jsonc_parser::common::Ranged;

@@ -18,8 +18,8 @@ use crate::validate::{Model, constant, functions::read_masses};
 ///
 /// # Errors
 ///
-/// What the system says of a file that cannot be read; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if it is longer,
-/// or a folder, a pipe or a device, of which no end may ever be read.
+/// The system's error for a file that cannot be read; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if it is
+/// longer, or a folder, a pipe or a device, of which no end may ever be read.
 pub fn bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     // To open a pipe waits for somebody who writes into it.
     let kind = std::fs::metadata(path)?;
@@ -38,7 +38,7 @@ pub fn bytes(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
 ///
 /// # Errors
 ///
-/// What the system says; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if there are more.
+/// The system's error; [`InvalidInput`](std::io::ErrorKind::InvalidInput) if there are more.
 pub fn bytes_of_any(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let file = std::fs::File::open(path)?;
@@ -90,8 +90,8 @@ pub(super) fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
     })
 }
 
-/// Reads the text of a file: what it says of the robot `name`, or all that cannot be read. What a table
-/// says is judged by [`check`](crate::check); it need not have everything that a robot needs.
+/// Reads the text of a file: what it says of the robot `name`, or all that cannot be read. The table is judged by
+/// [`check`](crate::check); it need not have everything that a robot needs.
 pub fn table(
     name: &str,
     text: &str,

@@ -118,7 +118,7 @@ pub fn direction(v: &[Rational; 3]) -> Option<[Value; 2]> {
     })
 }
 
-/// atan2(y, x), in 50 digits: in double precision, then by atan t = t - t^3/3 of what is left, some 1e-16.
+/// atan2(y, x), in 50 digits: in double precision, then by atan t = t - t^3/3 of what is left, about 1e-16.
 pub fn polar_angle(x: &Rational, y: &Rational) -> Rational {
     let first = y.to_f64().value().atan2(x.to_f64().value());
     let first = Rational::try_from(first).unwrap_or(Rational::ZERO);

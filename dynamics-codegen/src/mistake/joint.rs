@@ -18,7 +18,7 @@ mistakes! {
     /// `name { ... }`
     without_type(name: &impl Display)
         "joint `{name}` has no type: write `{name}: revolute {{ ... }}` or `{name}: prismatic {{ ... }}`";
-    /// A cell that belongs into another one.
+    /// A cell that belongs in another one.
     cell_elsewhere(word: &str, home: &str) "unknown cell `{word}`: it belongs in `{home}: {{ {word}: ... }}`";
     /// An entry below the diagonal.
     mirrored_entry(word: &str, entry: &str) "unknown tensor entry `{word}`: the tensor is symmetric, write `{entry}`";

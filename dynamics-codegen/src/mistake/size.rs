@@ -1,4 +1,4 @@
-//! Calls that ask for too much: see [`limits`](crate::limits).
+//! Calls that need too much: see [`limits`](crate::limits).
 
 use dynamics_symbolic::function::Freedoms;
 

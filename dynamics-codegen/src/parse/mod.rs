@@ -29,7 +29,7 @@ use crate::tree::Node;
 use cursor::Cursor;
 
 /// Reads a call of the macro: the struct item, then the entries of the table, as a tree of which nothing is
-/// known yet. Of a call that is too long to be read there is no tree.
+/// known yet. A call that is too long to be read has no tree.
 ///
 /// In front of them `@[path]` may name the runtime crate, which the `macro_rules!`
 /// front of that crate writes as `@[$crate]`.

@@ -1,4 +1,4 @@
-//! What is accepted, and what it means.
+//! Calls that are accepted, and what they mean.
 
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Convention, JointType, Value};
@@ -292,7 +292,7 @@ fn functions_are_fused_by_name() {
     );
     assert_eq!(more[2].name(), "type");
     assert_eq!(found.len(), 10);
-    // Friction is asked for once, whether the default set has it or not.
+    // Friction is requested once, whether the default set has it or not.
     for cells in ["mass: 1", "mass: 1, friction: { viscous: 1 }"] {
         let found = requests("default, friction_vector", cells);
         let friction = Request::from(Function::FrictionVector);

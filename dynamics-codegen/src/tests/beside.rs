@@ -278,7 +278,7 @@ fn names_that_nothing_binds_are_fields() {
         fields(&listed("['l', 'm', 'load']"), ""),
         Err(owned(&["no value uses the field `load`"]))
     );
-    // What is said beside the file is meant for names of the file.
+    // Values beside the file are meant for names of the file.
     let beside = fields(NAMES, "let.m = '2 * mass'").expect_err("a mistake");
     assert!(beside[0].contains("unknown name `mass`"), "{beside:?}");
 }

@@ -12,7 +12,7 @@ const ARM: &str = "struct Arm; convention: modified, gravity: [0, -9.81, 0], joi
     elbow: revolute { a: 0.5, mass: 1, com: [0.3, 0, 0] },
 ],";
 
-/// The right programs, but for one sign in the mass matrix.
+/// The right programs, except for one sign in the mass matrix.
 fn wrong_sign(robot: &Robot, functions: &[Part]) -> Program {
     let mut program = derive(robot, functions);
     if functions[0] == Function::MassMatrix.into() {
@@ -25,7 +25,7 @@ fn wrong_sign(robot: &Robot, functions: &[Part]) -> Program {
     program
 }
 
-/// The right programs, but for a dropped last operation in the gravity vector.
+/// The right programs, except for a dropped last operation in the gravity vector.
 fn dropped_term(robot: &Robot, functions: &[Part]) -> Program {
     let mut program = derive(robot, functions);
     if functions == [Function::GravityVector.into()] {

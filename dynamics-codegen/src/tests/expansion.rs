@@ -1,4 +1,4 @@
-//! What a call expands to.
+//! The items that a call expands to.
 
 use super::*;
 use dynamics_symbolic::derive::derive_together as derive_program;
@@ -40,7 +40,7 @@ fn what_is_no_attribute_is_handed_on_to_the_compiler() {
     assert!(items.contains("# [5] # [] # [doc = include_str ! (\"a\")]"));
 }
 
-/// What a macro's `$(#[$attribute:meta])*` makes of an attribute.
+/// The tokens that a macro's `$(#[$attribute:meta])*` makes of an attribute.
 fn handed_on(attribute: &str) -> TokenStream {
     let content: TokenStream = attribute.parse().expect("the attribute lexes");
     let fragment = TokenTree::from(Group::new(Delimiter::None, content));
@@ -200,7 +200,7 @@ fn the_documentation_says_what_is_left_out() {
         " - `three` at 0.5235987755982988",
         "Abbreviated: of the Lagrangian, the base inertial parameters that make less than 0.5 %",
         "are neglected, and all functions are derived from what is left: `h2y`.",
-        "Of the abbreviated model: what stays below 0.5 % is neglected. The largest error at 200",
+        "The model is abbreviated: what stays below 0.5 % is neglected. The largest error at 200",
         ":: dynamics_runtime :: Table :: lock (",
         "pub const DOF : usize = 2 ;",
     ] {

@@ -215,7 +215,7 @@ fn singular_bases_are_found() {
             "joints: [], frames: { part: { on: base, mass: 1, com: [1, 0, 0] } },",
             true,
         ),
-        // Nobody asks for M.
+        // Nobody requests M.
         (
             "",
             "joints: [], frames: { eye: { on: base } }, functions: [jacobian(eye)],",

@@ -111,13 +111,13 @@ fn sum(terms: &[&[f64]]) -> Vec<f64> {
     (0..terms[0].len()).map(entry).collect()
 }
 
-/// Equal but for rounding.
+/// Equal except for rounding.
 #[track_caller]
 fn same(what: &str, found: &[f64], expected: &[f64]) {
     assert_near(what, found, expected, 100.0 * largest(expected));
 }
 
-/// Equal but for what central differences lose.
+/// Equal except for what central differences lose.
 #[track_caller]
 fn near(what: &str, found: &[f64], expected: &[f64]) {
     assert_near(what, found, expected, 1e6 * largest(expected));

@@ -122,7 +122,7 @@ fn compare(name: &str) {
         let matrix: Vec<f64> = freedoms.iter().flat_map(row).collect();
         let forces = largest(&state.numbers("tau")).max(largest(&matrix) * largest(&at.a));
         let accelerations = forward.evaluate(at);
-        // As far as M is known, whose condition is some 1e4.
+        // As far as M is known, whose condition is about 1e4.
         assert_near("a", &accelerations[..18], &at.a, 1e3 * largest(&at.a));
         for (program, key) in &programs {
             let (expected, scale) = match *key {

@@ -62,7 +62,7 @@ const ENTRIES: [&str; 12] = [
     "frames: { hand: { on: base, rpy: [value, 0, 0], mass: value } }",
 ];
 
-/// What may stand around an operand.
+/// Expressions that may stand around an operand.
 const FORMS: [&str; 14] = [
     "operand",
     "operand * 2",
@@ -116,7 +116,7 @@ fn grouped(delimiter: Delimiter, tokens: &TokenStream) -> TokenStream {
     TokenTree::from(Group::new(delimiter, tokens.clone())).into()
 }
 
-/// What a call means, and what is said about it.
+/// The meaning of a call, and the messages about it.
 fn meaning(call: TokenStream) -> (Option<String>, Vec<String>) {
     let (model, messages) = read(call);
     let shown = |model: Model| format!("{:?} {:?}", model.robot, model.neglect.map(|(s, _)| s));
@@ -233,7 +233,7 @@ fn a_fragment_continues_no_value() {
     }
 }
 
-/// What `$visibility:vis` leaves where it matches nothing.
+/// The empty group that `$visibility:vis` leaves where it matches nothing.
 #[test]
 fn an_empty_fragment_is_nothing() {
     let call = tokens("nothing struct Arm { nothing x: f64 } convention: nothing standard,

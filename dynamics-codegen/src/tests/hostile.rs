@@ -176,7 +176,8 @@ fn tuple_fields_end_at_semicolons() {
     }
 }
 
-/// What never ends, or never begins, is not read by a compiler: a device behind a link, a pipe, a folder, a long file.
+/// A file that never ends, or never begins, is not read by a compiler: a device behind a link, a pipe, a folder, a
+/// long file.
 #[cfg(all(unix, feature = "files"))]
 #[test]
 fn what_is_no_file_is_not_read() {

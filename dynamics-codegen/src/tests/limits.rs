@@ -12,7 +12,7 @@ const SOON: f64 = 5.0;
 /// For a call that is derived and proven; the engine alone is optimised in this workspace.
 const IN_SECONDS: f64 = 30.0;
 
-/// Of the heap, at any one time.
+/// Bytes of the heap at any one time.
 const MOST_BYTES: u64 = 200_000_000;
 
 /// The messages about a call, which must come soon.

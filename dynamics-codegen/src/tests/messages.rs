@@ -27,9 +27,9 @@ fn nothing_is_said_twice() {
         // The field is used in a value that cannot be read.
         "struct Arm { g: f64 } convention: standard, gravity: [0, -g], joints: [j: revolute {}]",
         "struct Arm { l: f64 } convention: standard, gravity: [0, 0, 0], joints: [j: revolute { b: l }]",
-        // Of a solid without a readable mass nothing more is known.
+        // Nothing more is known of a solid without a readable mass.
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { mass: ?, inertia: rod(1) }]",
-        // What could not be read may be what is missed elsewhere.
+        // A part that could not be read may be the one that is missed elsewhere.
         "struct Arm; convention, gravity: [0, 0, 0], joints: [j: revolute {}]",
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { weight: 1, inertia: rod(1) }]",
         "struct Arm; convention: standard, gravity: [0, 0, 0], joints: [j: revolute { motor: { inertia: 1, ratio: 2 } }]",
@@ -343,7 +343,7 @@ fn odd_bodies_are_allowed_by_name() {
     model(&call("", "allow: [no_inertia],"));
     // An arm without a length has nothing to compare with.
     model(&call("mass: 1, com: [1, 0, 0]", "").replace("a: 0.4, ", ""));
-    // What slides is as long as its limits say.
+    // A joint that slides is as long as its limits say.
     let slide = |limits: &str| {
         call("mass: 1, com: [6, 0, 0]", "").replace(
             "second: revolute {}",

@@ -162,7 +162,7 @@ fn arm(rows: &str, entries: &str) -> String {
     )
 }
 
-/// Numbers that are hardly ever meant are told in the new cells as in those of a serial arm.
+/// Numbers that are hardly ever meant are reported in the new cells as in those of a serial arm.
 #[test]
 fn numbers_hardly_ever_meant_are_told_on_trees() {
     for (rows, frames, told) in [
@@ -268,7 +268,7 @@ fn the_documentation_says_where_joints_and_frames_stand() {
     assert!(!items.contains("`left_elbow` on"));
 }
 
-/// A function of a frame is asked for by the frame's name, with or without quotes, and stands in tuples, too.
+/// A function of a frame is requested by the frame's name, with or without quotes, and stands in tuples, too.
 #[test]
 fn functions_of_frames_say_the_same_in_all_languages() {
     let asked = "functions: [jacobian(left_hand), jacobian(\"the camera\"), grasp = (mass_matrix, forward_kinematics(left_hand))],";
@@ -368,7 +368,7 @@ fn frames_beside_a_file_add_to_its_own() {
     );
 }
 
-/// What is neglected is found on trees as on arms.
+/// Terms to neglect are found on trees as on arms.
 #[test]
 fn terms_are_neglected_on_trees() {
     let call = arm(

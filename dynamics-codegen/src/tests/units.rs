@@ -92,7 +92,7 @@ fn masses_in_grams_are_reported_once() {
         assert!(message.ends_with(&end), "{message}");
         model(&call(rows, &format!("{entries} allow: [odd_mass]")));
     }
-    // The next one is told where the heaviest is allowed.
+    // The next one is reported where the heaviest is allowed.
     let rows = "r: revolute { a: 1, mass: 9000, allow: [odd_mass] }, s: revolute { mass: 3000 }";
     assert!(message(&call(rows, "")).starts_with("a mass of 3000 kg"));
 }
@@ -133,7 +133,7 @@ fn large_and_small_machines_are_accepted() {
         ),
         ("r: revolute { a: 0.02, mass: 4, com: [0, 0, 0.03] }", ""),
         ("r: revolute { a: 12, mass: 0.4, com: [-6, 0, 0] }", ""),
-        // Centres of mass at the origins of frames, but for one that was measured.
+        // Centres of mass at the origins of frames, except for one that was measured.
         (
             "r: revolute { a: 0.4, mass: 2 }, s: revolute { a: 0.3, mass: 1, com: [0, 0, 0.0002] }",
             "",

@@ -17,7 +17,7 @@ use crate::words;
 pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) {
     let asked = parts.functions.as_deref().unwrap_or_default();
     report_without_tip(asked, parts, table, scope);
-    // A frame that could not be read may be the one that is asked for, and a slip may mean one that seems to be idle.
+    // A frame that could not be read may be the one that is requested, and a slip may mean one that seems to be idle.
     let is_unread =
         |entry: &Entry| matches!(entry, Entry::Frames(_, None) | Entry::Functions(None));
     let is_unreadable = |asked: &Asked| matches!(asked, Asked::Unreadable);
@@ -129,7 +129,8 @@ fn from_the_ends<'t>(ends: &[usize], parts: &Parts, table: &'t Table) -> Vec<&'t
     names
 }
 
-/// Reports frames of a call that have no body and that no function is about. Those of a file are for all who read it.
+/// Reports frames of a call that have no body and that no function is about. Frames of a file are for all who read
+/// it.
 fn report_idle(asked: &[Asked], table: &Table, scope: &Scope) {
     let frames = named(asked).filter_map(|wanted| wanted.frame.as_ref());
     let of_functions: BTreeSet<&str> = frames.map(Name::plain).collect();

@@ -83,9 +83,10 @@ pub(super) fn report(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scop
 /// Whether something resists every motion of a base that moves, where a function depends on it; reports that nothing does.
 /// `odd_mass` and `no_inertia` accept it.
 ///
-/// A velocity v of the robot costs no energy where M v = 0. Those without motion of the base are joints that move no mass,
-/// as arms may have them too. If there are more, at a point of the prime field that stands for all positions and fields, then
-/// some motion of the base costs nothing, at every position.
+/// A velocity v of the robot costs no energy where M v = 0. Such velocities without motion of the base
+/// are joints that move no mass, as arms may have them too. If there are more, at a point of the prime
+/// field that stands for all positions and fields, then some motion of the base costs nothing, at every
+/// position.
 pub(super) fn resists(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
     let (Some(body), Some((place, written))) = (robot.floating(), table.floating()) else {
         return true;

@@ -1,4 +1,4 @@
-//! The functions that are asked for: each once, and each method with a name of its own.
+//! The functions that are requested: each once, and each method with a name of its own.
 
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = &Wanted> + Clone {
     })
 }
 
-/// The functions that are asked for, each with its place; those of the default set have none.
+/// The functions that are requested, each with its place; those of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
     let default_set = Function::default_set(has_friction(robot)).into_iter();
     let default_set: Vec<_> = default_set.map(|f| (f.into(), None)).collect();
@@ -52,7 +52,7 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
             Asked::One(wanted) if wanted.is_inverse => {}
             Asked::One(wanted) => {
                 let request = (one(wanted, &robot.frames), Some(wanted.place));
-                // Friction is in the set where there is some; who asks for it need not know.
+                // Friction is in the set where there is some; who requests it need not know.
                 if !(has_default && is_default(&request)) {
                     requests.push(request);
                 }
@@ -96,7 +96,7 @@ fn part(wanted: &Wanted, frames: &[Frame]) -> Part {
     }
 }
 
-/// Inverse kinematics: the frame among those of the robot, or the tip, and where they are asked for.
+/// Inverse kinematics: the frame among those of the robot, or the tip, and where they are requested.
 pub(super) fn inverses(asked: Option<&[Asked]>, frames: &[Frame]) -> Vec<(Option<usize>, Place)> {
     let wanted = asked
         .unwrap_or_default()
@@ -110,7 +110,7 @@ pub(super) fn inverses(asked: Option<&[Asked]>, frames: &[Frame]) -> Vec<(Option
         .collect()
 }
 
-/// Whether the arm has a mass, where a function divides by it; all of these are asked for by name.
+/// Whether the arm has a mass, where a function divides by it; all of these are requested by name.
 pub(super) fn have_mass(
     requests: &[(Request, Option<Place>)],
     robot: &Robot,
@@ -132,7 +132,7 @@ pub(super) fn have_mass(
     has_mass
 }
 
-/// Whether a function that a table asks for, or that is needed besides, reads masses. The default set does.
+/// Whether a function that a table requests, or that is needed besides, reads masses. The default set does.
 pub(crate) fn read_masses(table: &Table) -> bool {
     let asked = table.entries.iter().find_map(|entry| match entry {
         Entry::Functions(asked) => Some(asked.as_deref().unwrap_or_default()),
@@ -145,8 +145,8 @@ pub(crate) fn read_masses(table: &Table) -> bool {
     has_default || functions.any(Function::reads_masses)
 }
 
-/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too. What a base
-/// that moves needs is asked elsewhere.
+/// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too. The needs
+/// of a base that moves are checked elsewhere.
 pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
     let allow = table.allow();
     let is_allowed =
@@ -216,7 +216,7 @@ pub(super) fn note_on_massless(
     })
 }
 
-/// Reports what is asked for twice, names that mean something else, and tuples that are none.
+/// Reports what is requested twice, names that mean something else, and tuples that are none.
 pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
     let mut seen = BTreeMap::new();
     let has_default = asked.iter().any(|asked| matches!(asked, Asked::Default(_)));

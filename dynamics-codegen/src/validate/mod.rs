@@ -49,9 +49,9 @@ use scope::Scope;
 pub struct Model {
     /// The robot.
     pub robot: Robot,
-    /// The methods, each with the place where it was asked for by name.
+    /// The methods, each with the place where it was requested by name.
     pub requests: Vec<(Request, Option<Place>)>,
-    /// Inverse kinematics in closed form: the frame among those of the robot, or the tip, and where they are asked for.
+    /// Inverse kinematics in closed form: the frame among those of the robot, or the tip, and where they are requested.
     pub inverses: Vec<(Option<usize>, Place)>,
     /// Whether a test is to be generated too.
     pub tests: bool,

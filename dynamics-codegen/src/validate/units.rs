@@ -25,7 +25,8 @@ const BESIDE_BODIES: f64 = 300.0;
 const LIGHTEST: f64 = 0.02;
 
 /// The greatest mass of a body for the cube of the arm's longest part, kg/m^3. Published arms have at most 300, an
-/// excavator of 20 t with booms of 6 m has 93, and industrial robots for 2 t have some 1,000: in g, a thousand times more.
+/// excavator of 20 t with booms of 6 m has 93, and industrial robots for 2 t have about 1,000: in g, a thousand times
+/// more.
 const DENSEST: f64 = 1500.0;
 
 /// Lighter bodies are not judged, kg: a camera on a small head, or a palm with short fingers, may be dense.

@@ -1,9 +1,9 @@
 //! Many states at once: each step for a block of states, in the lanes of vector registers. The slots of a block are few
 //! enough to stay in the caches next to the processor.
 //!
-//! A step is looked up once for a block. Its kernel is chosen when the tape is made, for its operands (a slot, a
-//! number that all states share, or the result of the step before), with a product and a sum, or two products and a
-//! sum, in one kernel. The result of a step stays in registers, eight of AVX2 or four of AVX-512 for 32 states: the
+//! A step is looked up once for a block. Its kernel is chosen when the tape is made, for its operands: a slot, a number
+//! that all states share, or the result of the step before. A product and a sum, or two products and a sum, are one
+//! kernel. The result of a step stays in registers, eight of AVX2 or four of AVX-512 for 32 states. The
 //! next step reads it there, and it is written to its slot only if another one reads it too. The loop over steps is
 //! compiled for each instruction set. `cargo run --release -p dynamics-evaluation --example time` measures it.
 

@@ -102,7 +102,7 @@ pub(crate) struct Single {
 pub(crate) struct Prepared {
     /// The shared numbers with 1 and -0, each beside the same with the other sign.
     shared: Vec<f64>,
-    /// What is read of a state: the number of the argument first.
+    /// The numbers that are read of a state: the number of the argument first.
     sources: Vec<(usize, Source<f64>, Of)>,
     mark: u64,
 }

@@ -1,10 +1,10 @@
 //! Programs as they are evaluated: a step for each line, between numbered places.
 //!
-//! What depends on constants and fields alone is computed once when a field changes. What depends on the state gets a
-//! slot, which others take over after its last reader. Lines are put into an order that keeps few numbers, and in
-//! which a line follows the one whose result it reads (`order`): the Panda's forward dynamics of 1,065 operations
-//! needs 87 slots, 107 in the order in which it is emitted. A call is the same operations in the same order as the
-//! generated method, and its digits are the same: `Program::lines` says for both which products are written into
+//! A number that depends on constants and fields alone is computed once when a field changes. A number that depends on
+//! the state gets a slot, which others take over after its last reader. Lines are put into an order that keeps few
+//! numbers, and in which a line follows the one whose result it reads (`order`). The Panda's forward dynamics of 1,065
+//! operations needs 87 slots, 107 in the order in which it is emitted. A call is the same operations in the same order
+//! as the generated method, and its digits are the same: `Program::lines` says for both which products are written into
 //! sums.
 
 mod build;
@@ -78,9 +78,9 @@ pub(crate) enum Step {
     },
 }
 
-/// One line of a program between places, of which one at most is the last result. Of factors that may
-/// be exchanged, and of the terms of a sum, the first is the one of the lower place: the last result
-/// before what all states share, and that before slots.
+/// One line of a program between places, of which one at most is the last result. Factors that may be exchanged, and
+/// the terms of a sum, stand in the order of their places: the last result before what all states share, and that
+/// before slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Operation {
     Add(Place, Place),

@@ -26,7 +26,7 @@ class Formulas(str):
 
     equations: list[str]
     legend: list[str]
-    """What letters mean that the formulas have besides q, qd, qdd and tau."""
+    """The meanings of the letters that the formulas have besides q, qd, qdd and tau."""
 
     def __new__(cls, equations: list[str], legend: list[str]) -> Formulas:
         letters = [f"with {', '.join(legend)}"] if legend else []

@@ -230,8 +230,8 @@ class Robot:
         """Joint positions at which the tip, or a frame, reaches a target, within the limits: numeric inverse kinematics.
 
         A target is a pose `(4, 4)`, a position `(3,)`, a rotation `(3, 3)`, or `(2, 3)`: an axis of the frame and the direction
-        in the world along which it is to point. Several frames, `frame=["left", "right"]`, have a target each. Of the
-        functions, `forward_kinematics` and `jacobian` of these frames are needed.
+        in the world along which it is to point. Several frames, `frame=["left", "right"]`, have a target each. The
+        functions `forward_kinematics` and `jacobian` of these frames are needed.
 
         The search begins at `start`, zeros where it is left out, and at random positions after it, the same for one `seed`. Where
         the targets leave a freedom, the joints go towards `posture`. `tolerance` is in m and rad. `NotReached`, a
@@ -253,7 +253,7 @@ class Robot:
     ) -> list[NDArray[np.float64]]:
         """Distinct joint positions at which a target is reached, the nearest to `start` first, as `reach` finds them.
 
-        All attempts are made, or as many as it takes to find `most`. Those that few starts lead to may be missing.
+        All attempts are made, or as many as it takes to find `most`. Positions that few starts lead to may be missing.
         """
         asked = {"start": start, "posture": None, "tolerance": tolerance, "attempts": attempts, "seed": seed}
         return reach(self._arm, target, frame, {**asked, "most": max(most, 2)})
@@ -277,7 +277,7 @@ class Robot:
         return np.array(nearest), distance
 
     def __getattr__(self, name: str) -> Function:
-        """Functions of frames and of several have names of their own. The others were not asked for."""
+        """Functions of frames and of several have names of their own. The others were not requested."""
         if name.startswith("_"):
             raise AttributeError(name)
         raise AttributeError(
@@ -314,7 +314,7 @@ class Robot:
 
 
 class _Origin(Protocol):
-    """What a robot is read of, also when it is unpickled."""
+    """The source that a robot is read from, also when it is unpickled."""
 
     def read(self) -> _native.Arm: ...
 

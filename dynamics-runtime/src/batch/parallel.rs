@@ -22,8 +22,8 @@ use crate::function::Function;
 /// The operations that one core does at a time: some five microseconds of work, many times that of fetching them.
 const LEAST_WORK: usize = 40_000;
 
-/// How often a thread without work looks whether the others are done, before it sleeps: for some ten microseconds, less
-/// than it takes to wake up.
+/// How often a thread without work looks whether the others are done, before it sleeps: for about ten microseconds,
+/// less than it takes to wake up.
 const MOST_LOOKS: usize = 1_000;
 
 /// A function at every state, on all cores.

@@ -3,9 +3,9 @@
 //! Everything between the choice of instructions and the arithmetic must be inlined, or it would be compiled without
 //! them:
 //!
-//! - Programs stand in `#[inline(always)]` methods of traits, and the struct's own methods call them: those of M, V,
-//!   G, tau and qdd in `MassMatrix` to `ForwardDynamics`, which arms written by hand have too, all others in
-//!   `Function<F, N>`, where `F` is a type for each function.
+//! - Programs stand in `#[inline(always)]` methods of traits, and the struct's own methods call them. The programs of
+//!   M, V, G, tau and qdd are in `MassMatrix` to `ForwardDynamics`, which arms written by hand have too. All others are
+//!   in `Function<F, N>`, where `F` is a type for each function.
 //! - No batch calls the struct's own methods, which from forty operations on are `#[inline(never)]`. Inlined, a
 //!   program stood in every caller: the compiler took 22 times as long for a function with 24 places of calls as for
 //!   one with one. In a loop over states a call takes 1 % more time. The methods of a `SharedSines` stay inlined.
@@ -14,9 +14,8 @@
 //! - `Wide<S>` can be made from nothing only by asking the processor again, so that programs make their constants by
 //!   `Scalar::constant` in the arithmetic of an argument.
 //!
-//! A batch is checked and put together where it is called (`Task::new` is inlined): slices that were just written one
-//! by one and are read as vectors make a processor wait, which took half of the time of 64 states of a short
-//! function.
+//! A batch is checked and put together where it is called (`Task::new` is inlined). Slices that were just written one
+//! by one and are read as vectors make a processor wait. That took half of the time of 64 states of a short function.
 //!
 //! A group with a state that has no accelerations is evaluated again state by state. The last group overlaps the one
 //! before it. Fewer states than lanes are copied and filled up with the last one, never with zeros, which may be
@@ -63,8 +62,8 @@ where
     /// The task, if all arguments, the arms and the results agree on the number of states: that of the
     /// first of them.
     ///
-    /// Inlined into the method of a batch, so that the slices go to memory one number at a time: a processor waits some
-    /// ten nanoseconds before it reads a vector that was just written in parts.
+    /// Inlined into the method of a batch, so that the slices go to memory one number at a time: a processor waits
+    /// about ten nanoseconds before it reads a vector that was just written in parts.
     #[inline(always)]
     pub(super) fn new(
         function: F,

@@ -281,7 +281,7 @@ macro_rules! impl_precision {
 
             #[inline(always)]
             fn select_by_lowest_bit(self, odd: Self, even: Self) -> Self {
-                // Negative where the bit is the sign: what selects asks for no more than the sign.
+                // Negative where the bit is the sign: a selection needs no more than the sign.
                 let lowest = self.0.bitcast::<S::$signed>() << $last_bit;
                 let zero = S::$signed::splat(self.0.token(), 0);
                 Wide(lowest.simd_lt(zero).select(odd.0, even.0))

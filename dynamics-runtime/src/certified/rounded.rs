@@ -184,8 +184,8 @@ fn unit<F: Rounded<Magnitude = F> + Magnitude>(x: F) -> F {
 /// (see [`DoubleDouble`]).
 const ROUNDING: f64 = f64::EPSILON * f64::EPSILON * 16.0;
 
-/// 2^-96. A series of some thirty operations on numbers of at most 1, each within [`ROUNDING`], and the reduction of the
-/// angle before, which adds some ten of at most 2.
+/// 2^-96. A series of about thirty operations on numbers of at most 1, each within [`ROUNDING`], and the
+/// reduction of the angle before, which adds about ten of at most 2.
 const SERIES: f64 = ROUNDING * 16.0;
 
 /// 2^40, rad. Beyond it the number of quarter turns may be one off, and nothing is said.

@@ -144,7 +144,7 @@ fn bounds_hold_in_31_digits() {
     assert!(largest.iter().all(|x| *x > 0.9), "{largest:?}");
 }
 
-/// Of numbers near the end of the range something may be left out, of far angles nothing is known.
+/// Numbers near the end of the range may lose digits, and nothing is known of far angles.
 #[test]
 fn what_31_digits_do_not_hold_is_counted() {
     let [a, b] = [1.0 / 3.0, 2.0 / 7.0].map(|x| DoubleDouble::from(x) * DoubleDouble::from(1e-290));

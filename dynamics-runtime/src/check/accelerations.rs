@@ -119,9 +119,9 @@ pub(super) fn task_space<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<En
     Some(places.map(|(i, j)| entry(i, j)).collect())
 }
 
-/// The start of the motion, and the equations of motion with their first derivative by time as far
-/// as the series does not satisfy them: M qdd + bias - tau = 0 with qdd = 2 q_2, and, since tau is
-/// constant, M jerk + tau_q qd + tau_qd qdd = 0 with jerk = 6 q_3.
+/// The start of the motion, and the residuals of the equations of motion and of their first derivative by time. They
+/// are M qdd + bias - tau = 0 with qdd = 2 q_2, and, since tau is constant, M jerk + tau_q qd + tau_qd qdd = 0 with
+/// jerk = 6 q_3.
 pub(super) fn series_residuals<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec<Entry>> {
     if at.first() > 0 {
         // There are no series of a base that moves.

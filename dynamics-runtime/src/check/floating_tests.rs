@@ -177,7 +177,7 @@ fn every_number_is_compared() {
             };
             assert!(check(&right, at_foot, row.name) < 1e-13, "{}", row.name);
             let largest = entries.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-            // Of the many second derivatives some.
+            // Some of the many second derivatives.
             for entry in (0..entries.len()).step_by(1 + entries.len() / 150) {
                 let mut damaged = entries.clone();
                 damaged[entry] += 1e-8 * (1.0 + largest);

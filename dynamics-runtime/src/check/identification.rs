@@ -22,10 +22,11 @@ use crate::{Pose, RuntimeTable, SizedState};
 /// K depends on the geometry alone. Torques cannot tell two sets of links with the same K x apart.
 ///
 /// K is the least-squares solution of Y_b K = Y_x over random states, where Y_b is the generated regressor and Y_x the
-/// numeric one of the table. The error of an entry is some 1e-13 of the largest one; entries below 1e-11 of it are zero.
+/// numeric one of the table. The error of an entry is about 1e-13 of the largest one; entries below 1e-11 of it are
+/// zero.
 ///
-/// `None` where `regressor` was not generated, and where its columns are dependent, so that more than one K fits, as for
-/// fields that make the arm a special one: a factor of zero by which a joint follows another.
+/// `None` where `regressor` was not generated, and where its columns are dependent, so that more than one K fits, as
+/// for fields that make the arm a special one: a factor of zero by which a joint follows another.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;

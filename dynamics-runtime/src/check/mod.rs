@@ -165,7 +165,7 @@ impl Check {
         self.report(robot, true)
     }
 
-    /// The report, with the roundings if they are asked for. It is compiled once for all robots.
+    /// The report, with the roundings if they are requested. It is compiled once for all robots.
     fn report(&self, robot: &dyn Checked, is_certified: bool) -> Report {
         let table = robot.runtime_table();
         let arm = table.arm();

@@ -50,7 +50,7 @@ pub struct FunctionReport {
     /// The largest relative error; infinite where a value was not a number.
     pub error: f64,
     /// The largest proven bound of the function's rounding at any of the states, relative to the same scale. It is
-    /// infinite if nothing is proven, and `None` if it was not asked for.
+    /// infinite if nothing is proven, and `None` if it was not requested.
     pub rounding: Option<f64>,
     /// The largest error that passes.
     pub tolerance: f64,

@@ -186,7 +186,7 @@ impl Springs {
 
 /// A bound of every frame's and every centre of mass's distance from the base.
 fn reach(table: Arm<'_>, q: &DVector<f64>) -> f64 {
-    // Of each link frame, by those that carry it.
+    // Bounds of each link frame's distance, by the frames that carry it.
     let mut origins: Vec<f64> = Vec::new();
     let mut centre = 0.0_f64;
     for (k, moving) in table.chain().enumerate() {

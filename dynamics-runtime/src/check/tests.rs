@@ -222,7 +222,7 @@ fn every_entry_of_every_function_is_compared() {
     assert!(wrong(&right).is_empty());
     for row in compared() {
         let entries: Vec<f64> = right.get(row.name).expect(row.name);
-        // Of a series the coefficients up to the jerk are asked for.
+        // A series is compared up to the jerk.
         let asked_for = if row.name == "taylor_series" {
             8
         } else {
@@ -245,7 +245,7 @@ fn every_entry_of_every_function_is_compared() {
 
 /// An arm with a frame on its first link, and the values of two functions there.
 struct Framed {
-    /// What is added to the Jacobian.
+    /// A number that is added to the Jacobian.
     damage: f64,
     /// The place of the frame in the table, where there is one frame.
     frame: usize,

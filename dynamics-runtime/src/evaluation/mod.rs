@@ -108,7 +108,7 @@ impl<const N: usize, T: Scalar> Arguments<N, T> {
 /// let mass_matrix: SMatrix<f64, 1, 1> = values.get("mass_matrix").expect("it was generated");
 /// assert!((mass_matrix[0] - 18.0).abs() < 1e-12);
 /// assert_eq!(values.get::<f64>("kinetic_energy"), Some(0.0));
-/// // It was not asked for.
+/// // It was not requested.
 /// assert_eq!(values.get::<SMatrix<f64, 6, 1>>("jacobian"), None);
 /// // A function that solves with M may refuse.
 /// let qdd: Option<Result<SVector<f64, 1>, SingularMassMatrix>> = values.get("forward_dynamics");

@@ -14,7 +14,7 @@ pub trait FunctionValue<T: Scalar>: Numbers<T> + Sized {
     /// The value whose numbers are the first of these, which are taken away; `None` if they are too few.
     fn take(numbers: &mut &[T]) -> Option<Self>;
 
-    /// The error that stands in place of numbers.
+    /// The error that replaces numbers.
     fn refusal(&self) -> Option<SingularMassMatrix> {
         None
     }

@@ -1,4 +1,4 @@
-//! Generated functions under one signature: what evaluates them at many states asks for no more.
+//! Generated functions under one signature: what evaluates them at many states needs no more.
 
 mod arrangement;
 mod provided;

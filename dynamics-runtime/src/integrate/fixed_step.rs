@@ -60,7 +60,7 @@ impl<S, E, M: OneStep<S, E, D>, D: Size> Stepper<S, E, D> for FixedStep<M, D> {
     fn step(&mut self, system: &S, end: f64) -> Result<(), Failure<E>> {
         let next = self.grid.time(self.taken + 1);
         let is_end_next = same(end, next);
-        // An end that is the next point of the grid but for rounding is that point.
+        // An end that is the next point of the grid except for rounding is that point.
         let t = if end < next || is_end_next { end } else { next };
         // From within the grid, after an event, to its next point.
         let h = if t == next && self.next.t == self.grid.time(self.taken) {

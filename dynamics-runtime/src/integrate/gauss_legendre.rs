@@ -177,7 +177,8 @@ impl<S: Canonical<D>, const STAGES: usize, D: Size> OneStep<S, S::Refusal, D>
 struct Change {
     /// The greater of those of positions and of momenta.
     all: f64,
-    /// That of positions, relative to [`SLOW`] a step besides: in an arm at rest, the other is rounding over rounding.
+    /// The change of positions, relative to [`SLOW`] a step besides: in an arm at rest, the other is rounding over
+    /// rounding.
     velocities: f64,
 }
 

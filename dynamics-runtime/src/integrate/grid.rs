@@ -40,7 +40,7 @@ pub(crate) fn sample_time(duration: f64, intervals: u64, k: u64) -> f64 {
     }
 }
 
-/// The least number of steps up to `longest` in an interval. A quotient that is whole but for its
+/// The least number of steps up to `longest` in an interval. A quotient that is whole except for its
 /// rounding is whole.
 fn steps_per_interval(interval: f64, longest: f64) -> u64 {
     let quotient = interval / longest;

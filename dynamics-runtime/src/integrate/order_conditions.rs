@@ -66,7 +66,7 @@ fn defects(a: &[Vec<f64>], b: &[f64], order: usize) -> Vec<f64> {
     defects
 }
 
-/// The order up to which all conditions hold but for rounding.
+/// The order up to which all conditions hold except for rounding.
 pub(super) fn order(a: &[Vec<f64>], b: &[f64]) -> usize {
     let defects = defects(a, b, 9);
     defects.iter().take_while(|defect| **defect < 1e-13).count()

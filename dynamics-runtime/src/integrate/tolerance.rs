@@ -41,7 +41,7 @@ impl StepRange {
         (if is_last { left } else { step }, is_last)
     }
 
-    /// The reason that no step of the range was good, where the shortest failed, and the motion asked for steps of
+    /// The reason that no step of the range was good, where the shortest failed, and the motion needed steps of
     /// length `wish` at its start.
     ///
     /// A refusal of the equations counts where steps could be that short. Where none can, it was met at stages far beyond

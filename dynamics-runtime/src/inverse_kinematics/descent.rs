@@ -14,7 +14,7 @@ use crate::size::Size;
 
 /// The share of the error in the damping (T. Sugihara, *Solvability-unconcerned inverse kinematics by the
 /// Levenberg-Marquardt method*, IEEE Trans. Robotics 27 (2011), 984-991, who adds all of it): far from the targets steps are
-/// short, near them they are those of Gauss and Newton. Of 0.01, 0.1, 1 and 10 a tenth solves the Panda fastest.
+/// short, near them they are those of Gauss and Newton. A tenth solves the Panda faster than 0.01, 1 and 10.
 const DAMPING_OF_ERROR: f64 = 0.1;
 
 /// The least damping, as a share of the greatest diagonal entry of J'J: it keeps joints still that move nothing.

@@ -7,9 +7,9 @@ use crate::size::{JointVector as _, Size};
 /// How far frames are from their targets: the largest of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residual {
-    /// Between positions, m. Zero where no position was asked for.
+    /// Between positions, m. Zero where no position was requested.
     pub position: f64,
-    /// The angle between rotations or directions, rad. Zero where none was asked for.
+    /// The angle between rotations or directions, rad. Zero where none was requested.
     pub rotation: f64,
 }
 
@@ -24,7 +24,7 @@ impl fmt::Display for Residual {
 pub struct Reached<D: Size> {
     /// Joint positions within the limits, rad or m.
     pub q: D::Vector,
-    /// What is left there, by forward kinematics at this `q`: within the tolerance.
+    /// The error that is left there, by forward kinematics at this `q`: within the tolerance.
     pub residual: Residual,
     /// How many descents were made: one from the start, others from elsewhere.
     pub attempts: usize,
@@ -39,7 +39,7 @@ pub struct NotReached<D: Size> {
     pub reason: Reason,
     /// The positions with the least weighted error, within the limits, rad or m.
     pub q: D::Vector,
-    /// What is missing there.
+    /// The error there.
     pub residual: Residual,
     /// How many descents were made.
     pub attempts: usize,

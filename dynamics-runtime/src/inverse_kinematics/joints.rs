@@ -1,4 +1,4 @@
-//! What inverse kinematics knows of the joints: how far they move, and whether whole turns matter.
+//! The joints as inverse kinematics sees them: how far they move, and whether whole turns matter.
 
 use core::f64::consts::{PI, TAU};
 

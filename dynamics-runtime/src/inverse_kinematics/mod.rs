@@ -32,8 +32,8 @@ use crate::size::Size;
 ///
 /// Levenberg and Marquardt's method goes down from a start, with the robot's own poses and Jacobians; joints that would pass a
 /// limit stay on it. Where a descent ends before the targets, others begin at random positions, the same in each run.
-/// What is found was looked at again: the poses at the very positions that are returned are within the tolerance of the targets,
-/// and these positions within the limits. Otherwise the error says why, and what came nearest.
+/// A result was looked at again: the poses at the very positions that are returned are within the tolerance of the
+/// targets, and these positions within the limits. Otherwise the error says why, and what came nearest.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -111,15 +111,15 @@ pub struct InverseKinematics<D: Size, P> {
 }
 
 impl<'a, D: Size, R: SizedKinematics<D> + SizedTable<D>> InverseKinematics<D, Tip<'a, R>> {
-    /// Of the tip of a robot, with the limits of its table.
+    /// A search for the tip of a robot, with the limits of its table.
     pub fn new(robot: &'a R) -> Self {
         Self::with(Tip(robot), Joints::new(&robot.sized_numbers()))
     }
 }
 
 impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
-    /// Of frames of a robot, each of which is to have a target: functions that return a pose and a Jacobian, of places that the
-    /// robot's joints move. Limits are those of its table.
+    /// A search for frames of a robot, each of which is to have a target. The frames are functions that return the
+    /// pose and the Jacobian of a place that the robot's joints move. Limits are those of its table.
     pub fn of_frames(robot: &impl SizedTable<D>, frames: P) -> Self {
         // A frame may stand away from those of the table.
         Self::with(frames, Joints::new(&robot.sized_numbers()).of_any_reach())

@@ -41,7 +41,7 @@ impl<D: Size, R: SizedKinematics<D>> Places<D> for Tip<'_, R> {
 }
 
 /// Frames by functions of the joint positions, which return a pose and a Jacobian. A tuple of functions that a call of
-/// `robot_dynamics!` asks for is one: `hand = (forward_kinematics(hand), jacobian(hand))` gives `arm.hand(&q)`.
+/// `robot_dynamics!` requests is one: `hand = (forward_kinematics(hand), jacobian(hand))` gives `arm.hand(&q)`.
 impl<D: Size, F: Fn(&D::Vector) -> Placed<D>, const K: usize> Places<D> for [F; K] {
     fn count(&self) -> usize {
         K

@@ -17,7 +17,7 @@ const SHORTEST_STEP: f64 = 1e-7;
 
 const MOST_STEPS: usize = 200;
 
-/// What brings the joints back to the targets after a step.
+/// The patience of the descent that brings the joints back to the targets after a step.
 const RETURN: Patience = Patience {
     iterations: 10,
     share: 0.5,
@@ -25,8 +25,9 @@ const RETURN: Patience = Patience {
 
 /// Moves from `reached`, where all targets are reached, towards `posture`, on positions where they are.
 ///
-/// A step d along the difference to the posture becomes the one that minimises |J dq - e|^2 + mu |dq - d|^2, for small mu the
-/// projection of d on the null space of J, with the joints that are on their limits held there.
+/// A step d along the difference to the posture becomes the one that minimises |J dq - e|^2 + mu |dq -
+/// d|^2. For small mu it is the projection of d on the null space of J. Joints that are on their limits
+/// are held there.
 pub(super) fn approach<D: Size>(
     joints: &Joints<D>,
     normal_at: impl Fn(&D::Vector) -> Normal<D>,

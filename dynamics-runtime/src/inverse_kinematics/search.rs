@@ -95,7 +95,7 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         })
     }
 
-    /// What cannot be searched for.
+    /// The reason why there can be no search, if there is one.
     fn refusal(&self, targets: &[Target], start: &D::Vector) -> Option<Reason> {
         let (frames, dof) = (self.places.count(), self.joints.size.value());
         let posture = self.posture.as_ref().unwrap_or(start);

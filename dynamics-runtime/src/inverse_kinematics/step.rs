@@ -8,7 +8,7 @@ use crate::size::{JointVector as _, Size};
 /// How often joints are set on their limits and the others are solved for again, in one step.
 const MOST_PASSES: usize = 4;
 
-/// What is damped: dq solves (J'J + damping) dq = J'e + pull.
+/// The damped equations of a step: dq solves (J'J + damping) dq = J'e + pull.
 #[derive(Clone, Debug)]
 pub(super) struct Damped<'a, D: Size> {
     pub(super) normal: &'a Normal<D>,

@@ -16,7 +16,7 @@ pub struct Target {
     pub(super) rotation_weight: f64,
 }
 
-/// What is asked of a frame's rotation.
+/// The demand on a frame's rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Turn {
     /// Nothing.
@@ -76,7 +76,7 @@ impl Target {
         self
     }
 
-    /// Whether it can be asked for: its numbers are finite, its weights above zero and its rotation is one.
+    /// Whether it can be requested: its numbers are finite, its weights above zero and its rotation is one.
     pub(super) fn is_possible(&self) -> bool {
         let is_weight = |weight: f64| weight > 0.0 && weight.is_finite();
         let position = self.position.unwrap_or_default();
@@ -93,7 +93,7 @@ impl Target {
             && is_weight(self.rotation_weight)
     }
 
-    /// What is missing at a pose of the frame.
+    /// The difference to the target at a pose of the frame.
     #[inline(always)]
     pub(super) fn error(&self, pose: &Matrix4<f64>) -> Missing {
         let position = self.position.map(|target| target - origin(pose));
@@ -120,10 +120,10 @@ impl From<&Matrix4<f64>> for Target {
     }
 }
 
-/// What is missing to a target.
+/// The difference between a pose and a target.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Missing {
-    /// m; `None` where no position was asked for.
+    /// m; `None` where the target has no position.
     pub(super) position: Option<Vector3<f64>>,
     /// 2 sin(angle / 2) along the axis of the turn that is missing, in the world.
     pub(super) rotation: Option<Vector3<f64>>,

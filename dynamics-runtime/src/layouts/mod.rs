@@ -20,9 +20,9 @@
 //! `JointTypeSpherical`, whose angular velocity is in body coordinates, and the fourth component of the quaternion is appended
 //! to q.
 //!
-//! With v' = S v, where S turns the linear and the angular part or neither, a force is f' = S f, a mass matrix M' = S M S^T, a
-//! Jacobian J' = J S^T: power v.f and energy 1/2 v.M v are the same. Accelerations have one more term where the linear
-//! velocity is in the axes of the world: `d/dt (R v) = R (dv/dt + w x v)`.
+//! Let v' = S v, where S turns the linear and the angular part or neither. Then a force is f' = S f, a mass matrix M' =
+//! S M S^T, a Jacobian J' = J S^T: power v.f and energy 1/2 v.M v are the same. Accelerations have one more term where
+//! the linear velocity is in the axes of the world: `d/dt (R v) = R (dv/dt + w x v)`.
 //!
 //! Joints are matched by their names. Pinocchio sorts the children of a link by the alphabet, so its order is that of
 //! `model.names` behind `universe` and `root_joint`, and seldom that of a file.
@@ -72,7 +72,7 @@ pub type Rbdl<const N: usize> = Layout<RbdlRules, N>;
 /// The layout of a library for a robot with `N` joints on a base that moves. Made once, it converts both ways; nothing of it
 /// allocates.
 ///
-/// The lengths of vectors are told by their types: `V` is 6 + N, `Q` is 7 + N. Others do not compile.
+/// The lengths of vectors follow from their types: `V` is 6 + N, `Q` is 7 + N. Others do not compile.
 pub struct Layout<L, const N: usize> {
     /// Where each joint is among those of the library.
     places: [usize; N],

@@ -53,10 +53,10 @@ pub use regressor::StandardParameters;
 
 /// The numeric dynamics of an arm, read from its [`Table`].
 ///
-/// The methods are named like the generated functions that are compared with them, and take
-/// and return the same quantities in the same units: `q` in rad or m, `qd` and `qdd` per second and
-/// per second squared, torques in N m or N, energies in J. Rows may be a tree. Functions of a frame take its index in the
-/// table's frames; those of the tip are NaN where several rows carry no other, so that there is no tip.
+/// The methods are named like the generated functions that are compared with them, and take and return the same
+/// quantities. Their units are the same too: `q` in rad or m, `qd` and `qdd` per second and per second squared, torques
+/// in N m or N, energies in J. Rows may be a tree. Functions of a frame take its index in the table's frames; those of
+/// the tip are NaN where several rows carry no other, so that there is no tip.
 ///
 /// No method panics, unless a frame is not there, or allocates, and only the two of forward dynamics can
 /// fail; input that is not finite propagates. The rounding error of

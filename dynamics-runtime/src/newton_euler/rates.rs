@@ -76,7 +76,7 @@ pub(super) fn added([f, n]: [Vector; 2], [g, m]: [Vector; 2]) -> [Vector; 2] {
 pub(super) struct FrameJets {
     pub(super) rotation: Jet<Matrix3<f64>>,
     pub(super) position: Vector,
-    /// Of the turning.
+    /// Angular velocity.
     pub(super) velocity: Vector,
     pub(super) acceleration: Vector,
     /// Acceleration of the origin, less that of gravity.

@@ -15,9 +15,9 @@ use crate::size::Size;
 use crate::table::{Arm, AsArm as _};
 use crate::{Row, Table};
 
-/// The standard parameters of a link, in its frame of the table and about that frame's origin: mass m in kg,
-/// first moments m c_x, m c_y, m c_z in kg m, and the inertia tensor's J_xx, J_yy, J_zz, J_xy, J_yz, J_xz in
-/// kg m^2.
+/// The standard parameters of a link, in its frame of the table and about that frame's origin. They are the mass m in
+/// kg, the first moments m c_x, m c_y, m c_z in kg m, and the inertia tensor's J_xx, J_yy, J_zz, J_xy, J_yz, J_xz in kg
+/// m^2.
 pub type StandardParameters = SVector<f64, 10>;
 
 impl<const N: usize> Table<N> {

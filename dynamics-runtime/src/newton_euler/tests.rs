@@ -421,7 +421,7 @@ fn derivatives_are_limits_of_differences() {
     }
 }
 
-/// Of joints q that lead, those of all rows: two follow, at factors times their leaders and offsets.
+/// The rows' positions by those of the two joints that lead: each row has a factor times one of them, and an offset.
 const FACTORS: [[f64; 2]; 4] = [[1.0, 0.0], [-0.5, 0.0], [0.0, 1.0], [1.5, 0.0]];
 const OFFSETS: [f64; 4] = [0.0, 0.3, 0.0, -0.2];
 

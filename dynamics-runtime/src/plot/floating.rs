@@ -11,8 +11,9 @@ use crate::size::Size;
 use crate::table::AsArm as _;
 
 impl<D: Size, V: Size> SizedFloatingTrajectory<D, V> {
-    /// Draws the run into the file, as SVG: panels of the base, its position and its roll, pitch and yaw in the world, its
-    /// velocities and the force and moment on it in its own axes; then those of the joints and of energies, as
+    /// Draws the run into the file, as SVG. The first panels are about the base: its position and its roll,
+    /// pitch and yaw in the world, its velocities and the force and moment on it in its own axes. The panels
+    /// of the joints and of energies follow, as
     /// [`SizedTrajectory::plot`](crate::simulation::SizedTrajectory::plot) has them.
     ///
     /// # Errors

@@ -17,7 +17,7 @@ const LOG_2: [f64; 4] = [
 const HALVINGS: u32 = 8;
 const TERMS: u32 = 12;
 
-/// e^x to some ten roundings: x = n log 2 + r, and e^r - 1 by a series in r / 2^8, of which
+/// e^x to about ten roundings: x = n log 2 + r, and e^r - 1 by a series in r / 2^8, of which
 /// (1 + y)^2 - 1 = y (2 + y) makes that of r, with an error that doubles with y itself.
 pub(crate) fn by_reduction<T: Scalar>(x: T) -> T {
     let one = x.constant(1.0);

@@ -11,7 +11,7 @@ use crate::sine::{Part, Sines, level};
 
 /// A real number type on which every generated function can be evaluated.
 ///
-/// The trait asks for what straight-line code of equations of motion needs and for nothing more,
+/// The trait requires what straight-line code of equations of motion needs and nothing more,
 /// so that it can be implemented for numbers which are no complete field: dual numbers, SIMD lanes,
 /// numbers of extended precision. It is implemented for `f32`, `f64`, [`DoubleDouble`](crate::DoubleDouble) and
 /// [`Certified`](crate::Certified).
@@ -77,7 +77,7 @@ pub trait Scalar:
     /// Sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sine and cosine of several angles in radians, which generated functions ask for at once.
+    /// Sine and cosine of several angles in radians, which generated functions request at once.
     ///
     /// `f64` and `f32` evaluate them in the lanes of a vector register, each in its own precision, with an error
     /// below one unit in the last place.
@@ -87,7 +87,7 @@ pub trait Scalar:
     }
 
     /// Sine and cosine of several angles, of which only the given parts are read: the others may be any numbers.
-    /// Generated functions ask for the parts that they need. The digits are those of
+    /// Generated functions request the parts that they need. The digits are those of
     /// [`sin_cos_array`](Scalar::sin_cos_array), except for lanes of an instruction set that is chosen at run time.
     #[doc(hidden)]
     #[inline(always)]
@@ -102,7 +102,7 @@ pub trait Scalar:
     /// The exponential function, which friction that falls with the velocity (Stribeck's) needs.
     ///
     /// `f64` and `f32` have an error below one unit in the last place. This implementation, for types that have none
-    /// of their own, takes the argument apart by [`ratio_to_f64`](Scalar::ratio_to_f64), and is some ten
+    /// of their own, takes the argument apart by [`ratio_to_f64`](Scalar::ratio_to_f64), and is about ten
     /// roundings off, in any precision up to 40 digits. A type of several lanes needs its own.
     #[inline]
     fn exp(self) -> Self {

@@ -136,7 +136,7 @@ mod tests {
 
     use super::{Balance, Place, balanced};
 
-    /// Of an arm, symmetric and positive definite.
+    /// A matrix as an arm has it, symmetric and positive definite.
     const W: Matrix3<f64> = Matrix3::new(2.0, -1.5, 0.3, -1.5, 3.0, -0.4, 0.3, -0.4, 1.0);
 
     /// A joint at its lower stop with friction, one that sticks, one at its upper stop.

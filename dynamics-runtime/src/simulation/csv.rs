@@ -138,9 +138,9 @@ impl SizedTrajectory<Dyn> {
     ///
     /// # Errors
     ///
-    /// [`CsvError`] with the line and the column, where the header has the joints in another order, a line has too few or
-    /// too many cells, a cell holds no finite number, times do not grow, or there are fewer than two rows; and where the
-    /// reader fails.
+    /// [`CsvError`] with the line and the column, if the header has the joints in another order, or a line has too
+    /// few or too many cells. The same holds if a cell holds no finite number, times do not grow, or there are fewer
+    /// than two rows. A [`CsvError`] is also returned if the reader fails.
     pub fn read_points(joints: &[&str], input: impl Read) -> Result<Self, CsvError> {
         read(Dyn(joints.len()), Some(joints), input)
     }

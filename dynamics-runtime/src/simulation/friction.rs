@@ -3,9 +3,9 @@
 //! The torques hand the arm the dry friction that its forward dynamics takes off again, and take off what the mode of
 //! each joint says. Where joints stick, the columns of M^-1 that hold them are derivatives by a torque, from dual
 //! numbers. An event is located by taking the step again, shorter, so that it is as accurate as the method, and not
-//! as its dense output. A joint that is let go is asked for its acceleration once more at the least velocity that
-//! way: where a law that jumps at rest drives it back, there is no motion, and the run ends in `Cause::Chatter`.
-//! Without that question equal steps would make events for ever.
+//! as its dense output. If a joint is let go, its acceleration is evaluated once more at the least velocity that way:
+//! where a law that jumps at rest drives it back, there is no motion, and the run ends in `Cause::Chatter`.
+//! Without that evaluation equal steps would make events for ever.
 
 use super::error::InvalidSetting;
 use crate::friction::JointFriction;
@@ -31,7 +31,7 @@ pub enum Friction {
     /// one, else that of Coulomb. Between events the equations are smooth and every method has its order.
     ///
     /// Cost: one more evaluation of the forward dynamics at the end of each step. Where joints stick, an evaluation
-    /// becomes one over dual numbers for each of these joints. An event takes some ten steps.
+    /// becomes one over dual numbers for each of these joints. An event takes about ten steps.
     ///
     /// A force that exceeds friction and is back below it within one step is not noticed. A torque law that drives a
     /// joint back to rest from both sides, harder than friction holds it, ends the run in

@@ -64,8 +64,8 @@ fn unit(x: f64) -> SVector<f64, 1> {
     Vector1::new(x)
 }
 
-/// Those that solve a motion of constant force exactly, and of a force linear in time but for the
-/// second.
+/// The methods that solve a motion of constant force exactly. All except the second are exact for a
+/// force linear in time too.
 fn methods() -> [Method; 7] {
     let step = 0.03;
     [

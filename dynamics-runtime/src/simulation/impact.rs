@@ -186,7 +186,7 @@ fn rebounds<D: Size>(
         if impacts == 2 * MOST_IMPACTS {
             return None;
         }
-        // Without restitution one impact is the last, but for rounding.
+        // Without restitution one impact is the last, except for rounding.
         let is_elastic = impacts < MOST_IMPACTS;
         let e = if is_elastic { restitution } else { 0.0 };
         let wanted = size.each(|i| {
@@ -272,7 +272,7 @@ mod tests {
 
     use super::{Wanted, after};
 
-    /// Of an arm, symmetric and positive definite.
+    /// The inverse mass matrix of an arm, symmetric and positive definite.
     const INVERSE: Matrix3<f64> = Matrix3::new(2.0, -1.5, 0.3, -1.5, 3.0, -0.4, 0.3, -0.4, 1.0);
 
     fn lower(velocity: f64) -> Option<Wanted> {

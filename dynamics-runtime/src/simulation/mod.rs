@@ -267,8 +267,8 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
 
 impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// A force of the surroundings at a frame, besides those that were given before, at the tool or at other frames.
-    /// `place` returns the pose and the Jacobian of the frame; `law` the wrench (fx fy fz nx ny nz), N and N m, at the
-    /// frame's origin in the axes of the world, as a function of t in s, that pose and the frame's twist.
+    /// `place` returns the pose and the Jacobian of the frame. `law` returns the wrench (fx fy fz nx ny nz), N and N m,
+    /// at the frame's origin in the axes of the world, as a function of t in s, that pose and the frame's twist.
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -386,7 +386,7 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// rise of half the acceleration times its step squared. Joints that hit 100 000 times between two samples, as
     /// elastic ones may, end the run in [`Cause::Impacts`].
     ///
-    /// Cost: one more evaluation of the forward dynamics at the end of each step, and some ten steps for an impact.
+    /// Cost: one more evaluation of the forward dynamics at the end of each step, and about ten steps for an impact.
     /// Where joints lean on stops, an evaluation becomes one over dual numbers for each of these joints. A joint that
     /// passes a limit and comes back within one step is noticed where a cubic through the ends of the step shows it.
     /// Structure-preserving methods preserve the structure between impacts.
@@ -493,7 +493,7 @@ where
     }
 }
 
-/// A run that is asked for, whatever moves the arm.
+/// A run that is requested, whatever moves the arm.
 #[derive(Clone, Debug)]
 struct Setting<D: Size, M = Method> {
     method: M,

@@ -44,7 +44,7 @@ impl<D: Size> Plan<D> {
     }
 }
 
-/// The methods by which a simulation is given its plan, but for its start.
+/// The methods by which a simulation is given its plan, except for its start.
 macro_rules! plan_setters {
     () => {
         /// The time simulated, s.

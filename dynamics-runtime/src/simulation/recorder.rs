@@ -1,7 +1,7 @@
 //! A run as it goes on.
 //!
-//! What is recorded beside the phase (accelerations, torques) is evaluated at the samples, once more for each of
-//! them, and counts as no work: torques of a law with a memory could not be had afterwards.
+//! Accelerations and torques, which are recorded beside the phase, are evaluated once more at each sample. This
+//! counts as no work: torques of a law with a memory could not be had afterwards.
 
 use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
 use super::plan::Plan;

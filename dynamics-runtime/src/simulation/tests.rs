@@ -1,4 +1,4 @@
-//! What a run returns, and how it ends.
+//! The results of a run, and how it ends.
 
 use core::cell::Cell;
 use core::f64::consts::FRAC_PI_2;
@@ -224,7 +224,7 @@ fn a_push_at_rest_is_not_stepped_over() {
     }
 }
 
-/// Every call of the torque law is an evaluation of the forward dynamics, but for one at each sample, for
+/// Every call of the torque law is an evaluation of the forward dynamics, except for one at each sample, for
 /// the record.
 #[test]
 fn work_is_counted() {

@@ -99,10 +99,11 @@ pub(crate) struct Reduced<L> {
 /// Sine and cosine of x - d by the polynomials whose coefficients are given, in as few operations as they
 /// take, where d is below the last place of x, or both are tiny.
 ///
-/// Where products are fused the cosine is 1 - (x - d)^2 Q, where Q = 1/2 - x^2 (C0 + ...) does not wait for d. In units
-/// of its last place, 2^-53 in double precision, its own rounding is at most 0.5, that of the square 0.25 (at most 0.62,
-/// half a unit, times Q below 1/2), that of Q 0.16 (a quarter of a unit, times the square), others below 0.03: less than
-/// 0.94 units in all. Rounded products would add a quarter of a unit: there the rounding of 1 - x^2/2 is made good.
+/// Where products are fused the cosine is 1 - (x - d)^2 Q, where Q = 1/2 - x^2 (C0 + ...) does not wait for d. Errors
+/// are in units of its last place, 2^-53 in double precision. Its own rounding is at most 0.5, that of the square 0.25
+/// (at most 0.62, half a unit, times Q below 1/2), that of Q 0.16 (a quarter of a unit, times the square). Others are
+/// below 0.03: less than 0.94 units in all. Rounded products would add a quarter of a unit: there the rounding of 1 -
+/// x^2/2 is made good.
 #[inline(always)]
 pub(super) fn by_fewest_operations<L: Lanes, const K: usize>(
     x: L,

@@ -49,9 +49,9 @@ pub(crate) trait Sines: Lanes<Number = Self> + Kernel {
     }
 }
 
-// Inlined always, as is all that takes angles or gives sines in arrays: a function that is called has its
-// arrays in memory, and the angles that the caller writes one by one would be read as one vector, which a
-// processor does only when all of them have arrived there.
+// Inlined always, as is all that takes angles or gives sines in arrays. A function that is called has its arrays in
+// memory, and the angles that the caller writes one by one would be read as one vector. A processor does that only
+// when all of them have arrived there.
 macro_rules! impl_sines {
     ($($float:ident: $two:ident, $four:ident, $eight:ident;)*) => {$(
         impl Sines for $float {

@@ -55,12 +55,11 @@ pub(super) fn one<F: Sines>(x: F, part: Part) -> F {
 }
 
 /// Sine or cosine of angles in the lanes of a batch, of magnitude up to [`Kernel::LARGEST`](super::Kernel::LARGEST),
-/// by one polynomial: cos x = 1 - 2 sin^2 (x/2) in the lanes that are to have the cosine of what is left of the
-/// angle.
+/// by one polynomial. Lanes that are to have the cosine of what is left of the angle take cos x = 1 - 2 sin^2 (x/2).
 ///
-/// The error of the sine is at most 0.55 units in the last place where |x/2| < pi/8, and four times as many of its
-/// units are 0.42 of those of the cosine, which is rounded once where products are fused: its error is below 0.95
-/// units. Elsewhere it would be above one unit, and both polynomials are evaluated.
+/// The error of the sine is at most 0.55 units in the last place where |x/2| < pi/8. Four times as many of its units
+/// are 0.42 of those of the cosine, which is rounded once where products are fused: its error is below 0.95 units.
+/// Elsewhere it would be above one unit, and both polynomials are evaluated.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
@@ -69,7 +68,7 @@ pub(crate) fn part_in_lanes<L: Lanes>(x: L, part: Part) -> L {
     }
     let (half, unit) = (x.constant(L::Number::HALF), x.constant(L::Number::ONE));
     let Reduced { n, rest, excess } = L::Number::reduce(x);
-    // One parity of n asks for the sine, the other for the cosine.
+    // One parity of n needs the sine, the other the cosine.
     let choose = |sine: L, cosine: L| match part {
         Part::Cosine => n.select_by_lowest_bit(sine, cosine),
         _ => n.select_by_lowest_bit(cosine, sine),

@@ -188,7 +188,8 @@ fn huge_angles_are_reduced_exactly() {
     }
 }
 
-/// Of every exponent, beside the sines of the `libm` crate (FreeBSD's): both are less than a unit off.
+/// Angles of every exponent, beside the sines of the `libm` crate (FreeBSD's): both are less than a
+/// unit off.
 #[test]
 fn large_angles_have_the_sines_of_another_library() {
     let mut random = SplitMix64(17);

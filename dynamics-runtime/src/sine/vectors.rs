@@ -31,7 +31,7 @@ macro_rules! in_lanes {
                 dispatch!(level, simd => evaluated(simd, $($x),*))
             }
 
-            // A build without optimisation would hold the ways of both in every function that asks for sines.
+            // A build without optimisation would hold the ways of both in every function that needs sines.
             #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), not(debug_assertions)))]
             match (Level::baseline().as_avx512(), Level::baseline().as_avx2()) {
                 (Some(simd), _) => return evaluated(simd, $($x),*),
@@ -121,8 +121,8 @@ fn one_by_one<F: Sines, const W: usize>(x: [F; W], sines: &mut [F; W], cosines: 
     }
 }
 
-/// The processor's instruction set; asked for at run time where the build does not settle it, and
-/// there is a standard library to ask.
+/// The processor's instruction set; looked up at run time where the build does not settle it, and there is a standard
+/// library to ask.
 #[inline(always)]
 pub(crate) fn level() -> Level {
     let baseline = Level::baseline();

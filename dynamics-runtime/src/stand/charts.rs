@@ -6,7 +6,7 @@
 //! Source: H. Munthe-Kaas, *High order Runge-Kutta methods on manifolds*, Applied Numerical Mathematics 29 (1999), 115-127.
 //!
 //! R is kept as a quaternion of any length, whose rotation has no error of scale or shear. Roundings of products turn it by
-//! some 1e-16 and leave it a rotation, however many steps there are: nothing is made orthogonal afterwards.
+//! about 1e-16 and leave it a rotation, however many steps there are: nothing is made orthogonal afterwards.
 
 use core::cell::{Cell, RefCell};
 use core::marker::PhantomData;

@@ -7,12 +7,12 @@
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Carrier {
-    /// That of the row above. The first row stands on the base.
+    /// The link of the row above. The first row stands on the base.
     #[default]
     Above,
     /// The base.
     Base,
-    /// That of the row of this index, which stands above.
+    /// The link of the row of this index, which stands above.
     Row(usize),
 }
 

@@ -26,11 +26,12 @@
 //!
 //! The program is the inverse dynamics, whose equations are linear in the unknown coefficient qdd_k, with the matrix
 //! M(q_0) at every order. So the mass matrix is factored once a step, and the series need no pivots and quotients:
-//! for the PUMA 560 119 products of two series instead of 205 and four quotients. What depends on the accelerations
-//! is evaluated twice at each order, with qdd_k = 0 and with its value.
+//! for the PUMA 560 119 products of two series instead of 205 and four quotients. Values that depend on the
+//! accelerations are evaluated twice at each order, with qdd_k = 0 and with its value.
 //!
-//! The inner sum of a product, sum a_j b_(k-j) for 0 < j < k, knows only lower orders. Those of all products are
-//! computed together, eight products to a block, and a pass begins the sums of four orders, because reading the rows
+//! The inner sum of a product, sum a_j b_(k-j) for 0 < j < k, knows only lower orders. The inner sums of all
+//! products are computed together, eight products to a block, and a pass begins the sums of four orders, because
+//! reading the rows
 //! takes longer than multiplying. Products with a common factor share a block that stores it once. Code is compiled
 //! for the build's instructions and, on x86 without them, for AVX2 and AVX-512 with fused products (`fused`): the
 //! digits of a motion depend on the processor, in the last places.

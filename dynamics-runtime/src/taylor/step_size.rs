@@ -1,10 +1,10 @@
 //! How far a series goes.
 //!
-//! The order follows from the tolerance (1 - 2/3 ln tolerance, between the 1/2 of Jorba and Zou 2005, for work that
-//! grows with the square of the order, and 1 for work in proportion to it), the step from the last six coefficients
-//! of q and qd: from rest every other coefficient vanishes, and three of four where the motion is symmetric besides.
-//! Each step ends by comparing the accelerations of the series with those of the equations, which the next series
-//! needs anyway. If they differ, the step is halved.
+//! The order follows from the tolerance: it is 1 - 2/3 ln tolerance. The factor 2/3 is between 1/2, for work that
+//! grows with the square of the order (Jorba and Zou 2005), and 1, for work in proportion to it. The step follows
+//! from the last six coefficients of q and qd: from rest every other coefficient vanishes, and three of four where
+//! the motion is symmetric besides. Each step ends by comparing the accelerations of the series with those of the
+//! equations, which the next series needs anyway. If they differ, the step is halved.
 
 use nalgebra::SVector;
 

@@ -11,8 +11,8 @@ use crate::SingularMassMatrix;
 use crate::exact::{two_sum, two_sums};
 use crate::integrate::{Failure, Phase, StepRange, Stepper, Tolerance, first_non_finite};
 
-/// An arm whose torques are constant, and of which some joints are held where they are, until a stepper is
-/// told to begin again.
+/// An arm whose torques are constant, and of which some joints are held where they are, until a stepper
+/// begins again.
 pub(crate) trait Steady<const N: usize> {
     /// The arm.
     type Arm: TaylorDynamics<N>;

@@ -14,7 +14,7 @@ pub(super) fn input(arm: &Mechanism, symbol: &Symbol) -> Ranged {
         Symbol::Position(i) => position(arm, *i),
         Symbol::Velocity(i) => moved(arm, *i, |_| one()),
         Symbol::Acceleration(_) | Symbol::Force(_) | Symbol::Entry(..) => Ranged::exact(one()),
-        // That of a follower's velocity, too, up to underflow.
+        // The sign of a follower's velocity too, up to underflow.
         Symbol::VelocitySign(_) => Ranged::exact(one()),
         Symbol::Stribeck(i) => stribeck(arm, *i),
         Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) => unknown(),

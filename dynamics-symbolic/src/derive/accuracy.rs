@@ -93,7 +93,7 @@ impl Recursion {
         Judge::new(network, running, allowed)
     }
 
-    /// Whether the errors of a program at states of its own are those of the plain recursions but for a
+    /// Whether the errors of a program at states of its own are those of the plain recursions except for a
     /// small factor.
     pub(super) fn accepts(&self, arm: &Mechanism, program: &Program) -> bool {
         let states = states(arm, SEED_OF_MEASURE, PAIRS_OF_MEASURE);

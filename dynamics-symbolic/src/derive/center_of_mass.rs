@@ -3,7 +3,7 @@
 //! Both come from masses and first moments, joined from the tip inwards as for gravity. With m and h
 //! those of links i to n about the origin of frame i, and M the mass of all, the centre is h / M of the
 //! whole arm, and moves by z x h / M where revolute joint i does, by m z / M where prismatic joint i
-//! does. Links whose joints stand still count, but for those that no moving joint carries: they are parts of
+//! does. Links whose joints stand still count, except for those that no moving joint carries: they are parts of
 //! the base. Nothing is neglected: these are no terms of the equations of motion.
 
 use super::base::{LinkGeometry, bodies, geometry};
@@ -77,7 +77,7 @@ struct Moments<'g> {
     of_links: Vec<Moment<'g>>,
     /// The first moment of what no joint moves, about the origin of frame 0.
     of_base: Vector3<Expr<'g>>,
-    /// That of what joints feel.
+    /// The first moment of all that joints move.
     of_joints: Vector3<Expr<'g>>,
     /// The mass of all links, where it is still to be divided by.
     divisor: Option<Expr<'g>>,

@@ -55,7 +55,8 @@ pub(super) fn matrix<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -> 
     kinematics::by_rows(&columns)
 }
 
-/// dA/dt v, of these velocities and of the accelerations if they are constant: zero, but for the joints of a base that moves.
+/// dA/dt v, of these velocities and of the accelerations if they are constant: zero, except for the joints of a base
+/// that moves.
 pub(super) fn bias<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,

@@ -49,16 +49,16 @@ pub struct Chain<R> {
     pub gravity: Vector3<R>,
     /// A number of the table's gravity that is not zero, where there is one, else 1.
     pub strength: R,
-    /// What a mass at the origin of frame 0 has of potential energy, times -1 and over the mass; zero
-    /// where that is the world's origin.
+    /// Potential energy of a mass at the origin of frame 0, times -1 and over the mass; zero where that is the
+    /// world's origin.
     pub datum: R,
-    /// What the grouping of parameters left on the base: it matters to the potential energy alone.
+    /// The body that the grouping of parameters left on the base: it matters to the potential energy alone.
     pub base: Body<R>,
     /// The links.
     pub links: Vec<Link<R>>,
     /// Which of them carries which.
     pub(crate) tree: Tree,
-    /// The joint about whose origin the moment of a wrench on a frame is told, where it is about one.
+    /// The joint about whose origin the moment of a wrench on a frame is taken, where it is about one.
     pub pivot: Option<usize>,
 }
 

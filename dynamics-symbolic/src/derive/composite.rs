@@ -3,8 +3,8 @@
 //! Column j: the wrench that accelerates the body made of links j to n by a
 //! unit acceleration of joint j, carried inwards.
 //!
-//! Gravity is an acceleration -g of the base. What joint j feels of that is, for M is symmetric, what the
-//! base feels along -g of a unit acceleration of joint j: G_j = -g.f_j with the force of column j.
+//! Gravity is an acceleration -g of the base. M is symmetric, so joint j feels of that what the base feels
+//! along -g of a unit acceleration of joint j: G_j = -g.f_j with the force of column j.
 //!
 //! V comes from the same bodies. The acceleration of a point of link k is what it would
 //! have as a point of link k - 1, and what joint k adds to that; so the links outside joint j, taken as one
@@ -61,8 +61,8 @@ pub(super) fn gravity_vector<R: Ring>(chain: &Chain<R>) -> Vec<R> {
     forces
 }
 
-/// V, or V + G where `gravity` is the chain's, of these velocities and of the accelerations if these are constant: zero, but for
-/// the joints of a base that moves.
+/// V, or V + G where `gravity` is the chain's, of these velocities and of the accelerations if these are
+/// constant: zero, except for the joints of a base that moves.
 pub(super) fn bias_force<R: Ring>(
     chain: &Chain<R>,
     [qd, still]: [&[R]; 2],
@@ -90,7 +90,7 @@ pub(super) fn bias_force<R: Ring>(
     forces
 }
 
-/// The force of what the velocity of a joint adds to the motion of the links behind it, but for what the joint
+/// The force of what the velocity of a joint adds to the motion of the links behind it, except for what the joint
 /// itself feels of that, which is nothing.
 fn added<R: Ring>(
     body: &Body<R>,

@@ -11,8 +11,9 @@
 //!   d tau_i/dq_j  = S_i . (2 B_i psi_j' + I_i psi_j'')
 //!
 //! psi' = v x S is what a displacement of the joint adds to the velocities of the links outside it, in
-//! axes that move with them, and psi'' what it adds to their accelerations. What has index i is
-//! a wrench that is carried inwards from joint to joint; of the others the rows S_i I_i and S_i B_i are.
+//! axes that move with them, and psi'' what it adds to their accelerations. Terms with index i are
+//! wrenches that are carried inwards from joint to joint. In the others the rows S_i I_i and S_i B_i are
+//! carried so.
 //!
 //! Velocities and accelerations are those of frames' origins: with U as in
 //! [`Acceleration`] and a the acceleration of the origin,

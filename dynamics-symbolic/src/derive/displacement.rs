@@ -27,7 +27,7 @@ use crate::robot::Base;
 /// The numbers of the rotations among the degrees of freedom.
 const ROTATIONS: core::ops::Range<usize> = 3..Base::FREEDOMS;
 
-/// What is constant while velocities change.
+/// The rates that are constant while velocities change.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Held {
     /// The accelerations of all joints, as in the recursions.
@@ -39,7 +39,7 @@ pub(super) enum Held {
 /// Six numbers of the base.
 type Six<'g> = [Expr<'g>; Base::FREEDOMS];
 
-/// What the derivatives need of a base that moves.
+/// The quantities of a base that moves which the derivatives need.
 struct Displaced<'g> {
     zero: Expr<'g>,
     half: Expr<'g>,

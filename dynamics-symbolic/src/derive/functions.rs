@@ -96,12 +96,12 @@ struct Equations<'a, 'g> {
     frame: &'g Frame,
     qd: Vector<'g>,
     qdd: Vector<'g>,
-    /// The accelerations of joints whose velocities are constant: zero, but for those of a base that moves.
+    /// The accelerations of joints whose velocities are constant: zero, except for those of a base that moves.
     still: Vector<'g>,
 }
 
 impl<'g> Equations<'_, 'g> {
-    /// The outputs, of all rows but for [`is_of_joints`].
+    /// The outputs, of all rows except for [`is_of_joints`].
     fn of_rows(&mut self, function: Function, form: Form) -> Vector<'g> {
         let (chain, frame) = (self.chain, self.frame);
         let (zero, one) = (chain.zero, chain.one);
@@ -265,7 +265,7 @@ impl<'g> Equations<'_, 'g> {
         }
     }
 
-    /// sum c_ijk qd_j qd_k: V, but for the accelerations that the motion of a base adds.
+    /// sum c_ijk qd_j qd_k: V, except for the accelerations that the motion of a base adds.
     fn assembled_motion(&self) -> Vector<'g> {
         contracted(self.chain.zero, &self.christoffel(), [&self.qd, &self.qd])
     }

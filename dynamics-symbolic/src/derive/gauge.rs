@@ -36,7 +36,7 @@ pub struct Gauge {
     /// Whether inertial parameters move inwards to the base parameters: see
     /// [`Chain::group_parameters`].
     pub grouped: bool,
-    /// The joint about whose origin the moment of a wrench on a frame is told: see [`Chain::pivot`].
+    /// The joint about whose origin the moment of a wrench on a frame is taken: see [`Chain::pivot`].
     pub pivot: Option<usize>,
 }
 
@@ -190,7 +190,7 @@ impl Gauge {
 }
 
 /// The trials of a search. The last round of a descent comes back to gauges of the round before it: each
-/// is tried once, and counted as often as it is asked for.
+/// is tried once, and counted as often as it is requested.
 struct Trials<'a> {
     arm: &'a Mechanism,
     parts: &'a [Part],

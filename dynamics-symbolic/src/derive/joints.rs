@@ -90,8 +90,8 @@ impl<R: Ring> Joints<R> {
         })
     }
 
-    /// Of values for the joint of every row, in that arrangement, those of the joints that move by
-    /// themselves. An array has the values of each joint's own link, and none of the base.
+    /// The values of the joints that move by themselves, from values for the joint of every row in that arrangement.
+    /// An array has the values of each joint's own link, and none of the base.
     pub(super) fn outputs(&self, shape: &Shape, of_all: Vec<R>) -> Vec<R> {
         if self.free.len() == self.count && self.of_base == 0 {
             return of_all;

@@ -162,7 +162,7 @@ pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, frame: &mechanism::Frame) 
     by_rows(&columns(symbols.arm(), &frames, frame.link, (origin, zero)))
 }
 
-/// What each joint gives a point of a link at unit speed: its velocity, and the angular velocity of the link.
+/// The velocity that each joint gives a point of a link at unit speed, and the angular velocity of the link.
 pub(super) fn columns<'g>(
     arm: &Mechanism,
     frames: &[Frame<'g>],

@@ -35,7 +35,7 @@ pub(super) struct Rates<R> {
 }
 
 impl<R: Ring> Mixed<R> {
-    /// That of the link that the joint carries and moves.
+    /// The motion of the link that the joint carries and moves.
     fn enter(&self, joint: &Joint<R>, rates: Rates<R>) -> Self {
         let Rates { qd, qd_r, qdd_r } = rates;
         let [w, w_r, e] = [self.w, self.w_r, self.e].map(|v| joint.enter(v));

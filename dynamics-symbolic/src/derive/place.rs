@@ -53,9 +53,9 @@ pub(crate) struct BaseFrame<R> {
 
 /// The axes of frame 0 in the world.
 enum Axes<R> {
-    /// Those of a base that stands, turned by known angles.
+    /// Axes of a base that stands, turned by known angles.
     Turned(Turns<R>),
-    /// Those of a base that moves, any rotation, by rows.
+    /// Axes of a base that moves, any rotation, by rows.
     Moving(Matrix3<R>),
 }
 

@@ -9,11 +9,11 @@ use crate::spatial::{Body, Central, Place, Turn};
 
 /// The constant places of an arm.
 pub(super) struct Places<R> {
-    /// Of each joint's axis, in the aligned frame of the joint before.
+    /// Places of each joint's axis, in the aligned frame of the joint before.
     pub(super) before: Vec<Place<R>>,
-    /// Of each joint's own frame, in its aligned frame.
+    /// Places of each joint's own frame, in its aligned frame.
     pub(super) own: Vec<Place<R>>,
-    /// Of each link frame, in the own frame of its joint.
+    /// Places of each link frame, in the own frame of its joint.
     behind: Vec<Place<R>>,
 }
 
@@ -74,7 +74,7 @@ pub(crate) struct Moved<R> {
     /// The number of the free joint.
     pub(crate) joint: usize,
     pub(crate) factor: R,
-    /// Of a joint that slides: where it is while the free joint is at zero.
+    /// The position of a joint that slides while the free joint is at zero.
     pub(crate) offset: R,
     /// The constant turn about the axis.
     pub(crate) turn: Turn<R>,

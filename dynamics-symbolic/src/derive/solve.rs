@@ -6,14 +6,14 @@
 //! losing its inertia. An entry of joints of which neither carries the other is zero in M, and stays zero in U: what
 //! is taken out of a joint's row is shared among the joints that carry it (Featherstone 2008, 6.5).
 //!
-//! What is computed solves a system beside M to rounding, however nearly singular M is (Higham 2002,
+//! The computed x solves a system beside M to rounding, however nearly singular M is (Higham 2002,
 //! 10.1), because its entries share their errors: the factors are of one matrix, and each x_j makes
 //! good what the x_i before it are, not what they should be. An equal definition that reads
 //! something else would lose that, so that all definitions are held.
 //!
 //! M is factored from the tip inwards: its pivots are then the inertias that each joint feels with the joints outside
 //! it free, and `SingularMassMatrix` can name the joint. Factoring takes operations that grow with the cube of the
-//! number of joints, articulated bodies some 470 a joint for a generic chain. The shorter form is emitted. A form
+//! number of joints, articulated bodies about 470 a joint for a generic chain. The shorter form is emitted. A form
 //! that is longer by a tenth in the plain gauge is not searched. `tests/golden/forward_dynamics.txt` and
 //! `forward_dynamics_of_long_chains.txt` have the counts of both.
 

@@ -21,8 +21,8 @@ pub(crate) struct State {
 
 /// States of an arm: positions over the joints' ranges, the rest from -1 to 1.
 ///
-/// Two states each have the same values of the fields. Those of every other pair are ordinary, those of
-/// the pairs between unlucky: magnitudes that differ by up to nine powers of ten, and angles that
+/// Two states each have the same values of the fields. Every other pair has ordinary values, the pairs
+/// between have unlucky ones: magnitudes that differ by up to nine powers of ten, and angles that
 /// nearly vanish or are nearly right.
 pub(crate) fn states(arm: &Mechanism, seed: u64, pairs: usize) -> Vec<[State; 2]> {
     let mut random = SplitMix64::new(seed);

@@ -26,7 +26,7 @@ pub struct JointSymbols<'g> {
     pub qdd: Expr<'g>,
     /// The rate of the velocity.
     pub rate: Expr<'g>,
-    /// What the motion of a base adds to the accelerations of its joints, D u: see `mechanism::base`.
+    /// The acceleration that the motion of a base adds to its joints, D u: see `mechanism::base`.
     pub added: Expr<'g>,
     /// Force or torque.
     pub tau: Expr<'g>,
@@ -111,7 +111,7 @@ impl<'g> Symbols<'g> {
         self.new_pose(Argument::Pose)
     }
 
-    /// What the motion of the base adds to the accelerations of its joints.
+    /// Adds the accelerations of the base's joints that come from the motion of the base itself.
     fn add_motion_of_base(&mut self) {
         let u = core::array::from_fn(|k| self.joints[k].qd);
         let added = self.base_rate().times(u);
@@ -272,7 +272,7 @@ impl<'g> Symbols<'g> {
     }
 
     /// An entry of another argument than q, qd, qdd and tau: a symbol from the first time on that it is
-    /// asked for.
+    /// requested.
     pub fn entry(&mut self, argument: Argument, index: usize) -> Expr<'g> {
         let key = (argument, index);
         if let Some((_, known)) = self.entries.iter().find(|(known, _)| *known == key) {
@@ -316,7 +316,7 @@ impl<'g> Symbols<'g> {
         let joint = self.joints[i];
         let direction = turning(direction, joint.sin_cos, rate).with(joint.q, rate);
         // Where a follower has a sine of its own, that changes too: rates of anything else than symbols
-        // are never asked for.
+        // are never requested.
         let leader = |i: usize| self.arm.moved_by(i).map(|(leader, _)| leader);
         let own = self.arm.following().filter(|&i| leader(i) == Some(number));
         own.fold(direction, |direction, i| {

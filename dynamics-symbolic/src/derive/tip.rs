@@ -7,8 +7,8 @@
 //!   u' = u + qd z x r,   a' = a + z x (qd (u + u') + qdd r),
 //!   w' = w + qd z,       e' = e + qd z x w + qdd z,
 //!
-//! and a prismatic one u' = u + qd z, a' = a + qdd z. What reaches the base is in its axes: nothing has
-//! to be turned back.
+//! and a prismatic one u' = u + qd z, a' = a + qdd z. The values that reach the base are in its axes: nothing has to
+//! be turned back.
 
 use super::chain::Chain;
 use super::place;
@@ -92,7 +92,7 @@ pub(super) fn acceleration<'g>(
 
 /// J' w, the force f and the moment n handed on outwards as they are: with the frame that is pushed at r from
 /// the origin of frame i, joint i feels z.(n + r x f). Where the chain has a pivot that carries the pushed frame, the
-/// moment is told about the origin of that joint, and handed on from there ([`Wrench::about`]).
+/// moment is taken about the origin of that joint, and handed on from there ([`Wrench::about`]).
 pub(super) fn wrench_torques<'g>(
     symbols: &mut Symbols<'g>,
     chain: &Chain<Expr<'g>>,
@@ -123,7 +123,7 @@ struct LocalWrench<'g> {
 
 /// A wrench on a frame, in frame 0 and the frames of the links that carry the pushed one.
 struct Wrench<'g> {
-    /// Those links, from the frame's own inwards.
+    /// The links that carry the pushed frame, from its own inwards.
     carriers: Vec<usize>,
     in_base: LocalWrench<'g>,
     in_links: Vec<LocalWrench<'g>>,

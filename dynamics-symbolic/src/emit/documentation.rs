@@ -120,7 +120,7 @@ pub(super) fn unresisted<'r>(
     let n = robot.dof();
     let spans = spans(request.parts(), robot.freedoms(), program.outputs.len());
     let mut parts = request.parts().iter().zip(spans);
-    // All parts with pivots have the same. Those of a series are of the runtime's factorisation.
+    // All parts with pivots have the same. A series has the pivots of the runtime's factorisation.
     let Some((_, span)) = parts.find(|(part, _)| part.function.has_pivots()) else {
         return Vec::new();
     };

@@ -173,7 +173,7 @@ pub(super) fn constant_cell(robot: &Robot, value: &Value, path: &TokenStream) ->
 }
 
 /// The sines and cosines, all angles of a kind in one call, which evaluates them in the lanes of a
-/// vector register. Where the runtime may know those of the joints, they are asked for and come from `sines`.
+/// vector register. Where the runtime may know those of the joints, they are requested and come from `sines`.
 fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Program) -> TokenStream {
     let Cells { robot, path, .. } = cells;
     let pair = |sine: Symbol, cosine: Symbol| {

@@ -118,9 +118,9 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
              elbow, about this line, from the one that holds the direction of the first axis; if axis and line are parallel, \
              from any."
         }
-        Target::Position => " Of the pose the position alone is read.",
+        Target::Position => " Only the pose's position is read.",
         Target::PositionAndAngle => {
-            " Of the pose the position and the angle in the plane of the arm are read."
+            " Only the pose's position and its angle in the plane of the arm are read."
         }
     };
     let most = plan.branches();

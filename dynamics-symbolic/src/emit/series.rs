@@ -60,7 +60,7 @@ struct Series<'p> {
     inputs: Vec<Ident>,
 }
 
-/// The items of `TaylorDynamics` but for the mass matrix: the type of the table of products, and
+/// The items of `TaylorDynamics` except for the mass matrix: the type of the table of products, and
 /// the equations of motion at one order.
 pub(super) fn items(robot: &Robot, proven: &Proven, path: &TokenStream) -> TokenStream {
     let series = Series::new(robot, proven, path);

@@ -282,7 +282,7 @@ pub fn stub_of_trait(function: Function, dof: usize, path: &TokenStream) -> Opti
     provided(function, dof, path, &quote!(::core::unimplemented!()), 0)
 }
 
-/// The type by which the runtime's trait `Function` knows what is asked for: several functions, and a function of a
+/// The type by which the runtime's trait `Function` knows what is requested: several functions, and a function of a
 /// frame, by their number among the methods.
 pub fn function_type(request: &Request, index: usize, path: &TokenStream) -> TokenStream {
     match request.function() {

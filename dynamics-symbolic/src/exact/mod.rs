@@ -26,7 +26,7 @@ pub(crate) fn negate_if<T: core::ops::Neg<Output = T>>(x: T, negate: bool) -> T 
     if negate { -x } else { x }
 }
 
-/// Whether the sum, the difference, the product and the quotient of two numbers have at most [`MOST_BITS`], but for
+/// Whether the sum, the difference, the product and the quotient of two numbers have at most [`MOST_BITS`], except for
 /// a bit that a sum may carry.
 pub fn is_short(x: &Rational, y: &Rational) -> bool {
     bit_length(x) + bit_length(y) <= MOST_BITS

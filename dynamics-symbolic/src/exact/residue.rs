@@ -30,7 +30,7 @@ impl<const P: u64> Residue<P> {
         Residue(n % P)
     }
 
-    /// A smaller number with the same residue: 2^BITS is DISTANCE. What is left of a product after two of
+    /// A smaller number with the same residue: 2^BITS is DISTANCE. The rest of a product after two of
     /// these is below 2^BITS + DISTANCE^2, less than twice P.
     #[inline]
     fn folded(n: u128) -> u128 {
@@ -215,7 +215,7 @@ mod tests {
         );
     }
 
-    /// Of a number and its opposite one has a root, and it is one of the two whose square it is.
+    /// Either a number or its opposite has a root, and it is one of the two whose square it is.
     #[test]
     fn square_roots() {
         let mut random = SplitMix64::new(2);

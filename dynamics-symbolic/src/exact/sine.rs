@@ -23,8 +23,9 @@ pub fn sin_cos(angle: f64) -> (f64, f64) {
     }
 }
 
-/// How far [`sin_cos`] may be from the true values, over 1 and the size of the angle in radians: some
-/// ten times the rounding of its last operations and of the angle that is left of whole quarters.
+/// How far [`sin_cos`] may be from the true values, over 1 and the size of the angle in radians:
+/// about ten times the rounding of its last operations and of the angle that is left of whole
+/// quarters.
 pub const SINE_ERROR: f64 = 4e-15;
 
 #[cfg(test)]

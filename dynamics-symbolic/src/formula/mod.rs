@@ -28,7 +28,7 @@ use expression::Expression;
 use groups::Groups;
 use names::Names;
 
-/// Formulas are written for arms of so many joints without being asked for.
+/// Formulas are written for arms of so many joints without being requested.
 pub const MOST_JOINTS: usize = 3;
 
 /// A formula of more terms is no help to a reader.
@@ -79,7 +79,7 @@ pub struct Equation {
 }
 
 impl Formulas {
-    /// The formulas of a short arm, which are written without being asked for.
+    /// The formulas of a short arm, which are written without being requested.
     pub fn of_short_arm(
         robot: &Robot,
         parts: &[Part],

@@ -22,7 +22,7 @@ pub struct Budget {
 const BITS_OF_ONE_MORE: usize = 256;
 
 impl Budget {
-    /// The budget of a formula that nobody asked for.
+    /// The budget of a formula that nobody requested.
     pub const UNASKED: Budget = Budget {
         terms: 300,
         products: 5_000,

@@ -17,7 +17,7 @@ pub(super) struct Names {
     pub(super) divisors: Vec<Expression>,
     /// The Stribeck velocities of the joints.
     pub(super) stribeck: Vec<Option<Value>>,
-    /// Those of the base, and the joints.
+    /// Degrees of freedom of the base, and the joints.
     pub(super) freedoms: Freedoms,
     /// Whether c12 stands for cos(q1 + q2).
     pub(super) is_short: bool,

@@ -1,4 +1,4 @@
-//! What a search has found.
+//! The steps that a search has found.
 
 use super::plan::Step;
 use crate::expr::Expr;

@@ -12,11 +12,11 @@ pub struct Plan {
     pub program: Program,
     /// How many joints move.
     pub joints: usize,
-    /// What is read of the pose.
+    /// The part of the pose that is read.
     pub target: Target,
 }
 
-/// What an arm reaches of a pose.
+/// The part of a pose that an arm reaches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// All of it.
@@ -157,7 +157,7 @@ impl Plan {
             .product()
     }
 
-    /// Of each step the index of its first coefficient among the outputs of the program.
+    /// The index of each step's first coefficient among the outputs of the program.
     pub fn first_outputs(&self) -> Vec<usize> {
         let mut next = 0;
         let first = |step: &Step| {

@@ -1,8 +1,8 @@
 //! Seven joints with a spherical shoulder and a spherical wrist, and the angle of the elbow about the line between these.
 //!
 //! The distance from shoulder S to wrist W is that of the pose, and gives the fourth joint. The third link then stands so that
-//! the line SW is where it has to be, and the elbow E in the half plane that the angle asks for. With the unit vectors w along
-//! the line and e from it to the elbow, in the world and in the link, the link's rotation is
+//! the line SW is where it has to be, and the elbow E in the half plane that the angle names. With the unit vectors w
+//! along the line and e from it to the elbow, in the world and in the link, the link's rotation is
 //!
 //!   R = w w_l' + e e_l' + (w x e) (w_l x e_l)'
 //!

@@ -1,8 +1,9 @@
 //! Equations in which one joint is the only unknown.
 //!
 //! In A Z B = L (see `view`), Z is the motion of one joint, A that of the joints before it and B that of the joints behind.
-//! A point p that B does not move is at A Z p = L p. What A does not change of this point is an equation in the one joint: a
-//! height over a plane, the distance from a point, or the distance from an axis. The same holds of directions.
+//! A point p that B does not move is at A Z p = L p. A quantity of this point that A does not change is an equation in
+//! the one joint: a height over a plane, the distance from a point, or the distance from an axis. The same holds of
+//! directions.
 //!
 //! Sources: Pieper, The kinematics of manipulators under computer control (1968), for axes that meet; Craig, Introduction to
 //! Robotics, 4.5 and 4.6. Equations of these forms are those of Paden and Kahan (Murray, Li, Sastry 1994, 3.3).
@@ -30,7 +31,7 @@ pub(super) struct Equation<'g> {
 }
 
 impl<'g> Equation<'g> {
-    /// Of joint t of a view, as it moves in the equation that is no inverse.
+    /// The equation of joint t of a view, as it moves in the equation that is no inverse.
     fn of(view: &View<'g>, t: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
             let opposite = match rule {
@@ -126,7 +127,8 @@ fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
     (!is_on_axis && view.allows(&y.0[..2])).then_some(Turned { x, y, size })
 }
 
-/// y.(L p) = y.(A Z B p) with y at right angles to all that slides and along all that turns, but for joint t, which slides by d:
+/// y.(L p) = y.(A Z B p) with y at right angles to all that slides and along all that turns, except for joint t, which
+/// slides by d:
 /// d = (y.(L p) - y.(A B p)) / y.z
 fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();

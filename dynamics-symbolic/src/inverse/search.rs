@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 /// More solutions than this have no room among the results.
 const MOST_BRANCHES: usize = 8;
 
-/// What a search knows.
+/// A search, with all that it reads.
 struct Search<'g, 'a> {
     graph: &'g Graph,
     chain: Vec<Link<'g>>,
@@ -28,7 +28,8 @@ struct Search<'g, 'a> {
     forbidden: BTreeSet<NodeId>,
     /// The condition at the end, of arms that reach a part of all positions.
     is_conditional: bool,
-    /// Of seven joints: how many links of the chain there are up to the third joint, and where the frame behind it is.
+    /// The shoulder of seven joints: how many links of the chain there are up to the third joint, and where the frame
+    /// behind it is.
     shoulder: Option<(usize, Path<'g>)>,
     accept: &'a dyn Fn(&[Step], &[Edge]) -> bool,
 }
@@ -100,7 +101,7 @@ fn write_squares(chain: &[Link<'_>]) {
     }
 }
 
-/// What is read of the pose by arms that have closed forms; `None` of all others.
+/// The part of the pose that is read by arms that have closed forms; `None` of all others.
 fn target<'g>(chain: &[Link<'g>], graph: &'g Graph) -> Option<Target> {
     let view = chain_view(chain, graph);
     let count = view.joints.len();
@@ -212,7 +213,7 @@ impl<'g> Search<'g, '_> {
         false
     }
 
-    /// The position that is reached is the one that was asked for.
+    /// The position that is reached is the one that was requested.
     fn condition(&self) -> Found<'g> {
         let all: BTreeSet<usize> = joints(&self.chain).map(|joint| joint.number).collect();
         let (way, ..) = between(&self.chain, &all);

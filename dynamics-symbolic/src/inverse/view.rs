@@ -123,7 +123,7 @@ impl<'g> View<'g> {
         self.gathered(range, Points::All, moved, join)
     }
 
-    /// Those of the points that a turn about z leaves.
+    /// The points among these that a turn about z leaves.
     fn on_axis(&self, points: Points<'g>) -> Points<'g> {
         let (z, point) = (self.z(), self.origin());
         let axis = |each| Points::Line {
@@ -154,7 +154,7 @@ impl<'g> View<'g> {
         }
     }
 
-    /// Those of the points that a step along z leaves.
+    /// The points among these that a step along z leaves.
     fn along_axis(&self, points: Points<'g>) -> Points<'g> {
         let z = self.z();
         match points {

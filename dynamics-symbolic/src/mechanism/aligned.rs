@@ -130,8 +130,8 @@ impl Path {
         self.steps.push(Step { xyz, axis, angle });
     }
 
-    /// Slides the first frame along its axis and turns it about that, as far as the path gets shorter. Of two parallel
-    /// axes only the last one takes a slide.
+    /// Slides the first frame along its axis and turns it about that, as far as the path gets shorter. If two axes are
+    /// parallel, only the last one takes a slide.
     fn take_first(&mut self) -> (Value, Vec<Value>) {
         let mut turns = Vec::new();
         let is_along = |xyz: &[Value; 3]| xyz[0].is_zero() && xyz[1].is_zero();

@@ -9,8 +9,8 @@
 //!
 //!   dv/dt + w x v   and   dw/dt - (y z, -x z, x y).
 //!
-//! What is added is D(w) u of the velocity u itself. Column j of D is what the joints k > j, which turn with joint j, do to
-//! its axis: the sum of w_k e_k x e_j. If C and dJ/dt are those of the six joints, those of the base are
+//! The added term is D(w) u of the velocity u itself. Column j of D is what the joints k > j, which turn with joint j,
+//! do to its axis: the sum of w_k e_k x e_j. If C and dJ/dt are those of the six joints, those of the base are
 //!
 //!   C + M D   and   dJ/dt + J D.
 //!

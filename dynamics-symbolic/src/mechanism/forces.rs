@@ -1,4 +1,4 @@
-//! What acts at a joint.
+//! The forces that act at a joint.
 
 use crate::robot::{Row, Spring, Stribeck, Value};
 
@@ -16,7 +16,7 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
-    /// Those of a row.
+    /// The forces of a row.
     pub(super) fn of(row: &Row) -> Self {
         Forces {
             motor_inertia: row.motor_inertia.clone(),

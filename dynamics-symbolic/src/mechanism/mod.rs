@@ -35,7 +35,7 @@ pub struct Mechanism {
     pub(crate) tip: Frame,
     /// The named frames.
     pub(crate) frames: Vec<Frame>,
-    /// What is fixed to links: the tool at the tip, and the bodies of frames.
+    /// Bodies that are fixed to links: the tool at the tip, and the bodies of frames.
     pub(crate) fixed_bodies: Vec<FixedBody>,
     /// The base inertial parameters that are left out of the Lagrangian.
     pub(crate) neglected: Option<Neglected>,

@@ -1,10 +1,10 @@
 //! The abbreviated model: what hardly matters is left out of the Lagrangian.
 //!
-//! The Lagrangian is linear in the base inertial parameters: each is a coefficient of terms of T and
-//! U. Those whose terms stay below a share of the largest value of every function, M, V and G, over
-//! sampled states are left out, as terms of the equations are in Armstrong, Khatib and Burdick (1986).
-//! There each equation is pruned by itself, and what is left belongs to no Lagrangian: it makes and
-//! loses energy. Here all functions are derived again from the Lagrangian that is left.
+//! The Lagrangian is linear in the base inertial parameters: each is a coefficient of terms of T and U. Parameters
+//! whose terms stay below a share of the largest value of every function, M, V and G, over sampled states are left
+//! out, as terms of the equations are in Armstrong, Khatib and Burdick (1986). There each equation is pruned by
+//! itself, and what is left belongs to no Lagrangian: it makes and loses energy. Here all functions are derived
+//! again from the Lagrangian that is left.
 //!
 //! Joints are measured by the inertia that they meet. With w_i the square root of the largest M_ii,
 //! the entries of M are compared as M_ij / (w_i w_j), forces as tau_i / w_i, and V at the velocities
@@ -15,7 +15,7 @@
 //! Parameters are dropped, not monomials: the recursions stay, T stays quadratic and the arm a chain of bodies.
 //! Dropped means that the parameter's value as a base parameter, an exact constant, is taken off the link that it is
 //! written on. That M stays positive definite is proven (`definite`). Where the search for that fails, a descent
-//! looks for a state to name in the error. Of 120 random arms at 10 to 30 % one was neither proven nor found
+//! looks for a state to name in the error. One of 120 random arms at 10 to 30 % was neither proven nor found
 //! indefinite, and it is refused. An arm whose complete M is not proven is judged at the samples, and the
 //! documentation of its functions says so.
 

@@ -20,7 +20,7 @@ impl Interpretation for Reals {
         PI
     }
 
-    /// The macro asks for numbers before.
+    /// The macro requires numbers before.
     fn field(&mut self, _: usize) -> f64 {
         f64::NAN
     }

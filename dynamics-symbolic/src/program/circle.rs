@@ -11,8 +11,8 @@ const PRECISION: usize = 320;
 const BITS: usize = 220;
 
 /// Sine and cosine of a constant angle: exactly, where they are 0, 1/2 or 1, or else rational numbers that
-/// differ from them by less than 1e-60. Of multiples of a right angle and of 30 degrees no other sine is
-/// rational (Niven 1956, theorem 3.9). None where the angle is so large that nothing is known of it.
+/// differ from them by less than 1e-60. Multiples of a right angle and of 30 degrees have no other
+/// rational sine (Niven 1956, theorem 3.9). None where the angle is so large that nothing is known of it.
 pub fn sine_and_cosine(angle: &Value) -> Option<[Rational; 2]> {
     let Angle {
         quarter_turns,

@@ -73,7 +73,7 @@ impl ConstantPool {
         values
     }
 
-    /// The constants that `needed` asks for as correctly rounded doubles (the others as NaN).
+    /// The constants that `needed` requests as correctly rounded doubles (the others as NaN).
     ///
     /// The precision is raised until every rounding is certain. A tie that the engine cannot know to be one, such as
     /// 2 cos(pi/3) (1 + 2^-53), rounds to either side. Numbers beyond the largest double, quotients by zero and sines of

@@ -1,8 +1,8 @@
 //! The proof of a plan of inverse kinematics: each of its branches leads to the pose from which it starts.
 //!
 //! The pose is that of the textbook definition at random joints in the prime field. Roots are those of the field, each with both
-//! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the definition is asked
-//! for the pose at the joints that were found.
+//! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the
+//! definition gives the pose at the joints that were found.
 
 use super::assignment::{Assignment, HALF, Number};
 use super::definition::Definition;
@@ -135,8 +135,8 @@ impl Branches<'_> {
     }
 }
 
-/// A root, or a direction; none if a root is not in the field. Of two roots either will do: it turns the elbow by half a turn,
-/// or the other way.
+/// A root, or a direction; none if a root is not in the field. Either of two roots will do: it turns the
+/// elbow by half a turn, or the other way.
 fn numbers(rule: Rule, coefficients: &[Number]) -> Option<Vec<Number>> {
     match (rule, coefficients) {
         (Rule::Root, [square]) => Some(vec![square.square_root()?]),

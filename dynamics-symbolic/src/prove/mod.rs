@@ -15,8 +15,8 @@
 //! because relations between the factors are looked for in the field, too (`exact::common_angles`).
 //!
 //! Forward dynamics is judged by the equations of motion that its result must satisfy, and by its pivots. Derivatives
-//! are those of the Euler-Lagrange equations by dual numbers over dual numbers. Those of forward dynamics solve the
-//! differentiated equations of motion.
+//! are those of the Euler-Lagrange equations by dual numbers over dual numbers. Derivatives of forward dynamics solve
+//! the differentiated equations of motion.
 //!
 //! `tests/suite/damage.rs` changes every single operation of the programs of five robots, and every change is
 //! refused. `random_tables.rs` proves every function of random tables with symbolic cells anywhere. `invariances.rs`

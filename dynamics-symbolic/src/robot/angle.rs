@@ -103,7 +103,7 @@ impl LinearForm {
         is_near.then(|| nearest.rem_euclid(4.0) as u8)
     }
 
-    /// The form of a value. What it would take long numbers to separate is one of the others, as it is written.
+    /// The form of a value. A part that only long numbers could separate is one of the others, as it is written.
     fn read(value: &Value) -> Self {
         let number = |number: Rational, pi: Rational| LinearForm {
             number,
@@ -218,7 +218,7 @@ mod tests {
         );
     }
 
-    /// Axes that are parallel but for 1e-9 rad exchange a little torque, and none where they are parallel.
+    /// Axes that are parallel within 1e-9 rad exchange a little torque, and none where they are parallel.
     #[test]
     fn tiny_angles_are_not_zero() {
         let tiny = rational(1, 1_000_000_000);

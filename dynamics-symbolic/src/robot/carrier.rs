@@ -5,12 +5,12 @@ use super::{Placement, Robot, Row};
 /// The link on which a joint stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Carrier {
-    /// That of the row above. The first row stands on the base.
+    /// The link of the row above. The first row stands on the base.
     #[default]
     Above,
     /// The base.
     Base,
-    /// That of the row of this index, which stands above.
+    /// The link of the row of this index, which stands above.
     Row(usize),
 }
 

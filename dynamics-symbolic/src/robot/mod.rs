@@ -195,7 +195,7 @@ impl Robot {
         }
     }
 
-    /// What is asked for, of this robot: functions of one whose base moves take where that stands.
+    /// The request as this robot answers it: functions of one whose base moves take where that stands.
     pub fn request(&self, request: Request) -> Request {
         if self.freedoms().has_base() {
             request.on_moving_base()

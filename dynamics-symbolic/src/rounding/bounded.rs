@@ -4,7 +4,7 @@
 //! therefore wrong by the errors of the operands, passed on by the operation, and by u times its own size at most
 //! (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 3.3).
 //!
-//! These rules are for doubles at one point. The roundings of the bound itself, some 1e-16 of it, are left out. They
+//! These rules are for doubles at one point. The roundings of the bound itself, about 1e-16 of it, are left out. They
 //! are counted in the two other statements of the rules: `ranged`, over a box of points, and
 //! [`Real`](crate::program::Real), in high precision.
 

@@ -28,7 +28,8 @@ pub(crate) fn outputs_over(program: &Program, constants: &[f64], inputs: &[Range
         .collect()
 }
 
-/// The constants of a program, each an exact number that was rounded to a double. Those that doubles have are exact.
+/// The constants of a program, each an exact number that was rounded to a double. Constants that are doubles are
+/// exact.
 fn ranged(constants: &ConstantPool, doubles: &[f64]) -> Vec<Ranged> {
     let ranged = |(constant, &double): (&Constant, &f64)| match constant {
         Constant::Rational(x) => Ranged::rational(x, double),

@@ -31,7 +31,7 @@ pub(super) fn plus(a: f64, b: f64) -> f64 {
     if is_exact { a + b } else { up(a + b) }
 }
 
-/// a b, rounded upwards: more than zero unless one of them is. What is not known stays so, times zero too.
+/// a b, rounded upwards: more than zero unless one of them is. An unknown factor stays unknown, times zero too.
 pub(super) fn times(a: f64, b: f64) -> f64 {
     if a != 0.0 && b != 0.0 {
         (a * b).next_up()

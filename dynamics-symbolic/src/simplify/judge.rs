@@ -47,7 +47,7 @@ impl<'g> Judge<'g> {
     }
 
     /// Whether the outputs keep within what is allowed now that the last of some nodes has another definition, which
-    /// reads the others, new ones. The survey is that before. What is not accepted has to be taken back.
+    /// reads the others, new ones. The survey is that before. A change that is not accepted has to be taken back.
     pub(super) fn accepts(
         &mut self,
         network: &Network<'_>,

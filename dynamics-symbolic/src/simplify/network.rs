@@ -12,7 +12,7 @@ pub struct Network<'g> {
     /// The definition of each node; meaningful where the node is active or constant.
     definitions: Vec<Operation>,
     values: Vec<Fingerprint>,
-    /// Inverses of values, found when they are asked for: most never are.
+    /// Inverses of values, found when they are requested: most never are.
     inverses: Vec<Cell<Option<Option<Fingerprint>>>>,
     free: Vec<bool>,
     /// Whether the definition of each node is held: see [`Graph::holding`].

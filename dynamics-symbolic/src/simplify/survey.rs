@@ -5,7 +5,8 @@ use crate::exact::negate_if;
 use crate::expr::{Fingerprint, FingerprintMap, NodeId};
 use core::cell::RefCell;
 
-/// A look at a network: valid until a definition changes. What is held, and what reads it, is left out of it.
+/// A look at a network: valid until a definition changes. Nodes that are held, and nodes that read these, are
+/// left out.
 pub(super) struct Survey {
     /// Every active node that takes an operation, operands before readers.
     whole: Vec<NodeId>,
@@ -68,7 +69,7 @@ impl Survey {
     }
 
     /// Whether the node at a position is one of some dependents. They are found as
-    /// far as they are asked for: most questions are about nodes nearby.
+    /// far as they are requested: most questions are about nodes nearby.
     fn depends(&self, network: &Network<'_>, dependents: &Dependents, position: usize) -> bool {
         let Some(place) = position.checked_sub(dependents.first) else {
             return false;

@@ -54,7 +54,7 @@ impl<R: Ring> Acceleration<R> {
         ])
     }
 
-    /// That of the link that the joint carries and moves.
+    /// The acceleration of the link that the joint carries and moves.
     pub fn enter(&self, joint: &Joint<R>, qd: R, qdd: R) -> Self {
         let carried = Acceleration {
             w: joint.enter(self.w),

@@ -2,7 +2,7 @@
  * Equations of motion of `two_link_craig`, written by robot-dynamics.
  *
  * Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.
- * Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.
+ * Nothing is allocated, no state is kept. A value that depends on an input that is not finite is not finite.
  *
  * Functions whose names end in `_batch` take columns of states, with the digits of the functions of one state, and are
  * turned into lanes by `-O3 -march=native`. A column that is written may be one that is read, and overlaps no other.

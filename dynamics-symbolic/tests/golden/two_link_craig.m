@@ -17,7 +17,7 @@ function value = mass_matrix(arm, q)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     zero = -0 - zeros(1, size(q, 2));
@@ -61,7 +61,7 @@ function value = coriolis_vector(arm, q, qd)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     check_rows('qd', qd, 2);
@@ -106,7 +106,7 @@ function value = gravity_vector(arm, q)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     zero = -0 - zeros(1, size(q, 2));
@@ -153,7 +153,7 @@ function value = inverse_dynamics(arm, q, qd, qdd)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     check_rows('qd', qd, 2);
@@ -211,7 +211,7 @@ function value = forward_dynamics(arm, q, qd, tau)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     check_rows('qd', qd, 2);
@@ -291,7 +291,7 @@ function value = kinetic_energy(arm, q, qd)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     check_rows('qd', qd, 2);
@@ -337,7 +337,7 @@ function value = potential_energy(arm, q)
 %
 %   `arm`: a struct of the symbolic parameters m1, m2, l1, l2, g.
 %
-%   Of `two_link_craig`, written by robot-dynamics.
+%   A function of `two_link_craig`, written by robot-dynamics.
 %   Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too.
     check_rows('q', q, 2);
     zero = -0 - zeros(1, size(q, 2));

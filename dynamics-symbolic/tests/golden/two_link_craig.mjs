@@ -2,7 +2,7 @@
  * Equations of motion of `two_link_craig`, written by robot-dynamics.
  *
  * Each function is proven equal to the textbook Lagrangian. SI units, radians; vectors are arrays,
- * matrices arrays of rows. What depends on an input that is not finite is not finite.
+ * matrices arrays of rows. A value that depends on an input that is not finite is not finite.
  */
 
 /** Number of joints that move. */

@@ -124,8 +124,8 @@ impl NamedRods {
         )
     }
 
-    /// What the generated methods compute, value by value, where that is short enough to
-    /// read: formulas of at most 24 terms of arms of up to three joints.
+    /// The formulas of the generated methods, value by value, where they are short enough to
+    /// read: at most 24 terms, of arms of up to three joints.
     pub fn formulas() -> &'static [::robot_dynamics::Formula] {
         &[
             ::robot_dynamics::Formula {

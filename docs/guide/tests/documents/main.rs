@@ -1,7 +1,8 @@
 //! The files and headings that the project's documents link to exist, and the examples, packages and tests that their
-//! commands name. Their sentences are short.
+//! commands name. Their sentences are short, as those of comments and of help texts are.
 
 mod commands;
+mod comments;
 mod document;
 mod links;
 mod prose;
@@ -20,6 +21,11 @@ const LEFT_OUT: [&str; 4] = ["target", ".git", "node_modules", "book"];
 
 /// All documents of a folder and of those in it, in the order of their names.
 fn documents(folder: &Path) -> Vec<PathBuf> {
+    files(folder, "md")
+}
+
+/// The files with an extension, of a folder and of those in it, in the order of their names.
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
     let mut paths: Vec<PathBuf> = entries
         .map(|entry| entry.expect("an entry").path())
@@ -30,9 +36,9 @@ fn documents(folder: &Path) -> Vec<PathBuf> {
         let name = path.file_name().and_then(|name| name.to_str());
         if path.is_dir() {
             if !LEFT_OUT.iter().any(|left_out| name == Some(left_out)) {
-                found.extend(documents(&path));
+                found.extend(files(&path, extension));
             }
-        } else if path.extension().is_some_and(|extension| extension == "md") {
+        } else if path.extension().is_some_and(|found| found == extension) {
             found.push(path);
         }
     }

@@ -7,7 +7,7 @@ use crate::prose::words;
 use crate::{assert_none, documents, root};
 
 /// The most words of a sentence.
-const LONGEST: usize = 40;
+pub(crate) const LONGEST: usize = 40;
 
 /// The most words of a sentence in the mean over a document.
 const MEAN: f64 = 16.0;
@@ -44,6 +44,11 @@ fn for_users() -> Vec<(String, Document)> {
     named.collect()
 }
 
+/// Whether a sentence begins without its noun. A question may begin with "What".
+pub(crate) fn is_headless(sentence: &str) -> bool {
+    !sentence.ends_with('?') && HEADLESS.iter().any(|word| sentence.starts_with(word))
+}
+
 #[test]
 fn sentences_are_short() {
     let mut complaints = Vec::new();
@@ -68,9 +73,7 @@ fn sentences_begin_with_their_noun() {
     let mut complaints = Vec::new();
     for (name, document) in for_users() {
         for sentence in &document.sentences {
-            // A question may begin with "What".
-            let is_headless = HEADLESS.iter().any(|word| sentence.starts_with(word));
-            if is_headless && !sentence.ends_with('?') {
+            if is_headless(sentence) {
                 complaints.push(format!("{name}: {sentence}"));
             }
         }

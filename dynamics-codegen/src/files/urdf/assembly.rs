@@ -23,7 +23,7 @@ use crate::words;
 /// The place of a mistake in the whole file.
 pub(super) const START: Place = Place::File { line: 1, column: 1 };
 
-/// The rows of the tree that is asked for, how their joints move, and the frames of its links.
+/// The rows of the tree that is requested, how their joints move, and the frames of its links.
 pub(super) fn entries<'a>(
     tree: &'a Tree,
     request: &'a Request,
@@ -564,7 +564,7 @@ fn only<T>(mut things: impl Iterator<Item = T>) -> Option<T> {
     first.filter(|_| things.next().is_none())
 }
 
-/// What a joint says of its row.
+/// The row of a joint, as far as its element has it.
 fn row(joint: &Joint) -> Row {
     let number = |(x, place): &(Rational, Place)| Given::As(Expr::signed(x.clone(), *place));
     let given = |x: &Option<(Rational, Place)>| x.as_ref().map_or(Given::Absent, number);

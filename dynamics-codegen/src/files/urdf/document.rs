@@ -376,7 +376,7 @@ impl Reader<'_> {
 
     /// `<origin xyz rpy>`
     fn origin(&mut self, node: Node) -> Read<(Vector, [Value; 3])> {
-        // Of a joint; of an inertia, which has no name.
+        // The element is a joint, or an inertia, which has no name.
         let joint = node.attribute("name").unwrap_or_default();
         let odd_angle = self.request.allowed(Some(joint)).odd_angle;
         let origin = child(node, "origin");

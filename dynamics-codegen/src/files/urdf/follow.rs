@@ -165,7 +165,7 @@ impl<'a> Assembly<'a> {
         if !self.is_on_tree(joint) {
             self.used.push(joint.name.clone());
         }
-        // That of the rest is said once, with its name.
+        // A mistake in the position of `rest` is reported once, where `rest` is read.
         if position.is_none() && name.plain() == joint.name {
             self.error(name, mistake::lock_with_names(&joint.name));
         }

@@ -13,7 +13,7 @@ use crate::size::Size;
 pub(crate) struct Adaptive<M: Embedded<D>, D: Size> {
     next: Start<D>,
     last: Start<D>,
-    /// The step that the motion asks for at its start.
+    /// The step that the motion needs at its start.
     first: f64,
     rates: M::Rates,
     fresh: bool,

@@ -26,7 +26,7 @@ pub(crate) struct Radau<D: Size> {
     /// The start of the last step.
     from: Place<D>,
     h: f64,
-    /// The step that the motion asks for at its start.
+    /// The step that the motion needs at its start.
     first: f64,
     jacobian: Jacobian<D>,
     jacobian_is: Age,
@@ -171,7 +171,7 @@ impl<D: Size> Radau<D> {
         Ok(self.norm(&estimate).max(1e-10))
     }
 
-    /// The old step over the one that the error asks for, the fewer iterations the longer; after
+    /// The old step over the one that the error allows, the fewer iterations the longer; after
     /// Gustafsson (1994) from the errors of two steps.
     fn quotient(&self, trial: &Trial<D>) -> f64 {
         let (least, greatest) = QUOTIENTS;

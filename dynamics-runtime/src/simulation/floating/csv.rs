@@ -111,8 +111,9 @@ impl<const N: usize, const V: usize> FloatingTrajectory<N, V> {
     ///
     /// # Errors
     ///
-    /// [`CsvError`] with the line and the column, where the header is not that of a motion of `N` joints on a base that moves,
-    /// a line has too few or too many cells, or a cell holds no number; and where the reader fails.
+    /// [`CsvError`] with the line and the column, if the header is not that of a motion of `N` joints on a base that
+    /// moves. The same holds if a line has too few or too many cells, or a cell holds no number. A [`CsvError`] is also
+    /// returned if the reader fails.
     pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
         read(Const, Const, None, input)
     }
@@ -126,9 +127,10 @@ impl SizedFloatingTrajectory<Dyn, Dyn> {
     ///
     /// # Errors
     ///
-    /// [`CsvError`] with the line and the column, where the header is not that of a motion of these joints on a base that
-    /// moves, or has them in another order, a line has too few or too many cells, a cell holds no finite number, a rotation is
-    /// none within 1e-6, times do not grow, or there are fewer than two rows; and where the reader fails.
+    /// [`CsvError`] with the line and the column, if the header is not that of a motion of these joints, in this order,
+    /// on a base that moves. The same holds if a line has too few or too many cells, a cell holds no finite number, a
+    /// rotation is none within 1e-6, times do not grow, or there are fewer than two rows. A [`CsvError`] is also
+    /// returned if the reader fails.
     pub fn read_points(joints: &[&str], input: impl Read) -> Result<Self, CsvError> {
         read(
             Dyn(joints.len()),

@@ -72,8 +72,8 @@ impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> 
     }
 
     /// A force of the surroundings at a frame, besides those that were given before. `place` returns the pose and the
-    /// Jacobian of the frame; `law` the wrench (fx fy fz nx ny nz), N and N m, at the frame's origin in the axes of the
-    /// world, as a function of t in s, that pose and the frame's twist.
+    /// Jacobian of the frame. `law` returns the wrench (fx fy fz nx ny nz), N and N m, at the frame's origin in the
+    /// axes of the world, as a function of t in s, that pose and the frame's twist.
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;

@@ -31,8 +31,8 @@ const HALF_PI: u64 = 0x6487_ed51_10b4_611a;
 
 /// Reduces a finite angle of at least 2^16.
 ///
-/// x = m 2^e with a whole m below 2^53. Of x 2/pi, multiples of four are whole turns: of the bits of 2/pi only
-/// the 192 from the weight 2^(1 - e) on can matter. Their product with m, modulo four, has 190 bits behind the point,
+/// x = m 2^e with a whole m below 2^53. Multiples of four in x 2/pi are whole turns, so only the 192 bits of 2/pi from
+/// the weight 2^(1 - e) on can matter. Their product with m, modulo four, has 190 bits behind the point,
 /// of which 126 are kept. No such angle is as near to a multiple of pi/2 as 2^-62 of it (Muller 2016, 11.3.2): 64 bits
 /// are left where most digits cancel, and less than a 128th of a unit in the last place is lost.
 #[cold]

@@ -1,13 +1,13 @@
 //! The error of the kernel is below one unit in the last place: proven, not sampled.
 //!
-//! The kernel itself runs on [`Enclosed`], which stands for all arguments of a short interval. Of each number it
-//! knows where the computed and the exact one are, and what each rounding before it contributes to their difference,
-//! so that an error that is made good later cancels, as that of 1 - x^2/2 does. What the polynomials leave out is
+//! The kernel itself runs on [`Enclosed`], which stands for all arguments of a short interval. It knows of each
+//! number where the computed and the exact one are, and what each rounding before it contributes to their difference.
+//! So an error that is made good later cancels, as that of 1 - x^2/2 does. The part that the polynomials leave out is
 //! evaluated in 31 digits in the middle of the interval, with a bound of its slope.
 //!
 //! Below 2^-27 it takes no machine: what the kernel takes off x - d is a sixth of x^3, below 2^-56 x, and what
 //! rounding that together with d loses is below 2^-74 x. The sine is x - d, rounded once, the cosine
-//! 1 - x^2/2 + x d. What is left is the reduction.
+//! 1 - x^2/2 + x d. The reduction is left.
 
 use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -207,8 +207,8 @@ struct Distance {
 }
 
 impl Distance {
-    /// Of `constants`, with the sign that they have in the kernel, from the series
-    /// of 1 / n! with alternating signs, the first of them `sign`.
+    /// The distance of `constants`, with the sign that they have in the kernel, from the series of 1 / n! with
+    /// alternating signs, the first of them `sign`.
     fn new(first: i32, constants: &[f64], sign: f64) -> Self {
         let term = |k: usize| {
             let power = first + 2 * k as i32;
@@ -305,7 +305,7 @@ fn polynomials_and_their_roundings_stay_below_one_unit() {
     assert!(largest.into_iter().all(|x| x < 0.95), "{largest:?}");
 }
 
-/// What the reduction leaves out, relative to what is left of the angle, is worst at the doubles nearest to
+/// The part that the reduction leaves out, relative to what is left of the angle, is worst at the doubles nearest to
 /// multiples of pi/2. Every multiple up to 1e5 rad: P3 is rounded, its product with n, and their difference
 /// with the error of what is left of the first two.
 #[test]

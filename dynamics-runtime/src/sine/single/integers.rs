@@ -19,8 +19,8 @@ const HALF_PI: u64 = 0xc90f_daa2;
 
 /// Reduces a finite angle of at least 2^13.
 ///
-/// x = m 2^e with a whole m below 2^24. Of x 2/pi, multiples of four are whole turns: of the bits of 2/pi only
-/// the 96 from the weight 2^(2 - e) on can matter. Their product with m, modulo four, has 94 bits behind the
+/// x = m 2^e with a whole m below 2^24. Multiples of four in x 2/pi are whole turns, so only the 96 bits of
+/// 2/pi from the weight 2^(2 - e) on can matter. Their product with m, modulo four, has 94 bits behind the
 /// point, the last 24 of which lack what was cut off; no such angle is as near to a multiple of pi/2 as 2^-31.
 #[cold]
 pub(super) fn reduce(x: f32) -> Reduced<f32> {

@@ -44,7 +44,7 @@ fn large_angles_are_reduced_exactly() {
     let error = largest_error((first..=last).step_by(2003).chain(last - 7..=last));
     println!("largest error: {error} ulp");
     assert!(error < LARGEST_ERROR, "{error}");
-    // Of all single-precision numbers nearest to a multiple of pi/2 (Muller 2016, 11.3.2).
+    // The single-precision number nearest to a multiple of pi/2 (Muller 2016, 11.3.2).
     let nearest = 16_367_173.0 * 72_f32.exp2();
     let (_, c) = one(nearest);
     assert!(ulps(c, f64::from(nearest).cos()) < LARGEST_ERROR, "{c}");

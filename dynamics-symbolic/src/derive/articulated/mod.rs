@@ -221,7 +221,7 @@ fn direction<'g>(joint_type: JointType, inertia: &Articulated<Expr<'g>>) -> Forc
     }
 }
 
-/// I' = I - U k^T: the joint moves freely, but for its reflected inertia r. I' S = r k.
+/// I' = I - U k^T: the joint moves freely, except for its reflected inertia r. I' S = r k.
 fn free<'g>(
     link: &Link<Expr<'g>>,
     inertia: &Articulated<Expr<'g>>,

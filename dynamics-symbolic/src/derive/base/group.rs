@@ -5,11 +5,11 @@ use crate::linear::{Matrix3, Ring, Vector3};
 use crate::robot::{Coefficient, Grouping, Parameter, Sense};
 use crate::spatial::Body;
 
-/// What becomes of a link's parameters.
+/// The parameters of a link after some have moved.
 pub(crate) struct Moved<R> {
     /// The base parameters of the link.
     pub(crate) kept: Vec<R>,
-    /// What moves, in the frame of the previous link.
+    /// Parameters that move, in the frame of the previous link.
     pub(crate) inward: Body<R>,
 }
 

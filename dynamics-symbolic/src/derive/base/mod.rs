@@ -4,9 +4,9 @@
 //! Bastin 1989). Let F_i(c) be the part of it that parameters c of link i contribute. Where F_i(c)
 //! does not depend on joint i, it is what it is at q_i = 0, qd_i = 0: there link i is a part of
 //! link i-1, so that F_i(c) = F_{i-1}(X c) with the constant change of frame X, and c may move to
-//! link i-1 without a division. Those c are a space A_i. What is left when they have moved, for
-//! each link from the tip inwards, is minimal: if sum F_i(b_i) is constant and b_n is not 0, F_n(b_n)
-//! does not depend on joint n, so b_n is in A_n. The rules of Gautier and Khalil (1990) give
+//! link i-1 without a division. These c are a space A_i. The set that is left when they have moved,
+//! for each link from the tip inwards, is minimal: if sum F_i(b_i) is constant and b_n is not 0,
+//! F_n(b_n) does not depend on joint n, so b_n is in A_n. The rules of Gautier and Khalil (1990) give
 //! the part of A_i that every chain has; here all of A_i is found ([`Grouping`]), from the motions
 //! that link i-1 can make.
 //!
@@ -75,7 +75,7 @@ pub(crate) fn base_parameters<I: Interpretation>(
     columns.concat()
 }
 
-/// What is taken off each link's body and its motor's reflected inertia, for the base parameters
+/// The parts taken off each link's body and its motor's reflected inertia for the base parameters
 /// that are neglected: their values, where the parameters are written.
 pub(super) fn neglected<'g>(symbols: &mut Symbols<'g>) -> Vec<(Body<Expr<'g>>, Expr<'g>)> {
     let (zero, arm) = (symbols.graph().zero(), symbols.arm());
@@ -103,14 +103,14 @@ pub(super) fn neglected<'g>(symbols: &mut Symbols<'g>) -> Vec<(Body<Expr<'g>>, E
 /// The base parameters of an arm: those of the arm without its couplings, or fewer, of which some are
 /// combinations of these.
 pub(crate) struct Observed {
-    /// Those without couplings.
+    /// The base parameters without couplings.
     pub(crate) grouping: Grouping,
     /// Which of their columns are kept, in order.
     pub(crate) kept: Vec<usize>,
 }
 
 impl Observed {
-    /// Those of an arm.
+    /// The base parameters of an arm.
     pub(crate) fn of(arm: &Mechanism) -> Self {
         let grouping = Grouping::of_mechanism(arm);
         let kept = if arm.is_coupled() {

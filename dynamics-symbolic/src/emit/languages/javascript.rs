@@ -79,7 +79,7 @@ pub fn javascript_module(robot: &Robot, functions: &[(Request, Proven)]) -> Stri
         robot,
         [
             "Each function is proven equal to the textbook Lagrangian. SI units, radians; vectors are arrays,",
-            "matrices arrays of rows. What depends on an input that is not finite is not finite.",
+            "matrices arrays of rows. A value that depends on an input that is not finite is not finite.",
         ],
     );
     let joints = robot.joints().map(|row| format!("{:?}", row.name));

@@ -160,7 +160,7 @@ fn of_fields(robot: &Robot) -> Vec<String> {
 fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String {
     let conventions = [
         String::new(),
-        format!("Of `{}`, written by robot-dynamics.", robot.name),
+        format!("A function of `{}`, written by robot-dynamics.", robot.name),
         "Proven equal to the textbook Lagrangian. SI units, radians; a column is a state, a page of a matrix too."
             .to_owned(),
     ];

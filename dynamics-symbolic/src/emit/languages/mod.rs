@@ -1,8 +1,8 @@
 //! Programs as C99, JavaScript, Python, MATLAB and functions of CasADi: the same lines as the Rust method.
 //!
 //! C has the digits of a Rust build for the same processor. In the other languages products and sums are rounded one by
-//! one, and values are those of a Rust build without fused instructions, but for sines and exponentials, which are those
-//! of the language's library.
+//! one, and values are those of a Rust build without fused instructions, except for sines and exponentials, which are
+//! those of the language's library.
 
 mod arrangement;
 mod body;

@@ -9,10 +9,10 @@ use crate::linear::Vector3;
 
 /// The velocities of everything that has inertia.
 pub(super) struct Velocities<R> {
-    /// Of each body's centre of mass, and its angular velocity in its own axes.
+    /// The velocity of each body's centre of mass, and its angular velocity in its own axes.
     bodies: Vec<(Vector3<R>, Vector3<R>)>,
     joints: Vec<R>,
-    /// Of the links, if parameters are neglected.
+    /// The twists of the links, if parameters are neglected.
     twists: Vec<Twist<R>>,
 }
 

@@ -40,8 +40,8 @@ impl Definition {
         (0..self.dof()).map(momentum).collect()
     }
 
-    /// dT/dq - G - K - F: by Lagrange d/dt (dT/dqd) = tau + dT/dq - dU/dq - F. Of a base that moves Hamel's terms are on
-    /// the right side too.
+    /// dT/dq - G - K - F: by Lagrange d/dt (dT/dqd) = tau + dT/dq - dU/dq - F. Hamel's terms of a base that moves
+    /// are on the right side too.
     pub(super) fn momentum_bias(&self) -> Vector {
         let qd = constant(&self.qd);
         let slope = |i: usize| self.kinetic_energy(&self.along(i), &qd).derivative;
@@ -75,8 +75,8 @@ impl Definition {
             .collect()
     }
 
-    /// What Hamel's equations add to d/dt (dT/du) for the axes of the base, which turn: w x dT/dv to the forces, and
-    /// w x dT/dw + v x dT/dv to the moments (Hamel 1904; Kirchhoff's equations of a body by itself).
+    /// The terms that Hamel's equations add to d/dt (dT/du) for the axes of the base, which turn: w x dT/dv to the
+    /// forces, and w x dT/dw + v x dT/dv to the moments (Hamel 1904; Kirchhoff's equations of a body by itself).
     fn turning_of_base<R: Lift>(&self, momenta: &[R], u: &[R]) -> Vec<R> {
         let mut forces = vec![R::lift(Number::ZERO); self.dof()];
         if let Some([v, w]) = self.velocity_of_base(u) {

@@ -7,7 +7,7 @@ use crate::expr::Fingerprint;
 use crate::linear::Ring;
 use crate::spatial::Turn;
 
-/// Of how many times as many states as there are columns the equations are chosen.
+/// The equations are chosen from this many times as many states as there are columns.
 const CHOICE: usize = 4;
 
 /// Tangents of half the angles at simple states, as fractions: none, a quarter turn either way, a half turn,
@@ -140,7 +140,7 @@ impl Equations {
         equations
     }
 
-    /// Of those that tell some columns apart the ones with the fewest entries.
+    /// The equations with the fewest entries among all that tell some columns apart.
     pub(super) fn chosen(&self, columns: &[usize]) -> Vec<(usize, usize)> {
         let entries =
             |row: &Vec<Fingerprint>| columns.iter().filter(|&&k| !row[k].is_zero()).count();

@@ -12,7 +12,7 @@ use crate::program::Proven;
 /// States whose sines are held at a time.
 const BLOCK: usize = 64;
 
-/// What is said of a function that refuses states.
+/// The sentences about a function that refuses states.
 const REFUSAL: &str = "Returns 0; or the number of the first state, counted from 1, that the function of one state refuses. \
                        All values of such a state are NaN.";
 

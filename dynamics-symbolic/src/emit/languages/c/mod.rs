@@ -57,8 +57,8 @@ pub fn c_source_in(robot: &Robot, functions: &[(Request, Proven)], numbers: CNum
     }
 }
 
-/// What makes a project of header and source: `NAME.hpp` for C++, `CMakeLists.txt`, and `NAME_test.c`, which compares every
-/// batch with single calls.
+/// The files that make a project of header and source: `NAME.hpp` for C++, `CMakeLists.txt`, and `NAME_test.c`, which
+/// compares every batch with single calls.
 pub fn c_project(
     robot: &Robot,
     functions: &[(Request, Proven)],
@@ -144,7 +144,7 @@ impl<'a> Writer<'a> {
     fn title(&self) -> String {
         let conventions = [
             "Each function is proven equal to the textbook Lagrangian. SI units, radians; matrices by rows.",
-            "Nothing is allocated, no state is kept. What depends on an input that is not finite is not finite.",
+            "Nothing is allocated, no state is kept. A value that depends on an input that is not finite is not finite.",
         ];
         let of_batches = [
             "",

@@ -28,13 +28,13 @@ pub(in super::super) struct Precision {
     pub(super) word: &'static str,
     /// The unsigned integer of as many bytes.
     pub(super) unsigned: &'static str,
-    /// What multiplies and adds.
+    /// The function that multiplies and adds.
     fused: &'static str,
     /// The sines that stand in the source.
     pub(super) sines: Option<&'static Sines>,
     /// The functions of the C library: by which call, and what stands at the top of a source.
     library: &'static [(&'static str, &'static str)],
-    /// What the title of a header says of the digits.
+    /// The lines about digits in the title of a header.
     pub(super) digits: &'static [&'static str],
 }
 
@@ -60,7 +60,7 @@ impl CNumbers {
 }
 
 impl Precision {
-    /// What stands above the functions whose texts are given: what they call.
+    /// The text above the functions whose texts are given: the functions that they call.
     pub(in super::super) fn functions(&self, bodies: &str) -> String {
         let library = self.library.iter();
         let library = library.filter(|(call, _)| bodies.contains(call));

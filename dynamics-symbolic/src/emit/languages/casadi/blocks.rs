@@ -6,7 +6,7 @@ use super::{FIELDS, Of, argument_sizes, name};
 use crate::function::{Argument, Shape, Sizes};
 use crate::robot::Robot;
 
-/// What a function takes and gives.
+/// The inputs and outputs of a function.
 pub(super) struct Blocks {
     inputs: Vec<Variable>,
     outputs: Vec<(String, Size)>,

@@ -334,7 +334,7 @@ fn signature(inputs: &[Input], outputs: &[Output]) -> String {
     format!("({}) -> ({})", inputs.join(", "), outputs.join(", "))
 }
 
-/// The statements that write an output where it is asked for.
+/// The statements that write an output where it is requested.
 fn written(place: usize, output: &Output) -> Vec<String> {
     let entries = match &output.values {
         Values::Unknown => {

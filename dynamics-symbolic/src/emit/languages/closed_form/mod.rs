@@ -26,7 +26,7 @@ struct Words {
     keep: fn(&[String], &str) -> Vec<String>,
 }
 
-/// What a statement declares.
+/// The kind of number that a statement declares.
 #[derive(Clone, Copy)]
 enum Kind {
     Number,

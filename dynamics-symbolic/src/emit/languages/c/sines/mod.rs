@@ -18,7 +18,7 @@ pub(super) struct Sines {
     finite: &'static str,
     /// The lanes that hold 1, 2, 3 and 4 angles.
     widths: [usize; 4],
-    /// What is left of an angle, and the polynomials.
+    /// The reduction of an angle, and the polynomials.
     kernel: &'static str,
     large: &'static str,
 }
