@@ -59,10 +59,10 @@ fn half(drawing: &mut Drawing, left: f64, is_standard: bool) {
         drawing.text([tip[0] - 6.0, tip[1] + 32.0], label, "frame 2");
     } else {
         frame(drawing, shoulder, ANGLES[0], 1);
-        drawing.text([left + 64.0, 300.0], label, "frame 1");
+        drawing.text([left + 30.0, 308.0], label, "frame 1");
         frame(drawing, elbow, ANGLES[1], 2);
         drawing.text([elbow[0] + 10.0, elbow[1] + 34.0], label, "frame 2");
-        let at = [tip[0] + 6.0, tip[1] - 22.0];
+        let at = [tip[0] + 30.0, tip[1] - 22.0];
         drawing.text(at, label.left().ink("faint"), "no frame at the tip");
     }
     let sign = if is_standard { '-' } else { '+' };

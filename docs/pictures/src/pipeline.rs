@@ -91,7 +91,7 @@ fn boxes(drawing: &mut Drawing) {
 }
 
 fn arrows(drawing: &mut Drawing) {
-    let verb = Letters::PLAIN.centred().size(11.5);
+    let verb = Letters::PLAIN.centred().size(11.0);
     let [first, second, third, fourth, fifth] = COLUMNS;
     let middle = |row: f64| row + 0.5 * BOX[1];
     let [macro_row, engine, proof, results] = ROWS;
@@ -171,12 +171,10 @@ fn arrows(drawing: &mut Drawing) {
     // The results.
     let x = fifth + 0.75 * BOX[0];
     let turn = 408.0;
-    for end in [139.0, 440.0, 741.0] {
-        drawing.arrow(
-            "ink",
-            1.5,
-            &[[x, engine_end], [x, turn], [end, turn], [end, results]],
-        );
+    drawing.stroke("ink", 1.5, &[[x, engine_end], [x, turn], [741.0, turn]]);
+    for [begin, end] in [[440.0, 139.0], [741.0, 440.0], [741.0, 741.0]] {
+        let places = [[begin, turn], [end, turn], [end, results]];
+        drawing.arrow("ink", 1.5, &places[usize::from(begin == end)..]);
     }
     drawing.text([290.0, turn - 7.0], verb, "emit");
 }

@@ -32,7 +32,8 @@ pub(crate) fn picture() -> Picture {
 const ALTERNATIVE: &str = "\
 An arm of two links in a plane, all z axes towards you, in the standard convention. An arrow `base: {xyz, rpy}` leads from
 the world's frame to frame 0, which is turned against it and sits at the first joint. Joint 1 turns about z of frame 0:
-from its x axis to the first link the angle theta + q1 and the torque tau1 are positive anticlockwise. An arrow `tool:
+from its x axis to the first link the angle theta + q1 is positive anticlockwise, and so is the torque tau2 on the second
+link at joint 2. An arrow `tool:
 {xyz, rpy}` leads from frame n, at the end of the last link, to the tool frame. At the tool's origin act the force (fx, fy,
 fz) and the moment (nx, ny, nz) of the surroundings on the tip, in axes of the world: M qdd + V + G + K + F = tau + J' w.
 Gravity is an acceleration in axes of the world. Below, a rotor with its inertia turns a gear and the gear a joint. On the
@@ -89,10 +90,10 @@ fn arm(drawing: &mut Drawing) {
         LABEL.bold(),
         "frame 0",
     );
-    turn(drawing, "blue", SHOULDER, 84.0, [BASE, first - 0.08]);
-    drawing.text([258.0, 262.0], LABEL.ink("blue"), "theta + q_{1} > 0");
-    turn(drawing, "blue", SHOULDER, 116.0, [BASE, first - 0.12]);
-    drawing.text([284.0, 236.0], LABEL.ink("blue"), "tau_{1} > 0");
+    turn(drawing, "blue", SHOULDER, 100.0, [BASE, first - 0.1]);
+    drawing.text([276.0, 262.0], LABEL.ink("blue"), "theta + q_{1} > 0");
+    turn(drawing, "blue", elbow, 34.0, [0.8, 3.5]);
+    drawing.text([196.0, 114.0], LABEL.ink("blue"), "tau_{2} > 0");
     // Frame n and the tool.
     frame(drawing, end, second, "n", [[2.0, -8.0], [-10.0, -6.0]]);
     drawing.text([end[0] - 84.0, end[1] - 26.0], LABEL.bold(), "frame n");
@@ -123,6 +124,7 @@ fn signs(drawing: &mut Drawing) {
     drawing.arrow("ink", 2.5, &[[52.0, 130.0], [52.0, 186.0]]);
     drawing.text([64.0, 152.0], LABEL.mono(), "gravity");
     drawing.text([64.0, 172.0], note, "an acceleration");
+    drawing.text([64.0, 190.0], note, "in axes of the world");
     drawing.text([20.0, 34.0], LABEL.bold(), "All z axes are towards you.");
     drawing.text([20.0, 56.0], note, "Positive angles and torques turn");
     drawing.text([20.0, 74.0], note, "anticlockwise, about z.");
@@ -140,12 +142,12 @@ fn signs(drawing: &mut Drawing) {
 }
 
 fn wrench(drawing: &mut Drawing, tool: At) {
-    let end = from(tool, 96.0, 0.9);
+    let end = from(tool, 116.0, 0.35);
     drawing.arrow("ink", 3.0, &[tool, end]);
-    drawing.text([end[0] + 8.0, end[1] + 6.0], LABEL, "(f_{x}, f_{y}, f_{z})");
-    turn(drawing, "ink", tool, 72.0, [-0.1, 0.62]);
+    drawing.text([end[0] + 8.0, end[1] + 4.0], LABEL, "(f_{x}, f_{y}, f_{z})");
+    turn(drawing, "ink", tool, 56.0, [4.0, 5.6]);
     drawing.text(
-        [tool[0] + 80.0, tool[1] - 14.0],
+        [tool[0] + 42.0, tool[1] + 64.0],
         LABEL,
         "(n_{x}, n_{y}, n_{z})",
     );

@@ -108,7 +108,7 @@ pub(crate) fn picture() -> Picture {
 }
 
 const NAME: Letters = Letters::PLAIN.size(15.0);
-const NOTE: Letters = Letters::PLAIN.size(14.0);
+const NOTE: Letters = Letters::PLAIN.ink("faint");
 
 fn standard(drawing: &mut Drawing) {
     let view = View([100.0, 330.0]);
@@ -145,9 +145,9 @@ fn standard(drawing: &mut Drawing) {
     drawing.text([182.0, 334.0], NAME, "theta");
     drawing.text([76.0, 270.0], NAME, "d");
     drawing.text([190.0, 198.0], NAME, "a");
-    drawing.text([252.0, 128.0], NAME, "alpha");
+    drawing.text([238.0, 128.0], NAME, "alpha");
     let words = "Joint i turns about (or slides along) z of frame i-1.";
-    drawing.text([20.0, 400.0], NOTE.ink("faint"), words);
+    drawing.text([20.0, 400.0], NOTE, words);
 }
 
 fn modified(drawing: &mut Drawing) {
@@ -177,15 +177,15 @@ fn modified(drawing: &mut Drawing) {
     view.axes(drawing, first, "i-1", [[-8.0, 22.0], [8.0, 2.0]]);
     view.axes(drawing, last, "i", [[6.0, 4.0], [-14.0, -6.0]]);
     view.turn(drawing, |share| {
-        shifted.about_x(share * ALPHA).place([0.0, 0.0, 1.1])
+        shifted.about_x(share * ALPHA).place([0.0, 0.0, 0.6])
     });
     view.turn(drawing, |share| {
         raised.about_z(share * THETA).place([0.9, 0.0, 0.0])
     });
-    drawing.text([706.0, 200.0], NAME, "alpha");
+    drawing.text([706.0, 268.0], NAME, "alpha");
     drawing.text([610.0, 296.0], NAME, "a");
-    drawing.text([650.0, 250.0], NAME, "d");
-    drawing.text([752.0, 218.0], NAME, "theta");
+    drawing.text([662.0, 262.0], NAME, "d");
+    drawing.text([732.0, 222.0], NAME, "theta");
     let words = "Joint i turns about (or slides along) z of frame i itself.";
-    drawing.text([460.0, 400.0], NOTE.ink("faint"), words);
+    drawing.text([460.0, 400.0], NOTE, words);
 }

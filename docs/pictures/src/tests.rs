@@ -111,9 +111,29 @@ fn colours_can_be_told_from_the_ground() {
             }
         }
         let ground = colour(".ground", "fill", theme);
-        for mark in [".m0", ".m1", ".m2", ".m4", ".m5", ".bar-b", ".bar-c"] {
+        let marks = ["0", "1", "2", "3", "4", "5"].map(|number| format!(".m{number}"));
+        for mark in marks
+            .iter()
+            .map(String::as_str)
+            .chain([".bar-a", ".bar-b", ".bar-c"])
+        {
             let contrast = contrast(colour(mark, "fill", theme), ground);
             assert!(contrast >= 3.0, "{mark}: {contrast:.2}");
+        }
+    }
+}
+
+/// An element of a class without a rule would be black, or not be seen.
+#[test]
+fn every_class_has_a_colour() {
+    for picture in pictures(&root()) {
+        let svg = picture.drawing.svg();
+        for part in svg.split("class=\"").skip(1) {
+            let class = part.split('"').next().unwrap_or_default();
+            let is_known = RULES
+                .iter()
+                .any(|rule| rule.0.strip_prefix('.') == Some(class));
+            assert!(is_known, "{}: {class}", picture.name);
         }
     }
 }
