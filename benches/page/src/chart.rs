@@ -1,9 +1,7 @@
 //! Charts: a line for each row, a mark for each tool, times on a logarithmic axis. The colours are those of the reader's
 //! screen, light or dark.
 
-use std::fmt::Write;
-
-use measuring::table::escaped;
+use measuring::drawing::{Drawing, Letters};
 
 /// Marks of one tool.
 pub(crate) struct Series {
@@ -31,64 +29,38 @@ const TOP: f64 = 66.0;
 const ROW: f64 = 24.0;
 const BOTTOM: f64 = 34.0;
 
-/// Colours that stay apart for colour-blind readers (Okabe and Ito, Color Universal Design, 2008), on white and on black.
-const COLOURS: [[&str; 2]; 6] = [
-    ["#d55e00", "#ff8c3a"],
-    ["#0072b2", "#56b4e9"],
-    ["#009e73", "#2fd3a5"],
-    ["#cc79a7", "#e79fc6"],
-    ["#7a6a00", "#f0e442"],
-    ["#666666", "#bbbbbb"],
-];
-
-/// Around the origin: disc, square, diamond, two triangles, cross.
-const MARKS: [&str; 6] = [
-    "M-5 0a5 5 0 1 0 10 0a5 5 0 1 0 -10 0z",
-    "M-4.5-4.5h9v9h-9z",
-    "M0-6 6 0 0 6-6 0z",
-    "M0-5.5 5.5 4.5h-11z",
-    "M0 5.5 5.5-4.5h-11z",
-    "M-5-3-3-5 0-2 3-5 5-3 2 0 5 3 3 5 0 2-3 5-5 3-2 0z",
-];
-
 impl Chart {
     /// The drawing: the same text for the same values.
     pub(crate) fn svg(&self) -> String {
         let height = TOP + ROW * self.rows.len() as f64 + BOTTOM;
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" role=\"img\" \
-             font-family=\"sans-serif\" font-size=\"13\">\n<title>{title}</title>\n{style}\
-             <rect class=\"ground\" width=\"{WIDTH}\" height=\"{height}\"/>\n\
-             <text x=\"12\" y=\"22\" font-weight=\"bold\">{title}</text>\n",
-            title = escaped(self.title),
-            style = style(),
-        );
-        self.legend(&mut svg);
+        let mut drawing = Drawing::new(self.title, [WIDTH, height]);
+        drawing.text([12.0, 22.0], Letters::PLAIN.bold(), self.title);
+        self.legend(&mut drawing);
         let range = self.range();
         let end = height - BOTTOM;
         for tick in ticks(range) {
             let x = place(tick, range);
-            line(&mut svg, [x, TOP - 6.0], [x, end]);
-            text(&mut svg, [x, end + 18.0], "middle", &tick.to_string());
+            drawing.line([x, TOP - 6.0], [x, end]);
+            drawing.text([x, end + 18.0], Letters::PLAIN.centred(), &tick.to_string());
         }
         for (row, name) in self.rows.iter().enumerate() {
             let y = TOP + ROW * (row as f64 + 0.5);
-            text(&mut svg, [AXIS[0] - 12.0, y + 4.5], "end", name);
-            line(&mut svg, [AXIS[0], y], [AXIS[1], y]);
+            drawing.text([AXIS[0] - 12.0, y + 4.5], Letters::PLAIN.left(), name);
+            drawing.line([AXIS[0], y], [AXIS[1], y]);
             for series in &self.series {
                 if let Some(value) = series.values[row] {
-                    mark(&mut svg, series.mark, [place(value, range), y]);
+                    drawing.mark(series.mark, [place(value, range), y]);
                 }
             }
         }
-        svg + "</svg>\n"
+        drawing.svg()
     }
 
-    fn legend(&self, svg: &mut String) {
+    fn legend(&self, drawing: &mut Drawing) {
         let mut x = 18.0;
         for series in &self.series {
-            mark(svg, series.mark, [x, 42.0]);
-            text(svg, [x + 12.0, 46.5], "start", series.name);
+            drawing.mark(series.mark, [x, 42.0]);
+            drawing.text([x + 12.0, 46.5], Letters::PLAIN, series.name);
             x += 34.0 + 7.2 * series.name.chars().count() as f64;
         }
     }
@@ -104,52 +76,6 @@ impl Chart {
             [low.min(value / 1.15), high.max(value * 1.15)]
         })
     }
-}
-
-fn style() -> String {
-    let colours = |theme: usize| -> String {
-        let [text, ground, line] = [
-            ["#222222", "#ffffff", "#dddddd"],
-            ["#e6e6e6", "#1b1f24", "#3d444d"],
-        ][theme];
-        let marks = COLOURS.iter().enumerate();
-        let marks = marks.map(|(number, colour)| format!(".m{number}{{fill:{}}}", colour[theme]));
-        format!("text{{fill:{text}}}.ground{{fill:{ground}}}line{{stroke:{line}}}")
-            + &marks.collect::<String>()
-    };
-    format!(
-        "<style>{}@media (prefers-color-scheme:dark){{{}}}</style>\n",
-        colours(0),
-        colours(1)
-    )
-}
-
-fn mark(svg: &mut String, number: usize, [x, y]: [f64; 2]) {
-    let shape = MARKS[number];
-    let at = format!("translate({x:.1} {y:.1})");
-    writeln!(
-        svg,
-        "<path class=\"m{number}\" d=\"{shape}\" transform=\"{at}\"/>"
-    )
-    .unwrap();
-}
-
-fn line(svg: &mut String, from: [f64; 2], to: [f64; 2]) {
-    let [[x1, y1], [x2, y2]] = [from, to];
-    writeln!(
-        svg,
-        "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>"
-    )
-    .unwrap();
-}
-
-fn text(svg: &mut String, [x, y]: [f64; 2], anchor: &str, words: &str) {
-    let words = escaped(words);
-    writeln!(
-        svg,
-        "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{words}</text>"
-    )
-    .unwrap();
 }
 
 /// Where a value stands on the axis.

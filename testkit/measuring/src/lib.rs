@@ -1,9 +1,10 @@
-//! What programs that measure have in common: clocks, tables, the machine, and lines of records that many runs write
-//! and a report reads.
+//! What programs that measure have in common: clocks, tables, drawings, the machine, and lines of records that many runs
+//! write and a report reads.
 
 #![forbid(unsafe_code)]
 
 mod clock;
+pub mod drawing;
 mod fit;
 pub mod machine;
 pub mod records;
