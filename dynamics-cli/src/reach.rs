@@ -107,7 +107,7 @@ fn solutions(
         (1, 0) => "1 solution".to_owned(),
         (count, 0) => format!("{count} solutions, the nearest to the start first"),
         (count, _) => format!(
-            "{count} of solutions without end, the nearest to the start first: directions in which the joints are free: {free}"
+            "{count} of infinitely many solutions, the nearest to the start first: directions in which the joints are free: {free}"
         ),
     };
     let rows = shown.iter().enumerate();

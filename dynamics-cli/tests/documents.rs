@@ -122,10 +122,10 @@ fn generated_lines_in_documents_are_generated() {
     assert!(shown >= 3, "{shown} pieces of generated code were found");
 }
 
-/// The program in C compiles and runs.
+/// The programs in C and C++ compile and run.
 #[test]
 #[ignore = "needs a C compiler: .ci/run runs it"]
-fn the_program_in_c_runs() {
+fn the_programs_in_c_run() {
     let folder = folder(&documents()).join("c_program");
     std::fs::create_dir_all(&folder).expect("a folder");
     let arm = "two_link.toml";
@@ -133,12 +133,26 @@ fn the_program_in_c_runs() {
     let chapter = root().join("docs/guide/src/languages.md");
     let chapter = std::fs::read_to_string(chapter).expect("the chapter");
     let blocks = blocks(&chapter);
-    let program = blocks.iter().find(|(language, _)| *language == "c");
-    let (_, program) = program.expect("a program");
-    std::fs::write(folder.join("main.c"), program.join("\n")).expect("a file");
+    for (language, file) in [("c", "main.c"), ("cpp", "main.cpp")] {
+        let program = blocks.iter().find(|(found, _)| *found == language);
+        let (_, program) = program.expect("a program");
+        std::fs::write(folder.join(file), program.join("\n")).expect("a file");
+    }
     assert!(call(&chapter, &folder) >= 6);
     compile(&chapter, &folder);
     succeed(&mut Command::new(folder.join("main")));
+    let mut compiler = Command::new("c++");
+    compiler.args([
+        "-O2",
+        "-I",
+        "c",
+        "main.cpp",
+        "c/two_link.c",
+        "-o",
+        "main_cpp",
+    ]);
+    succeed(compiler.current_dir(&folder));
+    succeed(&mut Command::new(folder.join("main_cpp")));
 }
 
 /// The programs of the chapters in Python and MATLAB, which have assertions of their own, with the text that the calls and

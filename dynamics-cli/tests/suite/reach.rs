@@ -75,7 +75,7 @@ fn all_solutions_are_listed() {
     // The word that other programs have does the same.
     let named = output(&["inverse-kinematics", &puma, "--pose", "0.4,0.1,0.2"]);
     assert!(
-        named.contains("8 of solutions without end") && named.contains("are free: 3"),
+        named.contains("8 of infinitely many solutions") && named.contains("are free: 3"),
         "{named}"
     );
 }
