@@ -2,6 +2,9 @@
 //! `build.rs` puts together.
 #![forbid(unsafe_code)]
 
+// The programs use it.
+use robot_dynamics as _;
+
 // Rustdoc reads them where it looks for tests, and nowhere else.
 #[cfg(doctest)]
 include!(concat!(env!("OUT_DIR"), "/chapters.rs"));
