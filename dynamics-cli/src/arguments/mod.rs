@@ -23,8 +23,8 @@ pub(crate) fn command() -> Command {
         .after_help(
             "Examples:\n  \
              robot-dynamics show puma560.toml\n  \
-             robot-dynamics show panda.urdf --chain panda_link0,panda_link8 --gravity 0,0,-9.81\n  \
-             robot-dynamics convert panda.urdf --chain panda_link0,panda_link8 --gravity 0,0,-9.81 --out panda.toml",
+             robot-dynamics show panda.urdf --chain panda_link0,panda_link8 --ignore rest --gravity 0,0,-9.81\n  \
+             robot-dynamics convert panda.urdf --chain panda_link0,panda_link8 --ignore rest --gravity 0,0,-9.81 --out panda.toml",
         )
         .subcommand_required(true)
         .arg_required_else_help(true)

@@ -117,7 +117,7 @@ fn generate() -> Command {
         .after_help(
             "Examples:\n  \
              robot-dynamics generate puma560.toml --lang rust --out src\n  \
-             robot-dynamics generate panda.urdf --chain panda_link0,panda_link8 --gravity 0,0,-9.81 --lang c --scalar float --out firmware",
+             robot-dynamics generate panda.urdf --chain panda_link0,panda_link8 --ignore rest --gravity 0,0,-9.81 --lang c --scalar float --out firmware",
         )
 }
 
