@@ -208,7 +208,7 @@ fn robots_have_names() {
         ("c", "ur5e.h", "void ur5e_gravity_vector("),
         ("js", "ur5e.mjs", "Equations of motion of `UR5e`"),
         ("python", "ur5e.py", "Equations of motion of `UR5e`"),
-        ("matlab", "gravity_vector.m", "Of `UR5e`"),
+        ("matlab", "gravity_vector.m", "A function of `UR5e`"),
         ("casadi", "ur5e_casadi.c", "Equations of motion of `UR5e`"),
     ] {
         called(
