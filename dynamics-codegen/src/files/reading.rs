@@ -106,7 +106,7 @@ pub fn table(
 
 /// The table of a robot of that name, unless there were mistakes.
 fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
-    put_name(name, &mut table);
+    put_name(name, START, &mut table);
     if diagnostics.is_empty() {
         Ok(table)
     } else {
@@ -117,8 +117,9 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
 /// Where a file begins.
 const START: Place = Place::File { line: 1, column: 1 };
 
-fn put_name(name: &str, table: &mut Table) {
-    table.name = Some(Name::new(name, START));
+/// Entries that are missing are reported at the place of the name.
+fn put_name(name: &str, place: Place, table: &mut Table) {
+    table.name = Some(Name::new(name, place));
     table.has_all_fields = true;
 }
 
@@ -146,8 +147,9 @@ pub fn model_beside(
     beside: Table,
 ) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
+    let start = beside.name.as_ref().map_or(START, Place::from);
     let mut table = put_beside(text, format, beside, &diagnostics);
-    put_name(name, &mut table);
+    put_name(name, start, &mut table);
     let model = crate::validate::model(&table, &diagnostics);
     let errors = diagnostics.shown_to(table.audience);
     model.ok_or(errors)
@@ -200,8 +202,14 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
     table
 }
 
-/// The entries of a table that names the file of its robot, with others beside it, as both stand beside that file.
+/// The entries of a table that names the file of its robot, with others beside it, as both stand beside that file. An
+/// entry that is missing is reported where the file is named.
 pub fn joined(mut table: Table, mut beside: Table) -> Table {
+    for entry in &table.entries {
+        if let (Entry::File(Some(file)), Some(name)) = (entry, &mut table.name) {
+            *name = Name::new(name.plain(), file.place);
+        }
+    }
     table
         .entries
         .retain(|entry| !matches!(entry, Entry::File(_)));

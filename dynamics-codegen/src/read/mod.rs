@@ -34,7 +34,7 @@ pub(crate) fn table(root: &Node, language: Language, diagnostics: &Diagnostics) 
     let mut table = Table::default();
     let part = match language {
         Language::Call => CALL,
-        _ if item(root, "file").is_some() => PROJECT,
+        _ if names_file(root) => PROJECT,
         Language::Toml if has_cells_beside(root) => ENTRIES_BESIDE_A_FILE,
         Language::Toml | Language::Json => FILE,
     };
@@ -69,6 +69,20 @@ pub(crate) fn written_value(
 /// Whether the tree has a table `joints`, with cells for the joints of another file.
 fn has_cells_beside(root: &Node) -> bool {
     item(root, "joints").is_some_and(|node| matches!(node.kind, Kind::Table(_)))
+}
+
+/// Whether the tree names the file of its robot, or a word like that stands where there are no joints.
+fn names_file(root: &Node) -> bool {
+    let Kind::Table(items) = &root.kind else {
+        return false;
+    };
+    let is_meant = |word: &str| {
+        item(root, "joint").is_none()
+            && !FILE.keys.contains(&word)
+            && words::nearest(word, &["file"]).is_some()
+    };
+    let mut keys = items.iter().map(|(key, _)| key.word.as_str());
+    keys.any(|word| word == "file" || is_meant(word))
 }
 
 /// The value of a key of the tree.
@@ -193,7 +207,10 @@ impl Reader<'_> {
                 path: path.clone(),
                 place: node.place,
             }),
-            _ => Err(self.instead_of(&expected::file_name(), node)),
+            _ => {
+                let what = "the path of a URDF file, from the folder of this one on: \"arm.urdf\"";
+                Err(self.instead_of(&self.either(expected::file_name(), what), node))
+            }
         }
     }
 
