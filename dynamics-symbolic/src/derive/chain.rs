@@ -6,7 +6,7 @@ use super::symbols::Symbols;
 use super::{base, place};
 use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::mechanism::{Origin, Tree};
+use crate::mechanism::{self, Origin, Tree};
 use crate::robot::{Interpretation, JointType};
 use crate::spatial::{Acceleration, Axis, Body, Force, Joint, Keep, Motion, Turn, leave_about};
 use core::ops::Add;
@@ -62,32 +62,72 @@ pub struct Chain<R> {
     pub pivot: Option<usize>,
 }
 
-impl<'g> Chain<Expr<'g>> {
-    /// The chain of an arm, each frame's origin where `origins` says.
-    pub fn new(symbols: &mut Symbols<'g>, origins: &[Origin]) -> Self {
-        let (graph, arm) = (symbols.graph(), symbols.arm());
-        let (zero, one) = (graph.zero(), graph.one());
+/// The numbers of a table from which its chains are built: they are the same in all gauges.
+pub(super) struct Given<R> {
+    places: Places<R>,
+    links: Vec<GivenLink<R>>,
+    gravity: Vector3<R>,
+    strength: R,
+    datum: R,
+}
+
+/// The numbers of one link.
+struct GivenLink<R> {
+    /// The offset along the joint's axis.
+    d: R,
+    /// The turn about the joint's axis.
+    turn: Turn<R>,
+    /// Inertial parameters in the joint's own frame, without those that are neglected.
+    body: Body<R>,
+    /// The reflected inertia of its motor, without a part that is neglected.
+    reflected: R,
+}
+
+impl<'g> Given<Expr<'g>> {
+    /// Reads the table of an arm.
+    pub(super) fn new(symbols: &mut Symbols<'g>) -> Self {
+        let (zero, arm) = (symbols.graph().zero(), symbols.arm());
         let places = Places::new(symbols, arm);
         let neglected = base::neglected(symbols);
+        let joints = arm.joints.iter().enumerate();
+        let link = |(i, joint): (usize, &mechanism::Joint)| GivenLink {
+            d: symbols.value(&joint.aligned.d),
+            turn: symbols.turn(i),
+            body: if joint.is_of_base() {
+                Body::splat(zero)
+            } else {
+                places.body(symbols, arm, i).less(neglected[i].0)
+            },
+            reflected: base::reflected(symbols, joint) - neglected[i].1,
+        };
+        let links = joints.map(link).collect();
+        Given {
+            places,
+            links,
+            gravity: place::gravity(symbols, arm),
+            strength: strength(symbols),
+            datum: place::datum(symbols, arm).unwrap_or(zero),
+        }
+    }
+}
+
+impl<'g> Chain<Expr<'g>> {
+    /// The chain of an arm, each frame's origin where `origins` says.
+    pub(super) fn new(symbols: &Symbols<'g>, given: &Given<Expr<'g>>, origins: &[Origin]) -> Self {
+        let (graph, arm) = (symbols.graph(), symbols.arm());
+        let (zero, one) = (graph.zero(), graph.one());
         let mut links = Vec::with_capacity(arm.joints.len());
         arm.tree.outward(zero, |i, &shift_before| {
-            let (link, shift) = Link::new(
-                symbols,
-                &places,
-                (i, origins[i]),
-                shift_before,
-                neglected[i],
-            );
+            let (link, shift) = Link::new(symbols, given, (i, origins[i]), shift_before);
             links.push(link);
             shift
         });
-        let gravity = place::gravity(symbols, arm);
         Chain {
             zero,
             one,
-            gravity,
-            strength: strength(symbols),
-            datum: place::datum(symbols, arm).unwrap_or(zero),
+            gravity: given.gravity,
+            strength: given.strength,
+            datum: given.datum,
             base: Body::splat(zero),
             links,
             tree: arm.tree.clone(),
@@ -97,18 +137,23 @@ impl<'g> Chain<Expr<'g>> {
 }
 
 impl<'g> Link<Expr<'g>> {
-    /// Link i, on a link whose origin is at `shift_before` on its axis, without the parameters that are neglected of its
-    /// body and of its motor; and where its own origin is, from that of the aligned frame.
+    /// Link i, on a link whose origin is at `shift_before` on its axis; and where its own origin is, from that of the
+    /// aligned frame.
     fn new(
-        symbols: &mut Symbols<'g>,
-        places: &Places<Expr<'g>>,
+        symbols: &Symbols<'g>,
+        given: &Given<Expr<'g>>,
         (i, origin): (usize, Origin),
         shift_before: Expr<'g>,
-        (neglected, of_motor): (Body<Expr<'g>>, Expr<'g>),
     ) -> (Self, Expr<'g>) {
-        let (graph, arm) = (symbols.graph(), symbols.arm());
-        let (joint, before, zero) = (&arm.joints[i], &places.before[i], graph.zero());
-        let d = symbols.value(&joint.aligned.d);
+        let (graph, joint) = (symbols.graph(), &symbols.arm().joints[i]);
+        let (before, own) = (&given.places.before[i], &given.places.own[i]);
+        let zero = graph.zero();
+        let GivenLink {
+            d,
+            turn,
+            body,
+            reflected,
+        } = given.links[i];
         // The origin is at d + shift along the axis.
         let shift = match origin {
             Origin::AfterOffset => zero,
@@ -116,18 +161,15 @@ impl<'g> Link<Expr<'g>> {
         };
         let along = before.turns.leave(Vector3::new(zero, zero, d + shift));
         let offset = along + before.origin.plus_z(-shift_before);
-        let turn = symbols.turn(i);
         let slide = match joint.joint_type {
             JointType::Revolute => zero,
             JointType::Prismatic => symbols.joint(i).q,
         };
         let none = Turn::none(zero, graph.one());
-        let own = &places.own[i];
         let turns = own.turns.0.iter().map(|(_, turn)| *turn);
-        let body = if arm.is_of_base(i) {
-            Body::splat(zero)
+        let body = if joint.is_of_base() {
+            body
         } else {
-            let body = places.body(symbols, arm, i).less(neglected);
             let moved = body.moved(Vector3::new(zero, zero, own.origin[2] - shift));
             own.turns.leave_body(moved)
         };
@@ -146,7 +188,7 @@ impl<'g> Link<Expr<'g>> {
             shift: shift - own.origin[2],
             behind: turns.fold(none, Turn::plus),
             body,
-            reflected: base::reflected(symbols, joint) - of_motor,
+            reflected,
         };
         (link, shift)
     }

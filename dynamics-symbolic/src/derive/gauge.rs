@@ -15,13 +15,12 @@
 
 use std::collections::HashMap;
 
-use super::chain::Chain;
+use super::chain::{Chain, Given};
 use super::functions::{Part, outputs};
 use super::symbols::Symbols;
-use crate::expr::{Edge, Expr, Graph};
+use crate::expr::{Edge, Expr, Graph, Level, Operation};
 use crate::function::{Function, Search};
 use crate::mechanism::{Mechanism, Origin, Tree};
-use crate::simplify::Network;
 use crate::spatial::Keep;
 
 /// One choice for every joint.
@@ -67,7 +66,13 @@ impl Gauge {
 
     /// The chain of a robot in this gauge.
     pub fn chain<'g>(&self, symbols: &mut Symbols<'g>) -> Chain<Expr<'g>> {
-        let mut chain = Chain::new(symbols, &self.origins);
+        let given = Given::new(symbols);
+        self.chain_of(symbols, &given)
+    }
+
+    /// As [`Gauge::chain`], of a table that has been read.
+    fn chain_of<'g>(&self, symbols: &Symbols<'g>, given: &Given<Expr<'g>>) -> Chain<Expr<'g>> {
+        let mut chain = Chain::new(symbols, given, &self.origins);
         if self.grouped {
             chain.group_parameters(&self.keep);
         }
@@ -105,12 +110,8 @@ impl Gauge {
     fn descend(&mut self, arm: &Mechanism, parts: &[Part], joints: &[usize]) {
         let tips = arm.tree.tips().filter(|tip| joints.contains(tip)).count();
         let most = MOST_NODES * parts.len() * tips;
-        let mut trials = Trials {
-            arm,
-            parts,
-            known: HashMap::new(),
-            nodes: 0,
-        };
+        let graph = Graph::new();
+        let mut trials = Trials::new(&graph, arm, parts);
         let mut cost = trials.cost(self);
         let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
         let pivots = if parts.iter().any(has_pivot) {
@@ -149,23 +150,13 @@ impl Gauge {
 
     /// The work of some functions in this gauge, before any simplification.
     pub fn length(&self, arm: &Mechanism, parts: &[Part]) -> usize {
-        self.tried(arm, parts).0
+        Trials::new(&Graph::new(), arm, parts).cost(self)
     }
 
     /// The outputs of some functions in this gauge, one function after the other.
     pub fn outputs<'g>(&self, symbols: &mut Symbols<'g>, parts: &[Part]) -> Vec<Edge> {
         let chain = self.chain(symbols);
-        let of_part = |part: &Part| outputs(symbols, &chain, *part);
-        let outputs = parts.iter().flat_map(of_part);
-        outputs.map(|e| e.edge()).collect()
-    }
-
-    /// The work before any simplification, and the nodes of the trial graph.
-    fn tried(&self, arm: &Mechanism, parts: &[Part]) -> (usize, usize) {
-        let graph = Graph::new();
-        let mut symbols = Symbols::new(&graph, arm);
-        let outputs = self.outputs(&mut symbols, parts);
-        (Network::new(&graph, &outputs).work(), graph.len())
+        outputs_of(symbols, &chain, parts)
     }
 
     fn reverse(&mut self, step: &[Choice]) {
@@ -191,27 +182,79 @@ impl Gauge {
 
 /// The trials of a search. The last round of a descent comes back to gauges of the round before it: each
 /// is tried once, and counted as often as it is requested.
-struct Trials<'a> {
-    arm: &'a Mechanism,
-    parts: &'a [Part],
+struct Trials<'g> {
+    graph: &'g Graph,
+    symbols: Symbols<'g>,
+    given: Given<Expr<'g>>,
+    parts: &'g [Part],
     /// The work and the nodes of each gauge that was tried.
     known: HashMap<Gauge, (usize, usize)>,
     /// The nodes of all trial graphs.
     nodes: usize,
 }
 
-impl Trials<'_> {
+impl<'g> Trials<'g> {
+    fn new(graph: &'g Graph, arm: &'g Mechanism, parts: &'g [Part]) -> Self {
+        let mut symbols = Symbols::new(graph, arm);
+        Trials {
+            graph,
+            given: Given::new(&mut symbols),
+            symbols,
+            parts,
+            known: HashMap::new(),
+            nodes: 0,
+        }
+    }
+
     /// The work of the functions in a gauge.
     fn cost(&mut self, gauge: &Gauge) -> usize {
         let known = self.known.get(gauge).copied();
         let (work, nodes) = known.unwrap_or_else(|| {
-            let trial = gauge.tried(self.arm, self.parts);
+            let trial = self.graph.trying(|| self.tried(gauge));
             self.known.insert(gauge.clone(), trial);
             trial
         });
         self.nodes += nodes;
         work
     }
+
+    /// The work before any simplification, and the nodes of the trial graph.
+    fn tried(&self, gauge: &Gauge) -> (usize, usize) {
+        let mut symbols = self.symbols.clone();
+        let chain = gauge.chain_of(&symbols, &self.given);
+        let outputs = outputs_of(&mut symbols, &chain, self.parts);
+        (work(self.graph, &outputs), self.graph.len())
+    }
+}
+
+/// The work of the operations that some outputs take: two for an addition, which may be fused with a product, and
+/// three for a multiplication or a division.
+fn work(graph: &Graph, outputs: &[Edge]) -> usize {
+    let mut is_counted = vec![false; graph.len()];
+    let mut stack: Vec<_> = outputs.iter().map(|output| output.node()).collect();
+    let mut work = 0;
+    while let Some(id) = stack.pop() {
+        if core::mem::replace(&mut is_counted[id.index()], true)
+            || graph.level_of(id) == Level::Constant
+        {
+            continue;
+        }
+        let operation = graph.operation(id);
+        work += match operation {
+            Operation::Add(..) => 2,
+            Operation::Mul(..) | Operation::Div(..) => 3,
+            Operation::Rational(_) | Operation::Symbol(_) => 0,
+        };
+        stack.extend(operation.operands());
+    }
+    work
+}
+
+/// The outputs of some functions on a chain, one function after the other.
+fn outputs_of<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>, parts: &[Part]) -> Vec<Edge> {
+    let of_part = |part: &Part| outputs(symbols, chain, *part);
+    let outputs = parts.iter().flat_map(of_part);
+    outputs.map(|e| e.edge()).collect()
 }
 
 /// The part whose operations the search counts for a function; `None` if no gauge matters.

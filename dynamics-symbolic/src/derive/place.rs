@@ -24,10 +24,12 @@ pub(crate) fn place<I: Interpretation>(
     };
     let mut angles: Vec<&Value> = Vec::new();
     for Placement { xyz, rpy } in placements {
-        let turns = rpy.each_ref().map(|angle| Turn::from(cells.sin_cos(angle)));
+        let mut turn = |angle: &Value| (!angle.is_zero()).then(|| Turn::from(cells.sin_cos(angle)));
+        let turns = rpy.each_ref().map(&mut turn);
         place.origin = place.leave_point(vector(cells, xyz));
         let axes = [Axis::X, Axis::Y, Axis::Z].into_iter();
         for ((axis, turn), angle) in axes.zip(turns).zip(rpy).rev() {
+            let Some(turn) = turn else { continue };
             // A turn and the same turn back are none.
             let last = place.turns.0.last().zip(angles.last().copied());
             let is_back = |((before, _), back): (&(Axis, _), &Value)| {
@@ -36,7 +38,7 @@ pub(crate) fn place<I: Interpretation>(
             if last.is_some_and(is_back) {
                 place.turns.0.pop();
                 angles.pop();
-            } else if !angle.is_zero() {
+            } else {
                 place.turns.0.push((axis, turn));
                 angles.push(angle);
             }

@@ -37,6 +37,7 @@ pub struct JointSymbols<'g> {
 }
 
 /// The symbols of an arm on a graph.
+#[derive(Clone)]
 pub struct Symbols<'g> {
     graph: &'g Graph,
     arm: &'g Mechanism,

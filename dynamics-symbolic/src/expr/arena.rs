@@ -90,6 +90,26 @@ impl Graph {
         result
     }
 
+    /// Does some work and forgets what it added to the graph, which the result must not name. Nodes from before may
+    /// have got a definition by new ones meanwhile: they have their own again.
+    pub(crate) fn trying<T>(&self, work: impl FnOnce() -> T) -> T {
+        let (nodes, rationals, symbols) = {
+            let arena = self.arena.borrow();
+            (arena.nodes.clone(), arena.rationals.len(), arena.symbols)
+        };
+        let random = self.random.borrow().clone();
+        let result = work();
+        *self.random.borrow_mut() = random;
+        let arena = &mut *self.arena.borrow_mut();
+        for node in arena.nodes.drain(nodes.len()..) {
+            arena.by_value.remove(&node.value.get());
+        }
+        arena.nodes.copy_from_slice(&nodes);
+        arena.rationals.truncate(rationals);
+        arena.symbols = symbols;
+        result
+    }
+
     pub(crate) fn node(&self, id: NodeId) -> Node {
         self.arena.borrow().nodes[id.index()]
     }
@@ -389,6 +409,25 @@ impl Arena {
 mod tests {
     use super::*;
     use crate::exact::{MOST_BITS, bit_length};
+
+    /// What is tried leaves no trace: the same nodes, numbers and random values are the next ones.
+    #[test]
+    fn trials_are_forgotten() {
+        let graph = Graph::new();
+        let x = graph.symbol(Level::Variable);
+        let work = || {
+            let y = graph.symbol(Level::Variable);
+            let third = graph.rational(&(Rational::ONE / Rational::from(3)));
+            let z = third * (x + y) * y;
+            (y.edge(), third.edge(), z.edge(), graph.len())
+        };
+        let first = graph.trying(work);
+        assert_eq!(graph.len(), x.edge().node().index() + 1);
+        assert_eq!(graph.trying(work), first);
+        assert_eq!(work(), first);
+        let third = graph.rational(&(Rational::ONE / Rational::from(3)));
+        assert_eq!(third.edge(), first.1);
+    }
 
     /// Squares of a decimal, of which the last would have 10^9 digits: they are operations that are not carried out,
     /// and equal ones are still known to be equal.

@@ -149,17 +149,6 @@ impl<'g> Network<'g> {
         self.cost
     }
 
-    /// The work of the operations: two for an addition, which may be fused with a product, and three for a multiplication
-    /// or a division.
-    pub fn work(&self) -> usize {
-        let work = |(index, operation): (usize, &Operation)| match operation {
-            _ if self.readers[index] == 0 || self.free[index] => 0,
-            Operation::Add(..) => 2,
-            _ => 3,
-        };
-        self.definitions.iter().enumerate().map(work).sum()
-    }
-
     /// The definition of a node.
     pub fn definition(&self, id: NodeId) -> Operation {
         self.definitions[id.index()]

@@ -51,8 +51,7 @@ impl Survey {
 
     /// The node of a value, with the sign that gives the value.
     pub(super) fn find(&self, value: Fingerprint) -> Option<(NodeId, bool)> {
-        let (canonical, negative) = canonical(value);
-        self.index.find(canonical).map(|id| (id, negative))
+        self.index.find(value)
     }
 
     /// Every active node that a definition may read.
@@ -133,17 +132,19 @@ pub(super) fn canonical(value: Fingerprint) -> (Fingerprint, bool) {
 /// Nodes by value. Nine of ten values that are looked up belong to no node; most of these are recognised by
 /// their last bits, without a look into the map.
 struct ByValue {
-    /// Whether some value has these last bits.
+    /// Whether some value, or its opposite, has these last bits.
     last_bits: Vec<bool>,
     nodes: FingerprintMap<NodeId>,
 }
 
 impl ByValue {
     fn new(nodes: Vec<(Fingerprint, NodeId)>) -> Self {
-        let mut last_bits = vec![false; (16 * nodes.len()).next_power_of_two()];
+        let mut last_bits = vec![false; (32 * nodes.len()).next_power_of_two()];
         let mask = last_bits.len() - 1;
         for (value, _) in &nodes {
-            last_bits[value.get() as usize & mask] = true;
+            for value in [*value, -*value] {
+                last_bits[value.get() as usize & mask] = true;
+            }
         }
         let nodes = nodes.into_iter().map(|(value, id)| (value.get(), id));
         ByValue {
@@ -152,11 +153,12 @@ impl ByValue {
         }
     }
 
-    fn find(&self, value: Fingerprint) -> Option<NodeId> {
-        let value = value.get();
-        if !self.last_bits[value as usize & (self.last_bits.len() - 1)] {
+    fn find(&self, value: Fingerprint) -> Option<(NodeId, bool)> {
+        if !self.last_bits[value.get() as usize & (self.last_bits.len() - 1)] {
             return None;
         }
-        self.nodes.get(&value).copied()
+        let (canonical, negative) = canonical(value);
+        let node = self.nodes.get(&canonical.get());
+        node.map(|&id| (id, negative))
     }
 }
