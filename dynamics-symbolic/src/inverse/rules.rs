@@ -14,7 +14,7 @@
 //! pose at the end. Roots are in the field for every second number, so that it draws until each branch has been seen.
 //! Equations are necessary, and the proof says that they are sufficient.
 
-use super::plan::Rule;
+use super::plan::{Rule, Step};
 use super::view::{Points, View, are_parallel, moved};
 use crate::expr::Expr;
 use crate::linear::Vector3;
@@ -22,11 +22,9 @@ use crate::robot::JointType;
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
-/// An equation of one joint of a view.
+/// A step with its coefficients.
 pub(super) struct Equation<'g> {
-    /// The joint's number among those that move.
-    pub(super) joint: usize,
-    pub(super) rule: Rule,
+    pub(super) step: Step,
     pub(super) coefficients: Vec<Expr<'g>>,
 }
 
@@ -35,21 +33,28 @@ impl<'g> Equation<'g> {
     fn of(view: &View<'g>, t: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
             let opposite = match rule {
-                Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::InclinedTurns => &[1][..],
-                // A reflection in the x axis.
-                Rule::Distance => &[1, 5, 7],
-                Rule::Slide | Rule::Slides => &[0],
-                Rule::Root | Rule::Direction | Rule::Condition => &[],
+                Rule::Turn | Rule::Turns => 1,
+                Rule::Slide | Rule::Slides => 0,
             };
-            for &k in opposite {
-                coefficients[k] = -coefficients[k];
-            }
+            coefficients[opposite] = -coefficients[opposite];
         }
-        Equation {
-            joint: view.joints[t].number,
-            rule,
-            coefficients,
-        }
+        let step = Step::Joint(view.joints[t].number, rule);
+        Equation { step, coefficients }
+    }
+
+    /// a cos q + b sin q = c for joint t, if it depends on q; `discriminant` and `size` as in [`Rule::Turns`].
+    fn turns(
+        view: &View<'g>,
+        t: usize,
+        [a, b, c]: [Expr<'g>; 3],
+        discriminant: Option<Expr<'g>>,
+        size: Expr<'g>,
+    ) -> Option<Self> {
+        let discriminant = discriminant.unwrap_or_else(|| a * a + b * b - c * c);
+        let coefficients = vec![a, b, c, discriminant, size];
+        let depends = !(a.is_zero() && b.is_zero());
+        (depends && view.allows(&coefficients))
+            .then(|| Equation::of(view, t, Rule::Turns, coefficients))
     }
 }
 
@@ -167,17 +172,15 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
         let height = y.dot(pair.near);
         let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
         let size = v.dot(v) + height * height;
-        let coefficients = vec![a, b, height - y[2] * v[2], size];
-        view.allows(&coefficients)
-            .then(|| Equation::of(view, 0, Rule::Turns, coefficients))
+        Equation::turns(view, 0, [a, b, height - y[2] * v[2]], None, size)
     })
 }
 
 /// y.(L x) = y.(Z x): the angle between a direction before joint t and one behind it, if the other joints turn neither.
 ///
 /// If both are equally inclined to the axis, y_z = s x_z = m, they are one direction where its angle vanishes, and the discriminant
-/// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. The runtime has 1 - s w from the cross
-/// product: (1 - s w) (1 + s w) = |y x L x|^2.
+/// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. 1 - s w has its digits from the
+/// cross product: (1 - s w) (1 + s w) = |y x L x|^2.
 fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();
     if t == 0 || t + 1 == last {
@@ -192,25 +195,22 @@ fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let (m, x) = (view.way(0, t).inverse().direction(y), pair.near);
     let v = view.target.direction(pair.far);
     let [a, b] = rotated(m, x);
-    let constant = m[2] * x[2];
-    let c = y.dot(v) - constant;
+    let along = y.dot(v);
     let across = y.cross(v);
     let across = across.dot(across);
-    let is_equal = (m[2] * m[2] - x[2] * x[2]).is_zero();
-    let (rule, last) = if m[2].is_zero() && x[2].is_zero() {
-        (Rule::ExactTurns, vec![across])
-    } else if is_equal {
-        let along = y.dot(v);
+    let (one, zero) = (view.graph.one(), view.graph.zero());
+    let (discriminant, size) = if m[2].is_zero() && x[2].is_zero() {
+        (Some(across), zero)
+    } else if (m[2] * m[2] - x[2] * x[2]).is_zero() {
         let is_same = (m[2] - x[2]).is_zero();
-        let along = if is_same { along } else { -along };
+        let beyond = one + if is_same { along } else { -along };
         let twice = m[2] * m[2] + m[2] * m[2];
-        (Rule::InclinedTurns, vec![along, across, twice])
+        (Some(across / beyond * (beyond - twice)), zero)
     } else {
-        (Rule::Turns, vec![view.graph.one()])
+        (None, one)
     };
-    let coefficients = [&[a, b, c], &last[..]].concat();
-    let depends = !(a.is_zero() && b.is_zero());
-    (depends && view.allows(&coefficients)).then(|| Equation::of(view, t, rule, coefficients))
+    let c = along - m[2] * x[2];
+    Equation::turns(view, t, [a, b, c], discriminant, size)
 }
 
 /// y.(L p) = y.(A Z p): a height that the joints before t do not change.
@@ -226,15 +226,10 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         .into_iter()
         .find(|y| !are_parallel(near(y), view.z()))?;
     let [a, b] = rotated(near(&y), pair.near);
-    if a.is_zero() && b.is_zero() {
-        return None;
-    }
     let v = view.target.point(pair.far);
     let known = y.dot(way.point(view.z() * pair.near[2]));
     let size = v.dot(v) + known * known;
-    let coefficients = vec![a, b, y.dot(v) - known, size];
-    view.allows(&coefficients)
-        .then(|| Equation::of(view, t, Rule::Turns, coefficients))
+    Equation::turns(view, t, [a, b, y.dot(v) - known], None, size)
 }
 
 /// |L p - o|^2 = |Z p - o|^2: the distance from a point that the joints before t do not move, or from an axis that they have
@@ -278,23 +273,24 @@ fn beside_z<'g>(v: Vector<'g>) -> Expr<'g> {
     v[0] * v[0] + v[1] * v[1]
 }
 
-/// |y - Z x|^2 = found for joint t: a cos q + b sin q = (|x|^2 + |y|^2 - found) / 2 in the plane.
+/// |y - Z x|^2 = found for joint t: 2 a cos q + 2 b sin q = X + Y - f with X, Y and f the squares of x, y and found in the plane.
+///
+/// The discriminant is Heron's, 16 times the square of a triangle's area, with f as a factor: if x and y are nearly equally
+/// long, f may be small beside X + Y and has no digits left in the difference.
 fn by_distance<'g>(
     view: &View<'g>,
     t: usize,
     (y, x): (Vector<'g>, Vector<'g>),
     found: Expr<'g>,
 ) -> Option<Equation<'g>> {
-    let [a, b] = rotated(y, x);
-    if a.is_zero() && b.is_zero() {
-        return None;
-    }
     let along = y[2] - x[2];
-    let rest = along * along;
-    let known = beside_z(x) + beside_z(y) + rest;
-    let coefficients = vec![a, b, known, found, x[0], x[1], y[0], y[1], rest];
-    view.allows(&coefficients)
-        .then(|| Equation::of(view, t, Rule::Distance, coefficients))
+    let (rest, squares) = (along * along, [beside_z(x), beside_z(y)]);
+    let [sum, difference] = [squares[0] + squares[1], squares[0] - squares[1]];
+    let flat = found - rest;
+    let discriminant = flat * (sum + sum - flat) - difference * difference;
+    let size = sum + rest + found;
+    let [a, b] = rotated(y, x).map(|x| x + x);
+    Equation::turns(view, t, [a, b, sum - flat], Some(discriminant), size * size)
 }
 
 /// |L p - Z o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.

@@ -3,7 +3,7 @@
 use super::super::c::precision::OF_DOUBLE;
 use super::super::comments::comment;
 use super::super::{Language, indented, snake_case};
-use super::{Kind, Words, description, entry_of_pose, statements};
+use super::{Words, description, entry_of_pose, statements};
 use crate::emit::inverse::turning;
 use crate::function::inverse_method;
 use crate::inverse::{Plan, Target};
@@ -20,21 +20,15 @@ const WORDS: Words = Words {
         fused: None,
         ..OF_DOUBLE
     },
-    declare: |kind, name, value| match kind {
-        Kind::Number => format!("const double {name} = {value};"),
-        Kind::Joint => format!("const found {name} = {value};"),
-        Kind::Direction => format!("const direction_of {name} = {value};"),
-    },
+    joint: "const found",
+    direction: "const direction_of",
+    is_singular: "is_singular",
     each: |name, call| {
         vec![
             format!("const roots {name}_roots = {call};"),
             format!("for (int {name}_k = 0; {name}_k < {name}_roots.count; ++{name}_k) {{"),
             format!("  const found {name} = {name}_roots.both[{name}_k];"),
         ]
-    },
-    part: |name, part| match part {
-        "isSingular" => format!("{name}.is_singular"),
-        part => format!("{name}.{part}"),
     },
     keep: |joints, singular| {
         let singular = if singular.is_empty() { "0" } else { singular };
@@ -114,6 +108,9 @@ fn function(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> Stri
         format!("static const int turning[] = {{{}}};", turning.join(", ")),
         "int count = 0;".to_owned(),
     ];
+    if plan.target != Target::Position {
+        lines.push("if (!is_rotation(pose)) return 0;".to_owned());
+    }
     lines.extend(statements(robot, plan, &WORDS));
     lines.push("return count;".to_owned());
     format!(

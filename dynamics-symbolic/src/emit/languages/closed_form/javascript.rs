@@ -3,7 +3,7 @@
 use super::super::comments::comment;
 use super::super::javascript::JAVASCRIPT;
 use super::super::{Language, indented, snake_case};
-use super::{Kind, Words, description, entry_of_pose, statements};
+use super::{Words, description, entry_of_pose, statements};
 use crate::emit::inverse::turning;
 use crate::function::inverse_method;
 use crate::inverse::{Plan, Target};
@@ -17,11 +17,10 @@ const WORDS: Words = Words {
         entry: entry_of_pose,
         ..JAVASCRIPT
     },
-    declare: |kind, name, value| match kind {
-        Kind::Number | Kind::Joint | Kind::Direction => format!("const {name} = {value};"),
-    },
+    joint: "const",
+    direction: "const",
+    is_singular: "isSingular",
     each: |name, call| vec![format!("for (const {name} of {call}) {{")],
-    part: |name, part| format!("{name}.{part}"),
     keep: |joints, singular| {
         let singular = if singular.is_empty() {
             "false"
@@ -57,6 +56,9 @@ fn function(robot: &Robot, frame: Option<&str>, plan: &Plan) -> String {
         format!("const turning = [{}];", turning.join(", ")),
         "const solutions = [];".to_owned(),
     ];
+    if plan.target != Target::Position {
+        lines.push("if (!is_rotation(pose)) return solutions;".to_owned());
+    }
     lines.extend(statements(robot, plan, &WORDS));
     lines.push("return solutions;".to_owned());
     let mut text = description(frame, plan);
