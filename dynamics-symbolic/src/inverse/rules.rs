@@ -76,14 +76,15 @@ pub(super) fn equations<'g>(view: &View<'g>) -> Vec<Equation<'g>> {
     };
     let turning = || of_type(JointType::Revolute);
     let sliding = || of_type(JointType::Prismatic);
-    let single = first_turn(view).into_iter();
+    let front = (view.joints[0].joint_type == JointType::Revolute).then_some(view);
+    let single = front.and_then(first_turn).into_iter();
     let single = single.chain(sliding().filter_map(|t| slide(view, t)));
     let double = turning()
         .filter_map(|t| angle_between(view, t))
-        .chain(front_heights(view))
+        .chain(front.and_then(front_heights))
         .chain(turning().flat_map(|t| heights(view, t)))
         .chain(turning().filter_map(|t| distance(view, t)))
-        .chain(front_distance(view))
+        .chain(front.and_then(front_distance))
         .chain(sliding().filter_map(|t| slides(view, t)));
     single.chain(double).collect()
 }
@@ -98,9 +99,6 @@ struct Turned<'g> {
 /// Z x = L x: the first joint turns a known direction, or a known point, to where it is. The angle from x to y about z has the
 /// cosine x.y and the sine (x x y)_z, both times the square of their distance from the axis.
 fn first_turn<'g>(view: &View<'g>) -> Option<Equation<'g>> {
-    if view.joints.first()?.joint_type != JointType::Revolute {
-        return None;
-    }
     let Turned { x, y, size } = turned_direction(view).or_else(|| turned_point(view))?;
     let (cosine, sine) = (x[0] * y[0] + x[1] * y[1], x[0] * y[1] - x[1] * y[0]);
     let coefficients = vec![cosine, sine, beside_z(x), size];
@@ -121,7 +119,7 @@ fn turned_direction<'g>(view: &View<'g>) -> Option<Turned<'g>> {
 
 /// A point that the joints behind the first do not move, or move along its axis alone.
 fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
-    let Pair { near: x, far } = point_behind(view, 0, Some(view.z()))?;
+    let Pair { near: x, far } = point_from(view, 0, 1, Some(view.z()))?;
     let y = view.target.point(far);
     let is_on_axis = x[0].is_zero() && x[1].is_zero();
     let stays = !matches!(
@@ -138,7 +136,7 @@ fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
 fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();
     (t + 1..=last).rev().find_map(|end| {
-        let pair = point_from(view, t, end)?;
+        let pair = point_from(view, t, end, None)?;
         let heights = view.heights(0..end, Some(t));
         let to_joint = view.way(0, t);
         let along = |y: &Vector<'g>| to_joint.inverse().direction(*y)[2];
@@ -160,14 +158,11 @@ fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
 /// y.(Z^-1 L p) = y.(B p): a height that joints right behind the first do not change, over a point that the others do not move.
 fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
-    if view.joints.first()?.joint_type != JointType::Revolute {
-        return None;
-    }
     (2..=last).rev().find_map(|end| {
         let heights = view.heights(1..end, None);
         let near = heights.iter().map(|y| view.links[0].direction(*y));
         let y = near.into_iter().find(|y| !are_parallel(*y, view.z()))?;
-        let pair = point_from(view, 0, end)?;
+        let pair = point_from(view, 0, end, None)?;
         let v = view.target.point(pair.far);
         let height = y.dot(pair.near);
         let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
@@ -218,7 +213,7 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     if t == 0 {
         return None;
     }
-    let pair = point_behind(view, t, None)?;
+    let pair = point_from(view, t, t + 1, None)?;
     let way = view.way(0, t);
     let near = |y: &Vector<'g>| way.inverse().direction(*y);
     let heights = view.heights(0..t, None);
@@ -246,7 +241,7 @@ pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         Some(axis) if !are_parallel(way.inverse().direction(axis), z) => return None,
         axis => axis,
     };
-    let pair = point_behind(view, t, axis.map(|_| z))?;
+    let pair = point_from(view, t, t + 1, axis.map(|_| z))?;
     let flat = |v: Vector<'g>| match axis {
         Some(_) => v - z * v[2],
         None => v,
@@ -296,14 +291,11 @@ fn by_distance<'g>(
 /// |L p - Z o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.
 fn front_distance<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
-    if view.joints.first()?.joint_type != JointType::Revolute {
-        return None;
-    }
     (2..=last).rev().find_map(|end| {
         let Points::One(o) = moved(&view.links[0], view.points(1..end)) else {
             return None;
         };
-        let pair = point_from(view, 0, end)?;
+        let pair = point_from(view, 0, end, None)?;
         let v = view.target.point(pair.far);
         let apart = pair.near - o;
         by_distance(view, 0, (v, o), apart.dot(apart))
@@ -321,7 +313,7 @@ fn slides<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     if near.is_some_and(|axis| !axis[2].is_zero()) {
         return None;
     }
-    let pair = point_behind(view, t, near)?;
+    let pair = point_from(view, t, t + 1, near)?;
     let across = |v: Vector<'g>, axis: Option<Vector<'g>>| match axis {
         Some(axis) => v - axis * v.dot(axis),
         None => v,
@@ -356,46 +348,14 @@ fn directions_behind<'g>(view: &View<'g>, t: usize) -> Vec<Pair<'g>> {
     on.iter().map(pair).collect()
 }
 
-/// A point that the joints behind joint t do not move, or only along an axis if one is given, in the frame behind t.
-fn point_behind<'g>(view: &View<'g>, t: usize, axis: Option<Vector<'g>>) -> Option<Pair<'g>> {
-    let last = view.joints.len();
-    if t + 1 == last {
-        return Some(Pair {
-            near: view.tip,
-            far: view.tip,
-        });
-    }
-    let points = view.points(t + 1..last);
-    let far = view.way(t + 1, last - 1).inverse();
-    let near = chosen(view, moved(&view.links[t], points), axis)?;
-    let back = view.links[t].inverse().point(near);
-    Some(Pair {
-        near,
-        far: far.point(back),
-    })
-}
-
-/// One of the points.
-fn chosen<'g>(view: &View<'g>, points: Points<'g>, axis: Option<Vector<'g>>) -> Option<Vector<'g>> {
-    match points {
-        Points::All => Some(view.origin()),
-        Points::One(p) => Some(p),
-        Points::Line {
-            point, each: true, ..
-        } => Some(point),
-        Points::Line {
-            point, direction, ..
-        } if axis.is_some_and(|axis| are_parallel(direction, axis)) => Some(point),
-        Points::Lines(direction) if axis.is_some_and(|axis| are_parallel(direction, axis)) => {
-            Some(view.origin())
-        }
-        Points::Lines(_) | Points::Line { .. } | Points::None => None,
-    }
-}
-
-/// A point that the joints from `end` on do not move: behind joint t if the joints between the two stand at zero, and in the
-/// last frame.
-fn point_from<'g>(view: &View<'g>, t: usize, end: usize) -> Option<Pair<'g>> {
+/// A point that the joints from `end` on do not move, or only along an axis if one is given: in the frame behind joint t, if the
+/// joints between the two stand at zero, and in the last frame.
+fn point_from<'g>(
+    view: &View<'g>,
+    t: usize,
+    end: usize,
+    axis: Option<Vector<'g>>,
+) -> Option<Pair<'g>> {
     let last = view.joints.len();
     if end == last {
         let near = view.way(t, last - 1).point(view.tip);
@@ -404,9 +364,17 @@ fn point_from<'g>(view: &View<'g>, t: usize, end: usize) -> Option<Pair<'g>> {
             far: view.tip,
         });
     }
-    let point = chosen(view, view.points(end..last), None)?;
-    Some(Pair {
-        near: view.way(t, end).point(point),
-        far: view.way(end, last - 1).inverse().point(point),
-    })
+    let is_along = |direction| axis.is_some_and(|axis| are_parallel(direction, axis));
+    let near = match moved(&view.way(t, end), view.points(end..last)) {
+        Points::One(point) => point,
+        Points::Line {
+            point,
+            direction,
+            each,
+        } if each || is_along(direction) => point,
+        Points::Lines(direction) if is_along(direction) => view.origin(),
+        _ => return None,
+    };
+    let far = view.way(t, last - 1).inverse().point(near);
+    Some(Pair { near, far })
 }

@@ -9,13 +9,21 @@ pub use javascript::inverse_in_javascript;
 
 use super::Language;
 use super::body::Body;
-use crate::emit::inverse::stages;
+use super::comments::comment;
+use crate::emit::inverse::{documentation, stages, turning};
 use crate::inverse::{ELBOW, Plan, Step, Target};
 use crate::robot::{Robot, Symbol};
 
 /// How a language writes the steps.
 struct Words {
     language: Language,
+    /// The lines of a function's comment about its arguments and its results.
+    conventions: &'static [&'static str],
+    /// What stands around the list of joints that turn, with 1 for each that does.
+    turning: [&'static str; 2],
+    /// The declaration of the result, and its name.
+    begin: &'static str,
+    result: &'static str,
     /// What a declaration of a joint that was found begins with, and that of a direction.
     joint: &'static str,
     direction: &'static str,
@@ -35,7 +43,7 @@ struct Writer<'a> {
     stages: Vec<usize>,
 }
 
-/// The statements of a plan behind the declarations of its results.
+/// The statements of a function.
 fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
     let proven = plan.proven();
     let writer = Writer {
@@ -44,9 +52,27 @@ fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
         body: Body::new(robot, &proven, &words.language),
         stages: stages(plan),
     };
-    let mut statements = writer.inputs();
+    let turning: Vec<_> = turning(robot)
+        .map(|turns| u8::from(turns).to_string())
+        .collect();
+    let ([before, behind], result) = (words.turning, words.result);
+    let turning = format!("{before}{}{behind}", turning.join(", "));
+    let mut statements = vec![turning, words.begin.to_owned()];
+    if plan.target != Target::Position {
+        statements.push(format!("if (!is_rotation(pose)) return {result};"));
+    }
+    statements.extend(writer.inputs());
     writer.from(0, &[], 0, &mut statements);
+    statements.push(format!("return {result};"));
     statements
+}
+
+/// The comment on a function.
+fn description(frame: Option<&str>, plan: &Plan, words: &Words) -> String {
+    let first = &documentation(frame, plan)[0];
+    let mut lines = vec![first.trim().replace('`', ""), String::new()];
+    lines.extend(words.conventions.iter().map(|line| (*line).to_owned()));
+    comment(&lines)
 }
 
 /// The name of a joint that was found.
@@ -87,7 +113,11 @@ impl Writer<'_> {
         push(self.body.lines_that(|line| self.stages[line] == step));
         let Some(&current) = self.plan.steps.get(step) else {
             let joints: Vec<_> = (0..self.plan.joints).map(joint).collect();
-            push((self.words.keep)(&joints, &singular.join(" || ")));
+            let singular = match singular {
+                [] => "0".to_owned(),
+                _ => singular.join(" || "),
+            };
+            push((self.words.keep)(&joints, &singular));
             return;
         };
         let first = self.plan.first_outputs()[step];
@@ -146,11 +176,4 @@ impl Writer<'_> {
 fn entry_of_pose(_: &str, entry: usize) -> String {
     let (row, column) = Plan::place_in_pose(entry);
     format!("pose[{row}][{column}]")
-}
-
-/// The description, as lines of a comment.
-fn description(frame: Option<&str>, plan: &Plan) -> Vec<String> {
-    let lines = crate::emit::inverse::documentation(frame, plan);
-    let first = lines.into_iter().take(1);
-    first.map(|line| line.trim().replace('`', "")).collect()
 }
