@@ -119,6 +119,19 @@ arm! {
 }
 
 arm! {
+    /// The same with both halves equally long: folded, its wrist is in its shoulder.
+    EqualHalves, [
+        q1: revolute { d: 0.36, alpha: -PI/2 },
+        q2: revolute { alpha: PI/2 },
+        q3: revolute { d: 0.4, alpha: PI/2 },
+        q4: revolute { alpha: -PI/2 },
+        q5: revolute { d: 0.4, alpha: -PI/2 },
+        q6: revolute { alpha: PI/2 },
+        q7: revolute { d: 0.126 },
+    ]
+}
+
+arm! {
     /// Four parallel axes.
     Scara, [
         q1: revolute { d: 0.387, a: 0.325 },
@@ -186,7 +199,7 @@ macro_rules! for_each_arm {
     ($then:ident) => {
         $then! {
             Puma560: 6, true; Ur5: 6, true; Stanford: 6, true; Shoulder: 6, true; ThreeRolls: 6, true;
-            GantryWithWrist: 6, true; SevenJoints: 7, true; Iiwa14: 7, true; Scara: 4, true; Elbow3r: 3, false;
+            GantryWithWrist: 6, true; SevenJoints: 7, true; Iiwa14: 7, true; EqualHalves: 7, true; Scara: 4, true; Elbow3r: 3, false;
             RrrPlanar: 3, true; Cylindrical: 3, false; TwoLink: 2, false;
         }
     };

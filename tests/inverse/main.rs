@@ -215,6 +215,7 @@ fn all_solutions_are_found() {
     assert_eq!(most(&GantryWithWrist), 2);
     assert_eq!(most(&SevenJoints), 8);
     assert_eq!(most(&Iiwa14), 8);
+    assert_eq!(most(&EqualHalves), 8);
     assert_eq!(most(&Scara), 2);
     assert_eq!(most(&Elbow3r), 4);
     assert_eq!(most(&RrrPlanar), 2);
@@ -309,6 +310,39 @@ fn poses_out_of_reach_have_no_solution() {
     assert_eq!(TwoLink.inverse_kinematics(&pose).len(), 2);
     pose[(2, 3)] = 1e-6;
     assert!(TwoLink.inverse_kinematics(&pose).is_empty());
+}
+
+/// A rotation that is none, where it is read: longer columns, a reflection, columns that are not at right angles.
+#[test]
+fn rotations_that_are_none_have_no_solution() {
+    fn check<const N: usize, A: Inverse<N>>(arm: &A) {
+        let pose = arm.pose(&SVector::from([0.3; N]));
+        let solved = arm.solutions(&pose, 0.3);
+        let changed = |change: &dyn Fn(&mut Matrix4<f64>)| {
+            let mut pose = pose;
+            change(&mut pose);
+            arm.solutions(&pose, 0.3)
+        };
+        let none = [
+            changed(&|pose| pose[(0, 0)] = 2.0),
+            changed(&|pose| pose[(2, 1)] = 1e200),
+            changed(&|pose| pose.fixed_view_mut::<3, 1>(0, 2).neg_mut()),
+            changed(&|pose| pose.fixed_view_mut::<3, 3>(0, 0).neg_mut()),
+            changed(&|pose| pose.fixed_view_mut::<3, 3>(0, 0).scale_mut(1.001)),
+            changed(&|pose| pose.fixed_view_mut::<3, 3>(0, 0).fill(0.0)),
+        ];
+        for found in none {
+            assert_eq!(found.is_empty(), A::READS_ROTATION, "{}", A::NAME);
+            assert!(found.is_empty() || found == solved);
+        }
+        // Roundings are no reason.
+        let near = changed(&|pose| pose[(1, 1)] += 1e-12);
+        assert_eq!(near.len(), solved.len(), "{}", A::NAME);
+    }
+    macro_rules! all {
+        ($($name:ident: $n:literal, $reads_rotation:literal;)*) => { $(check::<$n, _>(&$name);)* };
+    }
+    for_each_arm!(all);
 }
 
 /// Limits and seeds of a real arm: `JOINT_LIMITS` as they are.

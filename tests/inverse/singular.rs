@@ -65,6 +65,15 @@ fn wrists_over_the_shoulder() {
     marked(&Iiwa14, [0.4, 0.0, 0.7, 0.0, 1.1, -0.3, 0.2]);
 }
 
+/// The wrist in the shoulder: joints 1 to 3 may stand as they like. Next to it the line between both has few digits.
+#[test]
+fn wrists_in_the_shoulder() {
+    for missing in [0.0, 1e-15, 1e-12, 1e-9, -1e-9] {
+        let folded = core::f64::consts::PI - missing;
+        marked(&EqualHalves, [0.4, -0.9, 0.7, folded, 1.1, -0.3, 0.2]);
+    }
+}
+
 /// All joints at zero, where most arms are singular.
 #[test]
 fn arms_at_zero() {

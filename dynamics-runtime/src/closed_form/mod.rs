@@ -8,10 +8,8 @@ mod solutions;
 
 pub use real::Real;
 #[doc(hidden)]
-pub use roots::{
-    Found, Roots, direction, inclined_turns, is_reached, root, slide, slides, turn, turns,
-    turns_at_distance, turns_by,
-};
+pub use roots::{Found, Roots, direction, is_reached, is_rotation, slide, slides, turn, turns};
 #[doc(hidden)]
 pub use solutions::Branches;
+pub(crate) use solutions::nearest_turn;
 pub use solutions::{Solution, Solutions};

@@ -9,6 +9,8 @@ pub trait Real: Scalar + PartialOrd + sealed::Sealed {
     const APART: Self;
     /// A pose counts as reached that is missed by this part of the distances in it: 1e-9, in single precision 1e-4.
     const REACHED: Self;
+    /// The columns of a rotation are unit vectors at right angles to this: 1e-6, in single precision 1e-3.
+    const ROTATION: Self;
 
     /// Replaces sines by the angles from -pi to pi that they and the cosines belong to.
     #[doc(hidden)]
@@ -25,10 +27,11 @@ mod sealed {
 }
 
 macro_rules! impl_real {
-    ($float:ident, $angles:path, $apart:literal, $reached:literal) => {
+    ($float:ident, $angles:path, $apart:literal, $reached:literal, $rotation:literal) => {
         impl Real for $float {
             const APART: Self = $apart;
             const REACHED: Self = $reached;
+            const ROTATION: Self = $rotation;
 
             fn angles(sines: &mut [Self], cosines: &[Self]) {
                 $angles(sines, cosines);
@@ -42,5 +45,5 @@ macro_rules! impl_real {
     };
 }
 
-impl_real!(f64, angle::angles, 1e-7, 1e-9);
-impl_real!(f32, angle::angles_f32, 1e-3, 1e-4);
+impl_real!(f64, angle::angles, 1e-7, 1e-9, 1e-6);
+impl_real!(f32, angle::angles_f32, 1e-3, 1e-4, 1e-3);

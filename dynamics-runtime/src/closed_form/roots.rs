@@ -1,5 +1,7 @@
 //! The equations in one joint.
 
+use nalgebra::Matrix4;
+
 use super::Real;
 
 /// The position of a joint: the sine and the cosine of an angle, or a displacement.
@@ -72,9 +74,10 @@ pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Found<T> {
     Found::turn(sine * scale, cosine * scale, is_singular)
 }
 
-/// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`.
+/// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`. The
+/// discriminant is a^2 + b^2 - c^2.
 #[inline]
-pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<T> {
+pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     let square = a * a + b * b;
     let size = size + square;
     let least = roundings(T::from_f64(1.0));
@@ -84,85 +87,9 @@ pub fn turns<T: Real>(a: T, b: T, c: T, size: T) -> Roots<T> {
         let both = [Found::any(); 2];
         return Roots { both, count };
     }
-    let radius = square.sqrt();
-    let magnitude = if c.is_positive() { c } else { -c };
-    let discriminant = (radius - magnitude) * (radius + magnitude);
-    by_discriminant([a, b, c], [square, radius], discriminant, size)
-}
-
-/// |y - Rz(q) x|^2 + rest = found, which is a cos q + b sin q = (known - found) / 2.
-///
-/// If y and x are nearly equally long, `known` is much larger than `found`, and so is its rounding. The difference of the two
-/// vectors is as exact as they are: one step of Newton's method takes q to where its square is right.
-#[inline]
-#[allow(clippy::too_many_arguments)]
-pub fn turns_at_distance<T: Real>(
-    a: T,
-    b: T,
-    known: T,
-    found: T,
-    x0: T,
-    x1: T,
-    y0: T,
-    y1: T,
-    rest: T,
-) -> Roots<T> {
-    let size = (known + found) * (known + found);
-    let c = (known - found) * T::from_f64(0.5);
-    let mut roots = turns(a, b, c, size);
-    for Found {
-        sine: s,
-        cosine: c,
-        is_singular,
-    } in &mut roots.both
-    {
-        if !*is_singular {
-            let (u, v) = (*c * x0 - *s * x1, *s * x0 + *c * x1);
-            let (du, dv) = (u - y0, v - y1);
-            let miss = (found - rest) - (du * du + dv * dv);
-            // The square changes by twice the product of y and the turned x.
-            let step = miss / ((u * y1 - v * y0) * T::from_f64(-2.0));
-            (*s, *c) = (*s + *c * step, *c - *s * step);
-        }
-    }
-    roots
-}
-
-/// As [`turns`] with a^2 + b^2 - c^2, which has no rounding of larger numbers.
-#[inline]
-pub fn turns_by<T: Real>(a: T, b: T, c: T, discriminant: T) -> Roots<T> {
-    let square = a * a + b * b;
-    let radius = square.sqrt();
-    let least = roundings(radius);
-    let is_nothing = discriminant <= least * least && discriminant >= -roundings(square);
-    let discriminant = if is_nothing {
-        T::from_f64(0.0)
-    } else {
-        discriminant
-    };
-    by_discriminant([a, b, c], [square, radius], discriminant, square)
-}
-
-/// As [`turns_by`], with the discriminant (1 - along) (1 + along - twice), where (1 - along) (1 + along) = across.
-#[inline]
-pub fn inclined_turns<T: Real>(a: T, b: T, c: T, along: T, across: T, twice: T) -> Roots<T> {
-    let beyond = T::from_f64(1.0) + along;
-    turns_by(a, b, c, across / beyond * (beyond - twice))
-}
-
-/// The two turns, or the one between them.
-#[inline]
-fn by_discriminant<T: Real>(
-    [a, b, c]: [T; 3],
-    [square, radius]: [T; 2],
-    discriminant: T,
-    size: T,
-) -> Roots<T> {
-    let zero = T::from_f64(0.0);
-    if discriminant.is_positive() {
-        let root = discriminant.sqrt();
-        let is_singular = root + root <= T::APART * radius;
-        let scale = T::from_f64(1.0) / square;
+    if discriminant > least * least * square {
+        let is_singular = T::from_f64(4.0) * discriminant <= T::APART * T::APART * square;
+        let (root, scale) = (discriminant.sqrt(), T::from_f64(1.0) / square);
         let turn = |root: T| {
             let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
             Found::turn(s, c, is_singular)
@@ -170,11 +97,16 @@ fn by_discriminant<T: Real>(
         let both = [turn(root), turn(-root)];
         return Roots { both, count: 2 };
     }
+    // The turn between the two.
     let is_one = discriminant >= -roundings(size) && size.is_finite();
-    let scale = if c < zero { -radius } else { radius };
-    let one = Found::turn(b / scale, a / scale, true);
+    let radius = square.sqrt();
+    let scale = if c < T::from_f64(0.0) {
+        -radius
+    } else {
+        radius
+    };
     Roots {
-        both: [one; 2],
+        both: [Found::turn(b / scale, a / scale, true); 2],
         count: usize::from(is_one),
     }
 }
@@ -210,12 +142,6 @@ pub fn is_reached<T: Real>(x: T, y: T, z: T, size: T) -> bool {
     x * x + y * y + z * z <= T::REACHED * T::REACHED * size && size.is_finite()
 }
 
-/// The square root.
-#[inline]
-pub fn root<T: Real>(square: T) -> T {
-    square.sqrt()
-}
-
 /// The direction of a vector, or of another one if the square of its length vanishes beside `size`, and whether the first one is
 /// so short that another would do nearly as well.
 #[inline]
@@ -238,4 +164,22 @@ pub fn direction<T: Real>(
     let scale = T::from_f64(1.0) / (x * x + y * y + z * z).sqrt();
     let is_any = square <= T::APART * T::APART * size;
     ([x * scale, y * scale, z * scale], is_any)
+}
+
+/// Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third.
+#[inline]
+pub fn is_rotation<T: Real>(pose: &Matrix4<T>) -> bool {
+    let [[a, b, c, _], [d, e, f, _], [g, h, i, _], _] = pose.data.0;
+    let one = T::from_f64(1.0);
+    let misses = [
+        a * a + b * b + c * c - one,
+        d * d + e * e + f * f - one,
+        a * d + b * e + c * f,
+        b * f - c * e - g,
+        c * d - a * f - h,
+        a * e - b * d - i,
+    ];
+    misses
+        .iter()
+        .all(|x| *x <= T::ROTATION && *x >= -T::ROTATION)
 }

@@ -197,36 +197,19 @@ impl<T: Real, const N: usize> Solutions<T, N> {
         nearest.map(|(_, solution)| solution)
     }
 
-    /// The position of joint i, or one that is whole turns away, within its range.
+    /// The position of joint i, or the nearest one that is whole turns away, within its range.
     fn brought_into(&self, i: usize, q: T) -> Option<T> {
-        let Some([lower, upper]) = self.limits[i] else {
-            return Some(q);
-        };
-        let is_within = |q: &T| *q >= lower && *q <= upper;
-        if is_within(&q) || !self.turns[i] {
-            return Some(q).filter(is_within);
-        }
-        // The first one above the lower end.
-        let turns = whole_turns(lower - q, true);
-        Some(q + turns).filter(is_within)
+        let near = self.nearest_turn(i, q, q);
+        let is_within = |[lower, upper]: [T; 2]| near >= lower && near <= upper;
+        self.limits[i].is_none_or(is_within).then_some(near)
     }
 
     /// The position of joint i that is whole turns away and nearest to another one, within its range if it has one.
     fn nearest_turn(&self, i: usize, q: T, seed: T) -> T {
-        if !self.turns[i] {
-            return q;
-        }
-        let near = q + whole_turns(seed - q, false);
-        let Some([lower, upper]) = self.limits[i] else {
-            return near;
-        };
-        // From outside of the range into it.
-        if near < lower {
-            near + whole_turns(lower - near, true)
-        } else if near > upper {
-            near - whole_turns(near - upper, true)
+        if self.turns[i] {
+            nearest_turn(q, seed, self.limits[i])
         } else {
-            near
+            q
         }
     }
 }
@@ -235,6 +218,17 @@ impl<T: Real, const N: usize> Solutions<T, N> {
 impl<T: Real, const N: usize> Default for Solutions<T, N> {
     fn default() -> Self {
         Solutions::new([true; N])
+    }
+}
+
+/// The angle that is whole turns away from `q` and nearest to `seed`, in a range if one of them is.
+pub(crate) fn nearest_turn<T: Real>(q: T, seed: T, range: Option<[T; 2]>) -> T {
+    let near = q + whole_turns(seed - q, false);
+    match range {
+        // From outside of the range into it.
+        Some([lower, _]) if near < lower => near + whole_turns(lower - near, true),
+        Some([_, upper]) if near > upper => near - whole_turns(near - upper, true),
+        _ => near,
     }
 }
 

@@ -7,9 +7,8 @@
 //! halve it. `settle`, the last descent of a search that found nothing, never goes up. Success is
 //! `Normal::is_reached` at the very positions that are returned, whole turns taken off.
 
-use super::joints::Joints;
-use super::normal::Normal;
-use super::step::Damped;
+use super::places::Places;
+use super::search::Problem;
 use crate::size::Size;
 
 /// The share of the error in the damping (T. Sugihara, *Solvability-unconcerned inverse kinematics by the
@@ -23,13 +22,8 @@ pub(super) const LEAST_DAMPING: f64 = 1e-12;
 /// After so many iterations the error is compared with that before them.
 const PERIOD: usize = 5;
 
-/// When a descent ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Patience {
-    pub(super) iterations: usize,
-    /// It ends where the error is not below this share of that before [`PERIOD`] iterations.
-    pub(super) share: f64,
-}
+/// A descent ends where the error is not below this share of that before: another one is more likely to reach the targets.
+const SHARE: f64 = 0.5;
 
 /// Why a descent ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,66 +46,47 @@ pub(super) struct Descent<D: Size> {
     pub(super) end: End,
 }
 
-/// Goes down from `start`, which is within the limits.
-#[inline]
-pub(super) fn descend<D: Size>(
-    joints: &Joints<D>,
-    patience: Patience,
-    normal_at: impl Fn(&D::Vector) -> Normal<D>,
-    start: &D::Vector,
-) -> Descent<D> {
-    let mut q = start.clone();
-    let mut before = f64::INFINITY;
-    let mut iterations = 0;
-    loop {
-        let normal = normal_at(&q);
-        let checks = iterations % PERIOD == PERIOD - 1;
-        let next = || damped(joints.size, &normal).stepped(joints, &q);
-        let found = if normal.is_reached {
-            Err(End::Reached)
-        } else if !normal.error.is_finite() {
-            Err(End::NonFinite)
-        } else if checks && normal.error >= patience.share * before {
-            Err(End::Stuck)
-        } else if iterations == patience.iterations {
-            Err(End::Iterations)
-        } else {
-            next().ok_or(End::Stuck)
-        };
-        match found {
-            Ok(next) => q = next,
-            Err(end) => {
-                let error = normal.error;
-                return Descent {
-                    q,
-                    error,
-                    iterations,
-                    end,
-                };
+impl<D: Size, P: Places<D>> Problem<'_, D, P> {
+    /// Goes down from `q`, which is within the limits, in so many iterations at most.
+    #[inline]
+    pub(super) fn descend(&self, mut q: D::Vector, most: usize) -> Descent<D> {
+        let mut before = f64::INFINITY;
+        let mut iterations = 0;
+        loop {
+            let normal = self.normal_at(&q);
+            let checks = iterations % PERIOD == PERIOD - 1;
+            let found = if normal.is_reached {
+                Err(End::Reached)
+            } else if !normal.error.is_finite() {
+                Err(End::NonFinite)
+            } else if checks && normal.error >= SHARE * before {
+                Err(End::Stuck)
+            } else if iterations == most {
+                Err(End::Iterations)
+            } else {
+                let greatest = normal.greatest();
+                // Where the targets are farther away than the arm is long, a longer way damps no more.
+                let of_error = DAMPING_OF_ERROR * normal.error.min(greatest);
+                let damping = of_error + LEAST_DAMPING * greatest;
+                let next = normal.stepped(&self.solver.joints, damping, None, &q);
+                next.ok_or(End::Stuck)
+            };
+            match found {
+                Ok(next) => q = next,
+                Err(end) => {
+                    let error = normal.error;
+                    return Descent {
+                        q,
+                        error,
+                        iterations,
+                        end,
+                    };
+                }
             }
+            if checks {
+                before = normal.error;
+            }
+            iterations += 1;
         }
-        if checks {
-            before = normal.error;
-        }
-        iterations += 1;
     }
-}
-
-#[inline(always)]
-fn damped<D: Size>(size: D, normal: &Normal<D>) -> Damped<'_, D> {
-    let greatest = greatest(size, &normal.matrix);
-    // Where the targets are farther away than the arm is long, a longer way damps no more.
-    let of_error = DAMPING_OF_ERROR * normal.error.min(greatest);
-    Damped {
-        normal,
-        damping: of_error + LEAST_DAMPING * greatest,
-        pull: None,
-    }
-}
-
-/// The greatest diagonal entry.
-#[inline(always)]
-pub(super) fn greatest<D: Size>(size: D, matrix: &D::Matrix) -> f64 {
-    size.joints()
-        .fold(0.0, |most: f64, joint| most.max(matrix[(joint, joint)]))
 }

@@ -1,9 +1,10 @@
 //! The joints as inverse kinematics sees them: how far they move, and whether whole turns matter.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::PI;
 
 use nalgebra::Vector3;
 
+use crate::closed_form::nearest_turn;
 use crate::random::SplitMix64;
 use crate::size::Size;
 use crate::table::{Arm, AsArm as _, JointType, Moving};
@@ -100,7 +101,7 @@ impl<D: Size> Joints<D> {
     #[cfg(feature = "std")]
     pub(super) fn distance(&self, a: &D::Vector, b: &D::Vector) -> f64 {
         let difference = |joint: usize| match self.turns[joint] {
-            true => libm::remainder(a[joint] - b[joint], TAU).abs(),
+            true => (nearest_turn(a[joint], b[joint], None) - b[joint]).abs(),
             false => (a[joint] - b[joint]).abs(),
         };
         self.size.joints().map(difference).fold(0.0, f64::max)
@@ -109,14 +110,10 @@ impl<D: Size> Joints<D> {
     /// The same place of the robot, with each joint as near to `start` as whole turns within the limits bring it.
     pub(super) fn nearest(&self, q: &D::Vector, start: &D::Vector) -> D::Vector {
         self.size.vector_of(|joint| {
-            if !self.turns[joint] {
-                return q[joint];
-            }
+            let turned = nearest_turn(q[joint], start[joint], self.limits[joint]);
             let [low, high] = self.range(joint);
-            let turns = |way: f64| TAU * libm::ceil(way / TAU);
-            let near = q[joint] - TAU * libm::round((q[joint] - start[joint]) / TAU);
-            let turned = near + turns((low - near).max(0.0)) - turns((near - high).max(0.0));
-            if turned >= low && turned <= high {
+            let is_within = turned >= low && turned <= high;
+            if self.turns[joint] && is_within {
                 turned
             } else {
                 q[joint]

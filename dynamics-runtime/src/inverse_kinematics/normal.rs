@@ -48,6 +48,14 @@ impl<D: Size> Normal<D> {
         all
     }
 
+    /// The greatest diagonal entry of J'J.
+    #[inline(always)]
+    pub(super) fn greatest(&self) -> f64 {
+        let entry = |joint: usize| self.matrix[(joint, joint)];
+        let joints = D::of(&self.descent).joints();
+        joints.map(entry).fold(0.0, f64::max)
+    }
+
     #[inline(always)]
     fn add(
         &mut self,

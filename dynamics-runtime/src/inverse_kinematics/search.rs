@@ -1,19 +1,33 @@
 //! Descents from the start and from elsewhere, until one reaches the targets.
 
 use super::InverseKinematics;
-use super::descent::{Descent, End, Patience, descend};
+use super::descent::{Descent, End};
 use super::ending::{NotReached, Reached, Reason, Residual};
 use super::normal::Normal;
 use super::places::Places;
-use super::posture::approach;
-use super::settle::settle;
 use super::target::Target;
 use crate::float::first_non_finite;
 use crate::random::SplitMix64;
 use crate::size::{JointVector as _, Size};
 
-/// A descent ends where five iterations do not halve the error: another one is more likely to reach the targets.
-const SHARE: f64 = 0.5;
+/// A search for joint positions at which frames reach these targets.
+pub(super) struct Problem<'s, D: Size, P> {
+    pub(super) solver: &'s InverseKinematics<D, P>,
+    targets: &'s [Target],
+}
+
+impl<D: Size, P: Places<D>> Problem<'_, D, P> {
+    #[inline(always)]
+    pub(super) fn normal_at(&self, q: &D::Vector) -> Normal<D> {
+        let InverseKinematics {
+            places,
+            joints,
+            tolerance,
+            ..
+        } = self.solver;
+        Normal::at(places, self.targets, joints, tolerance, q)
+    }
+}
 
 impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
     /// Joint positions at which the only frame, or the tip, reaches a target: a [`Target`], or a pose as a
@@ -67,23 +81,22 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         start: &'s D::Vector,
     ) -> Result<Attempts<'s, D, P>, NotReached<D>> {
         if let Some(reason) = self.refusal(targets, start) {
-            let residual = Residual {
-                position: f64::NAN,
-                rotation: f64::NAN,
-            };
-            let (q, attempts, iterations) = (start.clone(), 0, 0);
+            let (position, rotation) = (f64::NAN, f64::NAN);
             return Err(NotReached {
                 reason,
-                q,
-                residual,
-                attempts,
-                iterations,
+                q: start.clone(),
+                residual: Residual { position, rotation },
+                attempts: 0,
+                iterations: 0,
             });
         }
         let too_far = self.too_far(targets);
-        Ok(Attempts {
+        let problem = Problem {
             solver: self,
             targets,
+        };
+        Ok(Attempts {
+            problem,
             start,
             random: SplitMix64(self.seed),
             // Positions near the start are as good as any.
@@ -104,10 +117,6 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
             posture.entries().len(),
             self.joints.limits.as_ref().len(),
         ];
-        let positions = [start, posture];
-        let mut unknown = positions
-            .iter()
-            .filter_map(|q| first_non_finite(q.entries()));
         if frames != targets.len() {
             let targets = targets.len();
             return Some(Reason::Count { targets, frames });
@@ -115,11 +124,16 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         if lengths != [dof; 3] {
             return Some(Reason::Length);
         }
+        let unknown = [start, posture].map(|q| first_non_finite(q.entries()));
         let target = targets.iter().position(|target| !target.is_possible());
         let of_target = target.map(|target| Reason::Target { target });
-        let of_start = unknown.next().map(|joint| Reason::Start { joint });
-        let range = self.joints.without_range();
-        let of_range = range.map(|joint| Reason::Range { joint });
+        let of_start = unknown[0]
+            .or(unknown[1])
+            .map(|joint| Reason::Start { joint });
+        let of_range = self
+            .joints
+            .without_range()
+            .map(|joint| Reason::Range { joint });
         let of_tolerance = (!self.tolerance.is_possible()).then_some(Reason::Tolerance);
         of_target.or(of_start).or(of_range).or(of_tolerance)
     }
@@ -142,8 +156,7 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
 
 /// The descents of one search.
 pub(super) struct Attempts<'s, D: Size, P> {
-    solver: &'s InverseKinematics<D, P>,
-    targets: &'s [Target],
+    problem: Problem<'s, D, P>,
     start: &'s D::Vector,
     random: SplitMix64,
     most: usize,
@@ -155,42 +168,23 @@ pub(super) struct Attempts<'s, D: Size, P> {
 }
 
 impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
-    #[inline(always)]
-    fn normal_at(&self, q: &D::Vector) -> Normal<D> {
-        let InverseKinematics {
-            places,
-            joints,
-            tolerance,
-            ..
-        } = self.solver;
-        Normal::at(places, self.targets, joints, tolerance, q)
-    }
-
     /// Makes the next one: the first from the start, others from anywhere.
     pub(super) fn next(&mut self) -> Option<Descent<D>> {
-        let joints = &self.solver.joints;
+        let solver = self.problem.solver;
         if self.made == self.most {
             return None;
         }
         let start = match self.made {
-            0 => joints.within(self.start),
-            _ => joints.anywhere(&mut self.random, self.start),
+            0 => solver.joints.within(self.start),
+            _ => solver.joints.anywhere(&mut self.random, self.start),
         };
         self.made += 1;
         // Towards a target out of reach nothing goes but the last descent.
-        let iterations = if self.too_far.is_some() {
-            0
-        } else {
-            self.solver.iterations
-        };
-        let share = SHARE;
-        let patience = Patience { iterations, share };
-        let descent = descend(joints, patience, |q| self.normal_at(q), &start);
+        let most = self.too_far.map_or(solver.iterations, |_| 0);
+        let descent = self.problem.descend(start, most);
         self.iterations += descent.iterations;
-        let is_nearer = self
-            .best
-            .as_ref()
-            .is_none_or(|best| descent.error < best.error || best.error.is_nan());
+        let best = self.best.as_ref();
+        let is_nearer = best.is_none_or(|best| descent.error < best.error || best.error.is_nan());
         if descent.end != End::Reached && is_nearer {
             self.best = Some(descent.clone());
         }
@@ -200,7 +194,7 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
     /// The end of a search that found nothing: what came nearest, which may be a target after all.
     pub(super) fn finish(mut self) -> Result<Reached<D>, NotReached<D>> {
         let nearest = self.best.take().expect("an attempt");
-        let last = settle(&self.solver.joints, |q| self.normal_at(q), nearest.q);
+        let last = self.problem.settle(nearest.q);
         self.iterations += last.iterations;
         match last.end {
             End::Reached => Ok(self.reached(last.q)),
@@ -211,7 +205,7 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
     pub(super) fn reached(&self, q: D::Vector) -> Reached<D> {
         let q = self.arranged(q);
         Reached {
-            residual: self.solver.residual(self.targets, &q),
+            residual: self.problem.solver.residual(self.problem.targets, &q),
             q,
             attempts: self.made,
             iterations: self.iterations,
@@ -220,13 +214,14 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
 
     /// Near the preferred posture, or else with those whole turns that are nearest to the start.
     fn arranged(&self, q: D::Vector) -> D::Vector {
-        let joints = &self.solver.joints;
-        let near = self.solver.posture.as_ref().unwrap_or(self.start);
-        let turned = joints.nearest(&q, near);
-        let holds = joints.within(&turned) == turned && self.normal_at(&turned).is_reached;
+        let (problem, solver) = (&self.problem, self.problem.solver);
+        let near = solver.posture.as_ref().unwrap_or(self.start);
+        let turned = solver.joints.nearest(&q, near);
+        let is_within = solver.joints.within(&turned) == turned;
+        let holds = is_within && problem.normal_at(&turned).is_reached;
         let q = if holds { turned } else { q };
-        match &self.solver.posture {
-            Some(posture) => approach(joints, |q| self.normal_at(q), q, posture),
+        match &solver.posture {
+            Some(posture) => problem.approach(q, posture),
             None => q,
         }
     }
@@ -242,7 +237,7 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
         };
         NotReached {
             reason,
-            residual: self.solver.residual(self.targets, &last.q),
+            residual: self.problem.solver.residual(self.problem.targets, &last.q),
             q: last.q,
             attempts: self.made,
             iterations: self.iterations,
@@ -251,14 +246,14 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
 
     /// The first joint that is on a limit, and would come nearer beyond it.
     fn limiting(&self, q: &D::Vector) -> Option<usize> {
-        let normal = self.normal_at(q);
+        let (normal, joints) = (self.problem.normal_at(q), &self.problem.solver.joints);
         // The joint alone would take (J'e)^2 / (2 J'J) off the error: a share that rounding makes is no reason.
         let gains = |joint: usize| {
             let descent = normal.descent[joint];
             descent * descent > 1e-6 * normal.error * normal.matrix[(joint, joint)]
         };
-        self.solver.joints.size.joints().find(|joint| {
-            let [low, high] = self.solver.joints.range(*joint);
+        joints.size.joints().find(|joint| {
+            let [low, high] = joints.range(*joint);
             let descent = normal.descent[*joint];
             let is_held =
                 (q[*joint] <= low && descent < 0.0) || (q[*joint] >= high && descent > 0.0);

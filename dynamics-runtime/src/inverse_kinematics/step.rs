@@ -8,27 +8,24 @@ use crate::size::{JointVector as _, Size};
 /// How often joints are set on their limits and the others are solved for again, in one step.
 const MOST_PASSES: usize = 4;
 
-/// The damped equations of a step: dq solves (J'J + damping) dq = J'e + pull.
-#[derive(Clone, Debug)]
-pub(super) struct Damped<'a, D: Size> {
-    pub(super) normal: &'a Normal<D>,
-    pub(super) damping: f64,
-    /// Added to the right side.
-    pub(super) pull: Option<D::Vector>,
-}
-
-impl<D: Size> Damped<'_, D> {
-    /// The position after the step, within the limits.
+impl<D: Size> Normal<D> {
+    /// The position within the limits after the step dq with (J'J + damping) dq = J'e + pull.
     ///
     /// Joints that would pass a limit are put on it, and the others make up for it: their step is solved for anew. `None`
     /// where no joint moves any target.
     #[inline(always)]
-    pub(super) fn stepped(&self, joints: &Joints<D>, q: &D::Vector) -> Option<D::Vector> {
+    pub(super) fn stepped(
+        &self,
+        joints: &Joints<D>,
+        damping: f64,
+        pull: Option<&D::Vector>,
+        q: &D::Vector,
+    ) -> Option<D::Vector> {
         let size = joints.size;
         let mut held = size.each(|_| false);
         let mut step = size.vector();
         for pass in 1..=MOST_PASSES {
-            let free = self.solve(size, &held, &step)?;
+            let free = self.solve(damping, pull, &held, &step)?;
             let mut is_within = true;
             for joint in size.joints() {
                 if held[joint] {
@@ -48,14 +45,20 @@ impl<D: Size> Damped<'_, D> {
 
     /// The step of the joints that are not held, beside that of those that are.
     #[inline(always)]
-    fn solve(&self, size: D, held: &D::Each<bool>, step: &D::Vector) -> Option<D::Vector> {
-        let mut matrix = self.normal.matrix.clone();
-        let mut right = match &self.pull {
-            Some(pull) => self.normal.descent.clone() + pull.clone(),
-            None => self.normal.descent.clone(),
-        };
+    fn solve(
+        &self,
+        damping: f64,
+        pull: Option<&D::Vector>,
+        held: &D::Each<bool>,
+        step: &D::Vector,
+    ) -> Option<D::Vector> {
+        let size = D::of(step);
+        let (mut matrix, mut right) = (self.matrix.clone(), self.descent.clone());
+        if let Some(pull) = pull {
+            right = right + pull.clone();
+        }
         for joint in size.joints() {
-            matrix[(joint, joint)] += self.damping;
+            matrix[(joint, joint)] += damping;
         }
         for joint in size.joints().filter(|joint| held[*joint]) {
             hold(size, joint, step[joint], &mut matrix, &mut right);

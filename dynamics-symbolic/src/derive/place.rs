@@ -48,8 +48,8 @@ pub(crate) fn place<I: Interpretation>(
 }
 
 /// Where frame 0 is in the world.
-pub(crate) struct BaseFrame<R> {
-    pub(crate) origin: Vector3<R>,
+pub(super) struct BaseFrame<R> {
+    pub(super) origin: Vector3<R>,
     axes: Axes<R>,
 }
 
@@ -71,7 +71,7 @@ impl<R: Ring> BaseFrame<R> {
     }
 
     /// A vector of frame 0 in the axes of the world.
-    pub(crate) fn leave(&self, v: Vector3<R>) -> Vector3<R> {
+    pub(super) fn leave(&self, v: Vector3<R>) -> Vector3<R> {
         match &self.axes {
             Axes::Turned(turns) => turns.leave(v),
             Axes::Moving(rotation) => rotation.apply(v),
@@ -85,7 +85,7 @@ impl<R: Ring> BaseFrame<R> {
 }
 
 /// Frame 0 in the world; `None` where they are the same.
-pub(crate) fn base<I: Interpretation>(
+pub(super) fn base<I: Interpretation>(
     cells: &mut I,
     arm: &Mechanism,
 ) -> Option<BaseFrame<I::Number>> {

@@ -5,7 +5,7 @@ use super::body::Writer;
 use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints};
 use crate::function::{Argument, inverse_method};
-use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
+use crate::inverse::{ELBOW, Plan, Step, Target};
 use crate::program::Operand;
 use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -32,6 +32,10 @@ pub fn inverse_kinematics(
     let inputs = method.inputs();
     let turns = turning(robot);
     let steps = method.from(0);
+    let steps = match plan.target {
+        Target::Position => steps,
+        _ => quote!(if #path::closed_form::is_rotation(#pose) { #steps }),
+    };
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
         let #is_singular = false;
@@ -124,18 +128,24 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
         }
     };
     let most = plan.branches();
+    let none = match plan.target {
+        Target::Position => "none if it is out of reach",
+        _ => "none if it is out of reach, or if its rotation is none",
+    };
     let operations = plan.program.operations();
     let count = operations.multiplications + operations.additions + operations.divisions;
     vec![
         format!(
             " Inverse kinematics in closed form: all joint positions that lead the {frame} to `pose`, a homogeneous transform as \
-             `forward_kinematics` gives it, at most {most}; none if it is out of reach.{read}"
+             `forward_kinematics` gives it, at most {most}; {none}.{read}"
         ),
         String::new(),
         format!(
             " Each solution has been proven to lead to the pose. Equations of one joint each, whose coefficients take {count} \
-             multiplications and additions. There is no solution if a number is not finite that is read of the pose; never panics, \
-             never allocates."
+             multiplications and additions. How many a call takes depends on the branches in reach, so that `OPERATIONS` has no \
+             entry for it. An angle that the pose leaves free is zero: there is no solution if the arm reaches the pose with \
+             other angles alone. There is none either if a number is not finite that is read of the pose. Never panics, never \
+             allocates."
         ),
     ]
 }
@@ -163,8 +173,12 @@ pub(super) fn stages(plan: &Plan) -> Vec<usize> {
         step.map_or(0, |step| step + 1)
     };
     let of_input = |input: &Symbol| match input.argument() {
-        Some((Argument::Position, joint)) => behind(&|step| step.joint() == Some(joint)),
-        Some((Argument::Pose, place)) => behind(&|step| step.numbers().contains(&place)),
+        Some((Argument::Position, k)) => {
+            behind(&|step| matches!(step, Step::Joint(joint, _) if *joint == k))
+        }
+        Some((Argument::Pose, k)) => behind(
+            &|step| matches!(step, Step::Direction(place) if (*place..*place + 3).contains(&k)),
+        ),
         _ => 0,
     };
     let inputs: Vec<usize> = program.inputs.iter().map(of_input).collect();
@@ -214,48 +228,33 @@ impl Method<'_> {
     /// A step and all behind it, where those before it are done.
     fn from(&self, step: usize) -> TokenStream {
         let lines = self.lines(step);
-        let Some(&Step { solved, rule }) = self.plan.steps.get(step) else {
+        let Some(&current) = self.plan.steps.get(step) else {
             let solution = self.solution();
             return quote!(#lines #solution);
         };
         let path = self.path;
         let first = self.plan.first_outputs()[step];
-        let outputs = &self.plan.program.outputs[first..first + rule.coefficients()];
-        let coefficients: Vec<_> = outputs
-            .iter()
-            .map(|output| self.writer.output(*output))
-            .collect();
-        let rest = self.from(step + 1);
-        let solve = Ident::new(name_of(rule), proc_macro2::Span::call_site());
+        let outputs = &self.plan.program.outputs[first..first + current.coefficients()];
+        let coefficients = outputs.iter().map(|output| self.writer.output(*output));
+        let solve = Ident::new(current.name(), proc_macro2::Span::call_site());
         let value = quote!(#path::closed_form::#solve(#(#coefficients),*));
-        match solved {
-            Solved::Nothing => quote!(#lines if #value { #rest }),
-            Solved::Numbers(place) => {
-                let (pattern, is_singular) = self.pattern(rule, place);
-                quote!(#lines let #pattern = #value; #is_singular #rest)
+        let rest = self.from(step + 1);
+        match current {
+            Step::Condition => quote!(#lines if #value { #rest }),
+            Step::Direction(place) => {
+                let [x, y, z] = [place, place + 1, place + 2].map(|place| self.number(place));
+                let (one, any) = (ident("is_singular"), ident("is_any"));
+                quote!(#lines let ([#x, #y, #z], #any) = #value; let #one = #one || #any; #rest)
             }
-            Solved::Joint(joint) => {
+            Step::Joint(joint, _) => {
                 let found = self.found(joint);
                 let bound = self.bound(joint, &found);
-                if rule.solutions() == 1 {
+                if current.solutions() == 1 {
                     quote!(#lines let #found = &#value; #bound #rest)
                 } else {
                     quote!(#lines for #found in #value.as_slice() { #bound #rest })
                 }
             }
-        }
-    }
-
-    /// The variables of numbers that a step finds, and whether these are any that do.
-    fn pattern(&self, rule: Rule, place: usize) -> (TokenStream, Option<TokenStream>) {
-        let numbers = (place..place + rule.numbers()).map(|place| self.number(place));
-        match rule {
-            Rule::Direction => {
-                let (is_one, is_any) = (ident("is_singular"), ident("is_any"));
-                let pattern = quote!(([#(#numbers),*], #is_any));
-                (pattern, Some(quote!(let #is_one = #is_one || #is_any;)))
-            }
-            _ => (quote!(#(#numbers)*), None),
         }
     }
 
@@ -289,21 +288,5 @@ impl Method<'_> {
         let (solutions, is_singular) = (ident("solutions"), ident("is_singular"));
         let joints = (0..self.plan.joints).map(|joint| self.found(joint));
         quote!(#solutions.push([#(*#joints),*], #is_singular);)
-    }
-}
-
-/// The function of the runtime that solves an equation.
-pub(super) fn name_of(rule: Rule) -> &'static str {
-    match rule {
-        Rule::Turn => "turn",
-        Rule::Slide => "slide",
-        Rule::Turns => "turns",
-        Rule::Distance => "turns_at_distance",
-        Rule::ExactTurns => "turns_by",
-        Rule::InclinedTurns => "inclined_turns",
-        Rule::Slides => "slides",
-        Rule::Root => "root",
-        Rule::Direction => "direction",
-        Rule::Condition => "is_reached",
     }
 }

@@ -1,40 +1,25 @@
 //! The arm from the world to a frame: fixed steps and joints.
 
 use super::moves::{Move, Path};
-use super::view::{Unknown, View};
+use super::view::Unknown;
 use super::why::Unsolved;
 use crate::derive::place;
 use crate::derive::symbols::Symbols;
-use crate::expr::{Expr, Graph};
 use crate::linear::{Matrix3, Vector3};
-use crate::mechanism::{Joint, Law, Mechanism};
+use crate::mechanism::{Law, Mechanism};
 use crate::robot::{Interpretation, JointType, Placement};
 use std::collections::BTreeSet;
 
 /// A step of the way to the frame.
 pub(super) enum Link<'g> {
-    Fixed(Matrix3<Expr<'g>>, Vector3<Expr<'g>>),
+    Fixed(Move<'g>),
     Joint(Unknown, Move<'g>),
-}
-
-/// The joints of a chain with all of them unknown.
-pub(super) fn chain_view<'g>(chain: &[Link<'g>], graph: &'g Graph) -> View<'g> {
-    let (first, links, last) = between(chain, &BTreeSet::new());
-    View {
-        graph,
-        joints: joints(chain).collect(),
-        links,
-        target: first.then(&last),
-        is_inverse: false,
-        tip: last.point(Vector3::splat(graph.zero())),
-        forbidden: BTreeSet::new(),
-    }
 }
 
 /// The joints that move.
 pub(super) fn joints<'g>(chain: &[Link<'g>]) -> impl Iterator<Item = Unknown> {
     chain.iter().filter_map(|link| match link {
-        Link::Fixed(..) => None,
+        Link::Fixed(_) => None,
         Link::Joint(joint, _) => Some(*joint),
     })
 }
@@ -48,7 +33,7 @@ pub(super) fn between<'g>(
     for link in chain {
         let here = paths.last_mut().expect("never empty");
         match link {
-            Link::Fixed(rotation, origin) => here.0.push(Move::Fixed(*rotation, *origin)),
+            Link::Fixed(motion) => here.0.push(*motion),
             Link::Joint(joint, motion) if known.contains(&joint.number) => here.0.push(*motion),
             Link::Joint(..) => paths.push(Path::default()),
         }
@@ -77,15 +62,23 @@ pub(super) fn chain<'g>(
     if let Some(other) = others.map(|i| &arm.joints[i]).find(|joint| !joint.stands()) {
         return Err(Unsolved::OtherJoint(other.name.clone()));
     }
-    let mut chain = Vec::new();
-    if let Some(base) = place::base(symbols, arm) {
-        let columns = units(symbols).map(|axis| base.leave(axis).0);
-        chain.push(Link::Fixed(Matrix3(columns).transpose(), base.origin));
-    }
+    let mut chain = vec![fixed(symbols, arm.base.as_slice())];
     for &i in &carriers {
         let joint = &arm.joints[i];
-        chain.push(fixed(symbols, &joint.aligned.before));
-        joint_links(symbols, joint, i, &mut chain)?;
+        let (joint_type, variables) = (joint.joint_type, *symbols.joint(i));
+        let turning = (joint_type == JointType::Revolute).then_some(variables.sin_cos);
+        let motion = turning.map_or(Move::Slide(variables.q), |(s, c)| Move::Turn(s, c));
+        let moving = match joint.law {
+            Law::Free { number } => Link::Joint(Unknown { number, joint_type }, motion),
+            Law::Standing { .. } | Law::Base { .. } => Link::Fixed(motion),
+            Law::Following { .. } => return Err(Unsolved::Follower(joint.name.clone())),
+        };
+        let before = fixed(symbols, &joint.aligned.before);
+        let turn = symbols.constant_turn(i);
+        let slide = symbols.value(&joint.aligned.d);
+        let constant = [Move::Turn(turn.s, turn.c), Move::Slide(slide)].map(Link::Fixed);
+        chain.push(before);
+        chain.extend(constant.into_iter().chain([moving]));
     }
     let behind = match frame.link {
         Some(link) => {
@@ -98,46 +91,10 @@ pub(super) fn chain<'g>(
     Ok(chain)
 }
 
-/// The constant turn and step along a joint's axis, and its motion.
-fn joint_links<'g>(
-    symbols: &mut Symbols<'g>,
-    joint: &Joint,
-    i: usize,
-    chain: &mut Vec<Link<'g>>,
-) -> Result<(), Unsolved> {
-    let graph = symbols.graph();
-    let d = symbols.value(&joint.aligned.d);
-    let turn = symbols.constant_turn(i);
-    let variables = *symbols.joint(i);
-    let joint_type = joint.joint_type;
-    let turning = (joint_type == JointType::Revolute).then_some(variables.sin_cos);
-    let motion = match turning {
-        Some((s, c)) => Move::Turn(s, c),
-        None => Move::Slide(variables.q),
-    };
-    let mut constant = Path(vec![Move::Turn(turn.s, turn.c), Move::Slide(d)]);
-    let moving = match joint.law {
-        Law::Free { number } => Some(Unknown { number, joint_type }),
-        Law::Standing { .. } | Law::Base { .. } => {
-            constant.0.push(motion);
-            None
-        }
-        Law::Following { .. } => return Err(Unsolved::Follower(joint.name.clone())),
-    };
-    let columns = units(symbols).map(|axis| constant.direction(axis).0);
-    let origin = constant.point(Vector3::splat(graph.zero()));
-    chain.push(Link::Fixed(Matrix3(columns).transpose(), origin));
-    chain.extend(moving.map(|unknown| Link::Joint(unknown, motion)));
-    Ok(())
-}
-
 fn fixed<'g>(symbols: &mut Symbols<'g>, places: &[Placement]) -> Link<'g> {
     let place = place::place(symbols, places);
-    let columns = units(symbols).map(|axis| place.turns.leave(axis).0);
-    Link::Fixed(Matrix3(columns).transpose(), place.origin)
-}
-
-fn units<'g>(symbols: &Symbols<'g>) -> [Vector3<Expr<'g>>; 3] {
     let (zero, one) = (symbols.graph().zero(), symbols.graph().one());
-    [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(Vector3)
+    let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]];
+    let columns = axes.map(|axis| place.turns.leave(Vector3(axis)).0);
+    Link::Fixed(Move::Fixed(Matrix3(columns).transpose(), place.origin))
 }

@@ -5,7 +5,6 @@
 //! sufficient.
 
 mod chain;
-mod found;
 mod moves;
 mod plan;
 mod redundant;
@@ -14,6 +13,6 @@ mod search;
 mod view;
 mod why;
 
-pub use plan::{ELBOW, Plan, Rule, Solved, Step, Target};
+pub use plan::{ELBOW, Plan, Rule, Step, Target};
 pub use search::plan;
 pub use why::Unsolved;

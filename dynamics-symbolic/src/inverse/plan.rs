@@ -29,107 +29,65 @@ pub enum Target {
     PositionAndAngle,
 }
 
-/// A step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Step {
-    /// The symbols that it gives values to.
-    pub solved: Solved,
-    /// Its equation.
-    pub rule: Rule,
-}
-
-/// The symbols to which a step gives values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Solved {
-    /// The joint of that number among those that move.
-    Joint(usize),
-    /// Numbers from that place on behind the entries of the pose.
-    Numbers(usize),
-    /// None: it is a condition.
-    Nothing,
-}
-
 /// Where numbers begin behind the twelve entries of the pose: first sine and cosine of the elbow's angle.
 pub const ELBOW: usize = 12;
 
-impl Step {
-    /// The joint that it solves for.
-    pub fn joint(&self) -> Option<usize> {
-        match self.solved {
-            Solved::Joint(joint) => Some(joint),
-            Solved::Numbers(_) | Solved::Nothing => None,
-        }
-    }
-
-    /// The places of the numbers that it finds behind the entries of the pose.
-    pub fn numbers(&self) -> core::ops::Range<usize> {
-        match self.solved {
-            Solved::Numbers(place) => place..place + self.rule.numbers(),
-            Solved::Joint(_) | Solved::Nothing => 0..0,
-        }
-    }
+/// A step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// Solves for the joint of that number among those that move.
+    Joint(usize, Rule),
+    /// Coefficients `x`, `y`, `z`, another vector, `size`: finds the direction of the first vector, or of the other one if the
+    /// square of the first vanishes beside `size`. Its three numbers begin at that place behind the entries of the pose.
+    Direction(usize),
+    /// Coefficients `x`, `y`, `z`, `size`: the pose is out of reach unless the square of the vector vanishes beside `size`.
+    Condition,
 }
 
-/// The equation of a step, by its coefficients.
+/// The equation of a joint, by its coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
     /// `cosine`, `sine`, `length`, `size`: the angle whose cosine and sine are these over `length`. If that vanishes beside
     /// `size`, any angle will do.
     Turn,
-    /// `a`, `b`, `c`, `size`: a cos q + b sin q = c. `size` is as large as the squares of the numbers that c is the sum of.
+    /// `a`, `b`, `c`, `discriminant`, `size`: a cos q + b sin q = c, with the discriminant a^2 + b^2 - c^2 in the form that keeps
+    /// most digits. `size` is as large as the squares of the numbers that c is the sum of, or zero.
     Turns,
-    /// `a`, `b`, `known`, `found`, `x0`, `x1`, `y0`, `y1`, `rest`: |y - Rz(q) x|^2 + rest = found, which is
-    /// a cos q + b sin q = (known - found) / 2.
-    Distance,
-    /// `a`, `b`, `c`, `discriminant`: as `Turns`, with a^2 + b^2 - c^2 in a form without cancellation.
-    ExactTurns,
-    /// `a`, `b`, `c`, `along`, `across`, `twice`: as `Turns`, with a^2 + b^2 - c^2 = (1 - along) (1 + along - twice) and
-    /// (1 - along) (1 + along) = across.
-    InclinedTurns,
     /// `d`: the position itself.
     Slide,
     /// `b`, `discriminant`, `size`: d = b + root or b - root of the discriminant, a difference of numbers as large as `size`.
     Slides,
-    /// `square`: its root.
-    Root,
-    /// `x`, `y`, `z`, another vector, `size`: the direction of the first vector, or of the other one if the square of the first
-    /// vanishes beside `size`.
-    Direction,
-    /// `x`, `y`, `z`, `size`: the pose is out of reach unless the sum of the squares of the first three vanishes beside `size`.
-    Condition,
 }
 
-impl Rule {
+impl Step {
     /// How many coefficients it has.
     pub const fn coefficients(self) -> usize {
         match self {
-            Rule::Slide | Rule::Root => 1,
-            Rule::Slides => 3,
-            Rule::InclinedTurns => 6,
-            Rule::Direction => 7,
-            Rule::Distance => 9,
-            Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::Condition => 4,
+            Step::Joint(_, Rule::Slide) => 1,
+            Step::Joint(_, Rule::Slides) => 3,
+            Step::Joint(_, Rule::Turn) | Step::Condition => 4,
+            Step::Joint(_, Rule::Turns) => 5,
+            Step::Direction(_) => 7,
         }
     }
 
-    /// How many numbers it finds that are no position of a joint.
-    pub const fn numbers(self) -> usize {
-        match self {
-            Rule::Root => 1,
-            Rule::Direction => 3,
-            _ => 0,
-        }
-    }
-
-    /// How many positions solve it at most.
+    /// How many solutions it has at most.
     pub const fn solutions(self) -> usize {
         match self {
-            Rule::Turns
-            | Rule::Distance
-            | Rule::ExactTurns
-            | Rule::InclinedTurns
-            | Rule::Slides => 2,
-            Rule::Turn | Rule::Slide | Rule::Root | Rule::Direction | Rule::Condition => 1,
+            Step::Joint(_, Rule::Turns | Rule::Slides) => 2,
+            Step::Joint(_, Rule::Turn | Rule::Slide) | Step::Direction(_) | Step::Condition => 1,
+        }
+    }
+
+    /// The function that solves it, in the runtime and in files of other languages.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Step::Joint(_, Rule::Turn) => "turn",
+            Step::Joint(_, Rule::Turns) => "turns",
+            Step::Joint(_, Rule::Slide) => "slide",
+            Step::Joint(_, Rule::Slides) => "slides",
+            Step::Direction(_) => "direction",
+            Step::Condition => "is_reached",
         }
     }
 }
@@ -151,10 +109,7 @@ impl Plan {
 
     /// The most solutions.
     pub fn branches(&self) -> usize {
-        self.steps
-            .iter()
-            .map(|step| step.rule.solutions())
-            .product()
+        self.steps.iter().map(|step| step.solutions()).product()
     }
 
     /// The index of each step's first coefficient among the outputs of the program.
@@ -162,7 +117,7 @@ impl Plan {
         let mut next = 0;
         let first = |step: &Step| {
             let first = next;
-            next += step.rule.coefficients();
+            next += step.coefficients();
             first
         };
         self.steps.iter().map(first).collect()

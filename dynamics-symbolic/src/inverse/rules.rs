@@ -14,7 +14,7 @@
 //! pose at the end. Roots are in the field for every second number, so that it draws until each branch has been seen.
 //! Equations are necessary, and the proof says that they are sufficient.
 
-use super::plan::Rule;
+use super::plan::{Rule, Step};
 use super::view::{Points, View, are_parallel, moved};
 use crate::expr::Expr;
 use crate::linear::Vector3;
@@ -22,11 +22,9 @@ use crate::robot::JointType;
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
-/// An equation of one joint of a view.
+/// A step with its coefficients.
 pub(super) struct Equation<'g> {
-    /// The joint's number among those that move.
-    pub(super) joint: usize,
-    pub(super) rule: Rule,
+    pub(super) step: Step,
     pub(super) coefficients: Vec<Expr<'g>>,
 }
 
@@ -35,21 +33,28 @@ impl<'g> Equation<'g> {
     fn of(view: &View<'g>, t: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
             let opposite = match rule {
-                Rule::Turn | Rule::Turns | Rule::ExactTurns | Rule::InclinedTurns => &[1][..],
-                // A reflection in the x axis.
-                Rule::Distance => &[1, 5, 7],
-                Rule::Slide | Rule::Slides => &[0],
-                Rule::Root | Rule::Direction | Rule::Condition => &[],
+                Rule::Turn | Rule::Turns => 1,
+                Rule::Slide | Rule::Slides => 0,
             };
-            for &k in opposite {
-                coefficients[k] = -coefficients[k];
-            }
+            coefficients[opposite] = -coefficients[opposite];
         }
-        Equation {
-            joint: view.joints[t].number,
-            rule,
-            coefficients,
-        }
+        let step = Step::Joint(view.joints[t].number, rule);
+        Equation { step, coefficients }
+    }
+
+    /// a cos q + b sin q = c for joint t, if it depends on q; `discriminant` and `size` as in [`Rule::Turns`].
+    fn turns(
+        view: &View<'g>,
+        t: usize,
+        [a, b, c]: [Expr<'g>; 3],
+        discriminant: Option<Expr<'g>>,
+        size: Expr<'g>,
+    ) -> Option<Self> {
+        let discriminant = discriminant.unwrap_or_else(|| a * a + b * b - c * c);
+        let coefficients = vec![a, b, c, discriminant, size];
+        let depends = !(a.is_zero() && b.is_zero());
+        (depends && view.allows(&coefficients))
+            .then(|| Equation::of(view, t, Rule::Turns, coefficients))
     }
 }
 
@@ -71,14 +76,15 @@ pub(super) fn equations<'g>(view: &View<'g>) -> Vec<Equation<'g>> {
     };
     let turning = || of_type(JointType::Revolute);
     let sliding = || of_type(JointType::Prismatic);
-    let single = first_turn(view).into_iter();
+    let front = (view.joints[0].joint_type == JointType::Revolute).then_some(view);
+    let single = front.and_then(first_turn).into_iter();
     let single = single.chain(sliding().filter_map(|t| slide(view, t)));
     let double = turning()
         .filter_map(|t| angle_between(view, t))
-        .chain(front_heights(view))
+        .chain(front.and_then(front_heights))
         .chain(turning().flat_map(|t| heights(view, t)))
         .chain(turning().filter_map(|t| distance(view, t)))
-        .chain(front_distance(view))
+        .chain(front.and_then(front_distance))
         .chain(sliding().filter_map(|t| slides(view, t)));
     single.chain(double).collect()
 }
@@ -93,9 +99,6 @@ struct Turned<'g> {
 /// Z x = L x: the first joint turns a known direction, or a known point, to where it is. The angle from x to y about z has the
 /// cosine x.y and the sine (x x y)_z, both times the square of their distance from the axis.
 fn first_turn<'g>(view: &View<'g>) -> Option<Equation<'g>> {
-    if view.joints.first()?.joint_type != JointType::Revolute {
-        return None;
-    }
     let Turned { x, y, size } = turned_direction(view).or_else(|| turned_point(view))?;
     let (cosine, sine) = (x[0] * y[0] + x[1] * y[1], x[0] * y[1] - x[1] * y[0]);
     let coefficients = vec![cosine, sine, beside_z(x), size];
@@ -116,7 +119,7 @@ fn turned_direction<'g>(view: &View<'g>) -> Option<Turned<'g>> {
 
 /// A point that the joints behind the first do not move, or move along its axis alone.
 fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
-    let Pair { near: x, far } = point_behind(view, 0, Some(view.z()))?;
+    let Pair { near: x, far } = point_from(view, 0, 1, Some(view.z()))?;
     let y = view.target.point(far);
     let is_on_axis = x[0].is_zero() && x[1].is_zero();
     let stays = !matches!(
@@ -133,7 +136,7 @@ fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
 fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();
     (t + 1..=last).rev().find_map(|end| {
-        let pair = point_from(view, t, end)?;
+        let pair = point_from(view, t, end, None)?;
         let heights = view.heights(0..end, Some(t));
         let to_joint = view.way(0, t);
         let along = |y: &Vector<'g>| to_joint.inverse().direction(*y)[2];
@@ -155,29 +158,24 @@ fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
 /// y.(Z^-1 L p) = y.(B p): a height that joints right behind the first do not change, over a point that the others do not move.
 fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
-    if view.joints.first()?.joint_type != JointType::Revolute {
-        return None;
-    }
     (2..=last).rev().find_map(|end| {
         let heights = view.heights(1..end, None);
         let near = heights.iter().map(|y| view.links[0].direction(*y));
         let y = near.into_iter().find(|y| !are_parallel(*y, view.z()))?;
-        let pair = point_from(view, 0, end)?;
+        let pair = point_from(view, 0, end, None)?;
         let v = view.target.point(pair.far);
         let height = y.dot(pair.near);
         let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
         let size = v.dot(v) + height * height;
-        let coefficients = vec![a, b, height - y[2] * v[2], size];
-        view.allows(&coefficients)
-            .then(|| Equation::of(view, 0, Rule::Turns, coefficients))
+        Equation::turns(view, 0, [a, b, height - y[2] * v[2]], None, size)
     })
 }
 
 /// y.(L x) = y.(Z x): the angle between a direction before joint t and one behind it, if the other joints turn neither.
 ///
 /// If both are equally inclined to the axis, y_z = s x_z = m, they are one direction where its angle vanishes, and the discriminant
-/// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. The runtime has 1 - s w from the cross
-/// product: (1 - s w) (1 + s w) = |y x L x|^2.
+/// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. 1 - s w has its digits from the
+/// cross product: (1 - s w) (1 + s w) = |y x L x|^2.
 fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();
     if t == 0 || t + 1 == last {
@@ -192,25 +190,22 @@ fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let (m, x) = (view.way(0, t).inverse().direction(y), pair.near);
     let v = view.target.direction(pair.far);
     let [a, b] = rotated(m, x);
-    let constant = m[2] * x[2];
-    let c = y.dot(v) - constant;
+    let along = y.dot(v);
     let across = y.cross(v);
     let across = across.dot(across);
-    let is_equal = (m[2] * m[2] - x[2] * x[2]).is_zero();
-    let (rule, last) = if m[2].is_zero() && x[2].is_zero() {
-        (Rule::ExactTurns, vec![across])
-    } else if is_equal {
-        let along = y.dot(v);
+    let (one, zero) = (view.graph.one(), view.graph.zero());
+    let (discriminant, size) = if m[2].is_zero() && x[2].is_zero() {
+        (Some(across), zero)
+    } else if (m[2] * m[2] - x[2] * x[2]).is_zero() {
         let is_same = (m[2] - x[2]).is_zero();
-        let along = if is_same { along } else { -along };
+        let beyond = one + if is_same { along } else { -along };
         let twice = m[2] * m[2] + m[2] * m[2];
-        (Rule::InclinedTurns, vec![along, across, twice])
+        (Some(across / beyond * (beyond - twice)), zero)
     } else {
-        (Rule::Turns, vec![view.graph.one()])
+        (None, one)
     };
-    let coefficients = [&[a, b, c], &last[..]].concat();
-    let depends = !(a.is_zero() && b.is_zero());
-    (depends && view.allows(&coefficients)).then(|| Equation::of(view, t, rule, coefficients))
+    let c = along - m[2] * x[2];
+    Equation::turns(view, t, [a, b, c], discriminant, size)
 }
 
 /// y.(L p) = y.(A Z p): a height that the joints before t do not change.
@@ -218,7 +213,7 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     if t == 0 {
         return None;
     }
-    let pair = point_behind(view, t, None)?;
+    let pair = point_from(view, t, t + 1, None)?;
     let way = view.way(0, t);
     let near = |y: &Vector<'g>| way.inverse().direction(*y);
     let heights = view.heights(0..t, None);
@@ -226,15 +221,10 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         .into_iter()
         .find(|y| !are_parallel(near(y), view.z()))?;
     let [a, b] = rotated(near(&y), pair.near);
-    if a.is_zero() && b.is_zero() {
-        return None;
-    }
     let v = view.target.point(pair.far);
     let known = y.dot(way.point(view.z() * pair.near[2]));
     let size = v.dot(v) + known * known;
-    let coefficients = vec![a, b, y.dot(v) - known, size];
-    view.allows(&coefficients)
-        .then(|| Equation::of(view, t, Rule::Turns, coefficients))
+    Equation::turns(view, t, [a, b, y.dot(v) - known], None, size)
 }
 
 /// |L p - o|^2 = |Z p - o|^2: the distance from a point that the joints before t do not move, or from an axis that they have
@@ -251,7 +241,7 @@ pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         Some(axis) if !are_parallel(way.inverse().direction(axis), z) => return None,
         axis => axis,
     };
-    let pair = point_behind(view, t, axis.map(|_| z))?;
+    let pair = point_from(view, t, t + 1, axis.map(|_| z))?;
     let flat = |v: Vector<'g>| match axis {
         Some(_) => v - z * v[2],
         None => v,
@@ -278,36 +268,34 @@ fn beside_z<'g>(v: Vector<'g>) -> Expr<'g> {
     v[0] * v[0] + v[1] * v[1]
 }
 
-/// |y - Z x|^2 = found for joint t: a cos q + b sin q = (|x|^2 + |y|^2 - found) / 2 in the plane.
+/// |y - Z x|^2 = found for joint t: 2 a cos q + 2 b sin q = X + Y - f with X, Y and f the squares of x, y and found in the plane.
+///
+/// The discriminant is Heron's, 16 times the square of a triangle's area, with f as a factor: if x and y are nearly equally
+/// long, f may be small beside X + Y and has no digits left in the difference.
 fn by_distance<'g>(
     view: &View<'g>,
     t: usize,
     (y, x): (Vector<'g>, Vector<'g>),
     found: Expr<'g>,
 ) -> Option<Equation<'g>> {
-    let [a, b] = rotated(y, x);
-    if a.is_zero() && b.is_zero() {
-        return None;
-    }
     let along = y[2] - x[2];
-    let rest = along * along;
-    let known = beside_z(x) + beside_z(y) + rest;
-    let coefficients = vec![a, b, known, found, x[0], x[1], y[0], y[1], rest];
-    view.allows(&coefficients)
-        .then(|| Equation::of(view, t, Rule::Distance, coefficients))
+    let (rest, squares) = (along * along, [beside_z(x), beside_z(y)]);
+    let [sum, difference] = [squares[0] + squares[1], squares[0] - squares[1]];
+    let flat = found - rest;
+    let discriminant = flat * (sum + sum - flat) - difference * difference;
+    let size = sum + rest + found;
+    let [a, b] = rotated(y, x).map(|x| x + x);
+    Equation::turns(view, t, [a, b, sum - flat], Some(discriminant), size * size)
 }
 
 /// |L p - Z o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.
 fn front_distance<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
-    if view.joints.first()?.joint_type != JointType::Revolute {
-        return None;
-    }
     (2..=last).rev().find_map(|end| {
         let Points::One(o) = moved(&view.links[0], view.points(1..end)) else {
             return None;
         };
-        let pair = point_from(view, 0, end)?;
+        let pair = point_from(view, 0, end, None)?;
         let v = view.target.point(pair.far);
         let apart = pair.near - o;
         by_distance(view, 0, (v, o), apart.dot(apart))
@@ -325,7 +313,7 @@ fn slides<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     if near.is_some_and(|axis| !axis[2].is_zero()) {
         return None;
     }
-    let pair = point_behind(view, t, near)?;
+    let pair = point_from(view, t, t + 1, near)?;
     let across = |v: Vector<'g>, axis: Option<Vector<'g>>| match axis {
         Some(axis) => v - axis * v.dot(axis),
         None => v,
@@ -360,46 +348,14 @@ fn directions_behind<'g>(view: &View<'g>, t: usize) -> Vec<Pair<'g>> {
     on.iter().map(pair).collect()
 }
 
-/// A point that the joints behind joint t do not move, or only along an axis if one is given, in the frame behind t.
-fn point_behind<'g>(view: &View<'g>, t: usize, axis: Option<Vector<'g>>) -> Option<Pair<'g>> {
-    let last = view.joints.len();
-    if t + 1 == last {
-        return Some(Pair {
-            near: view.tip,
-            far: view.tip,
-        });
-    }
-    let points = view.points(t + 1..last);
-    let far = view.way(t + 1, last - 1).inverse();
-    let near = chosen(view, moved(&view.links[t], points), axis)?;
-    let back = view.links[t].inverse().point(near);
-    Some(Pair {
-        near,
-        far: far.point(back),
-    })
-}
-
-/// One of the points.
-fn chosen<'g>(view: &View<'g>, points: Points<'g>, axis: Option<Vector<'g>>) -> Option<Vector<'g>> {
-    match points {
-        Points::All => Some(view.origin()),
-        Points::One(p) => Some(p),
-        Points::Line {
-            point, each: true, ..
-        } => Some(point),
-        Points::Line {
-            point, direction, ..
-        } if axis.is_some_and(|axis| are_parallel(direction, axis)) => Some(point),
-        Points::Lines(direction) if axis.is_some_and(|axis| are_parallel(direction, axis)) => {
-            Some(view.origin())
-        }
-        Points::Lines(_) | Points::Line { .. } | Points::None => None,
-    }
-}
-
-/// A point that the joints from `end` on do not move: behind joint t if the joints between the two stand at zero, and in the
-/// last frame.
-fn point_from<'g>(view: &View<'g>, t: usize, end: usize) -> Option<Pair<'g>> {
+/// A point that the joints from `end` on do not move, or only along an axis if one is given: in the frame behind joint t, if the
+/// joints between the two stand at zero, and in the last frame.
+fn point_from<'g>(
+    view: &View<'g>,
+    t: usize,
+    end: usize,
+    axis: Option<Vector<'g>>,
+) -> Option<Pair<'g>> {
     let last = view.joints.len();
     if end == last {
         let near = view.way(t, last - 1).point(view.tip);
@@ -408,9 +364,17 @@ fn point_from<'g>(view: &View<'g>, t: usize, end: usize) -> Option<Pair<'g>> {
             far: view.tip,
         });
     }
-    let point = chosen(view, view.points(end..last), None)?;
-    Some(Pair {
-        near: view.way(t, end).point(point),
-        far: view.way(end, last - 1).inverse().point(point),
-    })
+    let is_along = |direction| axis.is_some_and(|axis| are_parallel(direction, axis));
+    let near = match moved(&view.way(t, end), view.points(end..last)) {
+        Points::One(point) => point,
+        Points::Line {
+            point,
+            direction,
+            each,
+        } if each || is_along(direction) => point,
+        Points::Lines(direction) if is_along(direction) => view.origin(),
+        _ => return None,
+    };
+    let far = view.way(t, last - 1).inverse().point(near);
+    Some(Pair { near, far })
 }

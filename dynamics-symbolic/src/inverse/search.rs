@@ -1,11 +1,10 @@
 //! The search for a plan: depth first, equations with one solution before those with two.
 
-use super::chain::{Link, between, chain, chain_view, joints};
-use super::found::Found;
+use super::chain::{Link, between, chain, joints};
 use super::moves::{Move, Path};
-use super::plan::{Plan, Rule, Solved, Step, Target};
+use super::plan::{Plan, Step, Target};
 use super::redundant;
-use super::rules::equations;
+use super::rules::{Equation, equations};
 use super::view::{Unknown, View, are_parallel};
 use super::why::{Unsolved, why_not};
 use crate::derive::symbols::Symbols;
@@ -31,7 +30,8 @@ struct Search<'g, 'a> {
     /// The shoulder of seven joints: how many links of the chain there are up to the third joint, and where the frame
     /// behind it is.
     shoulder: Option<(usize, Path<'g>)>,
-    accept: &'a dyn Fn(&[Step], &[Edge]) -> bool,
+    /// The plan of these steps, if it is right.
+    accept: &'a dyn Fn(&[Equation<'g>]) -> Option<Plan>,
 }
 
 /// The plan for a frame among the robot's `frames`, or for its tip, that `is_right` accepts.
@@ -52,11 +52,13 @@ pub fn plan(
     let pose = Path(vec![Move::Fixed(Matrix3(rotation), Vector3(position))]);
     write_squares(&chain);
     let mut found = Vec::new();
-    let why = why_not(&chain_view(&chain, &graph));
-    let (target, shoulder) = match target(&chain, &graph) {
+    let all = views(&graph, &chain, &pose, &BTreeSet::new(), &BTreeSet::new());
+    let [view, _] = all.ok_or(Unsolved::Undetermined)?;
+    let why = why_not(&view);
+    let (target, shoulder) = match target(&view) {
         Some(target) => (target, None),
         None => {
-            let redundant = redundant::shoulder(&mut symbols, &chain, &pose, &mut found);
+            let redundant = redundant::shoulder(&mut symbols, &chain, &view, &mut found);
             (Target::PoseAndElbow, Some(redundant.ok_or(why.clone())?))
         }
     };
@@ -64,16 +66,19 @@ pub fn plan(
         Target::Position => rotation.iter().flatten().map(|x| x.edge().node()).collect(),
         _ => BTreeSet::new(),
     };
-    let joints = joints(&chain).count();
+    let joints = view.joints.len();
     let meanings = symbols.meanings().to_vec();
-    let plan = |steps: &[Step], outputs: &[Edge]| {
+    let accept = |found: &[Equation<'_>]| {
+        let outputs = found.iter().flat_map(|found| &found.coefficients);
+        let outputs: Vec<Edge> = outputs.map(|x| x.edge()).collect();
         let definition = |id| graph.operation(id);
-        Plan {
-            steps: steps.to_vec(),
-            program: Program::new(&graph, &meanings, outputs, &definition),
+        let plan = Plan {
+            steps: found.iter().map(|found| found.step).collect(),
+            program: Program::new(&graph, &meanings, &outputs, &definition),
             joints,
             target,
-        }
+        };
+        is_right(&plan).then_some(plan)
     };
     let search = Search {
         graph: &graph,
@@ -82,13 +87,47 @@ pub fn plan(
         chain,
         forbidden,
         shoulder,
-        accept: &|steps, outputs| is_right(&plan(steps, outputs)),
+        accept: &accept,
     };
-    if !search.solve(&mut found) {
-        return Err(why);
+    search.solve(&mut found).ok_or(why)
+}
+
+/// The equation of those joints of a chain that are not known, and its inverse; `None` if all are.
+fn views<'g>(
+    graph: &'g Graph,
+    chain: &[Link<'g>],
+    pose: &Path<'g>,
+    known: &BTreeSet<usize>,
+    forbidden: &BTreeSet<NodeId>,
+) -> Option<[View<'g>; 2]> {
+    let unknown: Vec<Unknown> = joints(chain)
+        .filter(|joint| !known.contains(&joint.number))
+        .collect();
+    if unknown.is_empty() {
+        return None;
     }
-    let (steps, outputs) = Search::parts(&found);
-    Ok(plan(&steps, &outputs))
+    let (first, links, last) = between(chain, known);
+    let origin = Vector3::splat(graph.zero());
+    let target = first.inverse().then(pose).then(&last.inverse());
+    let inverse = View {
+        graph,
+        joints: unknown.iter().rev().copied().collect(),
+        links: links.iter().rev().map(Path::inverse).collect(),
+        target: target.inverse(),
+        is_inverse: true,
+        tip: first.inverse().point(origin),
+        forbidden: forbidden.clone(),
+    };
+    let view = View {
+        graph,
+        joints: unknown,
+        links,
+        target,
+        is_inverse: false,
+        tip: last.point(origin),
+        forbidden: forbidden.clone(),
+    };
+    Some([view, inverse])
 }
 
 /// Writes the squares of all sines and cosines, so that no expression has 1 - c^2 in place of s^2, which keeps the digits of small
@@ -102,8 +141,7 @@ fn write_squares(chain: &[Link<'_>]) {
 }
 
 /// The part of the pose that is read by arms that have closed forms; `None` of all others.
-fn target<'g>(chain: &[Link<'g>], graph: &'g Graph) -> Option<Target> {
-    let view = chain_view(chain, graph);
+fn target(view: &View<'_>) -> Option<Target> {
     let count = view.joints.len();
     let turning = view
         .joints
@@ -124,115 +162,65 @@ fn target<'g>(chain: &[Link<'g>], graph: &'g Graph) -> Option<Target> {
 
 impl<'g> Search<'g, '_> {
     /// Adds equations of the joints that are not known, until all are and the plan is accepted.
-    fn solve(&self, found: &mut Vec<Found<'g>>) -> bool {
-        let known = found.iter().filter_map(|found| found.step.joint());
+    fn solve(&self, found: &mut Vec<Equation<'g>>) -> Option<Plan> {
+        let known = found.iter().filter_map(|found| match found.step {
+            Step::Joint(joint, _) => Some(joint),
+            Step::Direction(_) | Step::Condition => None,
+        });
         let known: BTreeSet<usize> = known.collect();
-        let views = self.views(&known);
-        let Some([view, inverse]) = views else {
+        let Some([view, inverse]) = self.views(&known) else {
             return self.ends(found);
         };
         let mut candidates = equations(&view);
         candidates.extend(equations(&inverse));
-        candidates.sort_by_key(|equation| equation.rule.solutions());
+        candidates.sort_by_key(|equation| equation.step.solutions());
         // One equation with one solution is as good as another.
         let has_single = candidates
             .first()
-            .is_some_and(|first| first.rule.solutions() == 1);
+            .is_some_and(|first| first.step.solutions() == 1);
         let tried = if has_single { 1 } else { candidates.len() };
         for equation in candidates.into_iter().take(tried) {
-            let step = Step {
-                solved: Solved::Joint(equation.joint),
-                rule: equation.rule,
-            };
-            found.push(Found {
-                step,
-                coefficients: equation.coefficients,
-            });
-            let solutions = found.iter().map(|found| found.step.rule.solutions());
+            found.push(equation);
+            let solutions = found.iter().map(|found| found.step.solutions());
             let branches: usize = solutions.product();
-            if branches <= MOST_BRANCHES && self.solve(found) {
-                return true;
+            let plan = (branches <= MOST_BRANCHES).then(|| self.solve(found));
+            if let Some(Some(plan)) = plan {
+                return Some(plan);
             }
             found.pop();
         }
-        false
+        None
     }
 
     /// The equation of the joints that are not known, and its inverse; `None` if all are.
     fn views(&self, known: &BTreeSet<usize>) -> Option<[View<'g>; 2]> {
-        let of = |chain: &[Link<'g>]| {
-            let joints = joints(chain).filter(|joint| !known.contains(&joint.number));
-            joints.collect::<Vec<Unknown>>()
-        };
-        let shoulder = self
-            .shoulder
-            .as_ref()
-            .map(|(links, pose)| (&self.chain[..*links], pose));
-        let shoulder = shoulder.filter(|(chain, _)| !of(chain).is_empty());
-        let (chain, pose) = shoulder.unwrap_or((&self.chain, &self.pose));
-        let unknown = of(chain);
-        if unknown.is_empty() {
-            return None;
-        }
-        let (first, links, last) = between(chain, known);
-        let origin = Vector3::splat(self.graph.zero());
-        let target = first.inverse().then(pose).then(&last.inverse());
-        let inverse = View {
-            graph: self.graph,
-            joints: unknown.iter().rev().copied().collect(),
-            links: links.iter().rev().map(Path::inverse).collect(),
-            target: target.inverse(),
-            is_inverse: true,
-            tip: first.inverse().point(origin),
-            forbidden: self.forbidden.clone(),
-        };
-        let view = View {
-            graph: self.graph,
-            joints: unknown,
-            links,
-            target,
-            is_inverse: false,
-            tip: last.point(origin),
-            forbidden: self.forbidden.clone(),
-        };
-        Some([view, inverse])
+        let whole = (&self.chain[..], &self.pose);
+        let shoulder = self.shoulder.iter();
+        let shoulder = shoulder.map(|(links, pose)| (&self.chain[..*links], pose));
+        let mut parts = shoulder.chain([whole]);
+        parts.find_map(|(chain, pose)| views(self.graph, chain, pose, known, &self.forbidden))
     }
 
-    /// Adds the condition of arms that do not reach all positions, and asks whether the plan is right.
-    fn ends(&self, found: &mut Vec<Found<'g>>) -> bool {
-        if self.is_conditional {
-            found.push(self.condition());
-        }
-        let (steps, outputs) = Search::parts(found);
-        if (self.accept)(&steps, &outputs) {
-            return true;
-        }
-        if self.is_conditional {
-            found.pop();
-        }
-        false
+    /// The plan, with the condition of arms that do not reach all positions.
+    fn ends(&self, found: &mut Vec<Equation<'g>>) -> Option<Plan> {
+        let steps = found.len();
+        found.extend(self.is_conditional.then(|| self.condition()));
+        let plan = (self.accept)(found);
+        found.truncate(steps);
+        plan
     }
 
     /// The position that is reached is the one that was requested.
-    fn condition(&self) -> Found<'g> {
+    fn condition(&self) -> Equation<'g> {
         let all: BTreeSet<usize> = joints(&self.chain).map(|joint| joint.number).collect();
         let (way, ..) = between(&self.chain, &all);
         let origin = Vector3::splat(self.graph.zero());
         let reached = way.point(origin);
         let asked = self.pose.point(origin);
         let [x, y, z] = (reached - asked).0;
-        Found {
-            step: Step {
-                solved: Solved::Nothing,
-                rule: Rule::Condition,
-            },
+        Equation {
+            step: Step::Condition,
             coefficients: vec![x, y, z, reached.dot(reached) + asked.dot(asked)],
         }
-    }
-
-    fn parts(found: &[Found<'g>]) -> (Vec<Step>, Vec<Edge>) {
-        let steps = found.iter().map(|found| found.step);
-        let outputs = found.iter().flat_map(|found| &found.coefficients);
-        (steps.collect(), outputs.map(|x| x.edge()).collect())
     }
 }

@@ -4,10 +4,10 @@
 //! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the
 //! definition gives the pose at the joints that were found.
 
-use super::assignment::{Assignment, HALF, Number};
+use super::assignment::{Assignment, Number};
 use super::definition::Definition;
 use crate::exact::{SplitMix64, circle_point};
-use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
+use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
 use crate::robot::Robot;
 
 /// At so many joints the branches are tried. The root of a random number is in the field for every second one, and a branch
@@ -69,7 +69,7 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
         }
         are_right = branches.are_right;
         // The joints from which the pose was made meet a condition; other branches of such an arm need not.
-        let has_condition = plan.steps.iter().any(|step| step.solved == Solved::Nothing);
+        let has_condition = plan.steps.contains(&Step::Condition);
         if !are_right.contains(&false) || has_condition && are_right.contains(&true) {
             return true;
         }
@@ -80,7 +80,7 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
 impl Branches<'_> {
     /// Takes the steps from this one on, in the branch of that number among those that the steps before make.
     fn follow(&mut self, point: &mut Assignment, step: usize, branch: usize) {
-        let Some(&current @ Step { rule, .. }) = self.plan.steps.get(step) else {
+        let Some(&current) = self.plan.steps.get(step) else {
             self.compare(point, branch);
             return;
         };
@@ -89,25 +89,25 @@ impl Branches<'_> {
             .program
             .evaluate_with(self.constants.clone(), point);
         let first = self.first_outputs[step];
-        let coefficients = &outputs[first..first + rule.coefficients()];
+        let coefficients = &outputs[first..first + current.coefficients()];
         let coefficients: Option<Vec<Number>> = coefficients.iter().copied().collect();
         let Some(coefficients) = coefficients else {
             return;
         };
-        match current.solved {
+        match current {
             // Branches that do not meet the condition have no solution.
-            Solved::Nothing => {
+            Step::Condition => {
                 if coefficients[..3].iter().all(|x| x.is_zero()) {
                     self.follow(point, step + 1, branch);
                 }
             }
-            Solved::Numbers(place) => {
-                if let Some(numbers) = numbers(rule, &coefficients) {
+            Step::Direction(place) => {
+                if let Some(numbers) = direction(&coefficients[..3]) {
                     point.set_behind_pose(place, &numbers);
                     self.follow(point, step + 1, branch);
                 }
             }
-            Solved::Joint(joint) => {
+            Step::Joint(joint, rule) => {
                 let solutions = solutions(rule, &coefficients).into_iter().flatten();
                 for (k, Solution { sin_cos: (s, c), q }) in solutions.enumerate() {
                     if s * s + c * c != Number::ONE {
@@ -115,7 +115,7 @@ impl Branches<'_> {
                         return;
                     }
                     point.move_joint(joint, (s, c), q);
-                    self.follow(point, step + 1, branch * rule.solutions() + k);
+                    self.follow(point, step + 1, branch * current.solutions() + k);
                 }
             }
         }
@@ -135,79 +135,39 @@ impl Branches<'_> {
     }
 }
 
-/// A root, or a direction; none if a root is not in the field. Either of two roots will do: it turns the
-/// elbow by half a turn, or the other way.
-fn numbers(rule: Rule, coefficients: &[Number]) -> Option<Vec<Number>> {
-    match (rule, coefficients) {
-        (Rule::Root, [square]) => Some(vec![square.square_root()?]),
-        (Rule::Direction, [x, y, z, ..]) => {
-            let length = (*x * *x + *y * *y + *z * *z).square_root()?;
-            let by = length.inverse()?;
-            Some([x, y, z].map(|x| *x * by).to_vec())
-        }
-        _ => None,
-    }
+/// The direction of a vector; none if its length is not in the field. Of both roots it is the same one for two vectors of the
+/// same length.
+fn direction(vector: &[Number]) -> Option<Vec<Number>> {
+    let square = vector.iter().fold(Number::ZERO, |sum, x| sum + *x * *x);
+    let by = square.square_root()?.inverse()?;
+    Some(vector.iter().map(|x| *x * by).collect())
 }
 
 /// The solutions of a step; none if a root is not in the field.
 fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
+    let turn = |s: Number, c: Number| Solution {
+        sin_cos: (s, c),
+        q: Number::ZERO,
+    };
     let slide = |q: Number| Solution {
         sin_cos: (Number::ZERO, Number::ONE),
         q,
     };
     match (rule, coefficients) {
-        (Rule::Turn, [cosine, sine, length, _]) => {
+        (Rule::Turn, &[cosine, sine, length, _]) => {
             let by = length.inverse()?;
-            Some(vec![turn((*sine * by, *cosine * by))])
+            Some(vec![turn(sine * by, cosine * by)])
         }
-        (Rule::Turns, [a, b, c, _]) => turns([*a, *b, *c], None),
-        (Rule::ExactTurns, [a, b, c, discriminant]) => turns([*a, *b, *c], Some(*discriminant)),
-        (Rule::InclinedTurns, [a, b, c, along, across, twice]) => {
-            let by = (Number::ONE + *along).inverse()?;
-            let discriminant = *across * by * (Number::ONE + *along - *twice);
-            turns([*a, *b, *c], Some(discriminant))
+        (Rule::Turns, &[a, b, c, discriminant, _]) => {
+            let (root, by) = (discriminant.square_root()?, (a * a + b * b).inverse()?);
+            let with = |root: Number| turn((b * c + a * root) * by, (a * c - b * root) * by);
+            Some(vec![with(root), with(-root)])
         }
-        (Rule::Distance, [a, b, known, found, vectors @ ..]) => {
-            let turns = turns([*a, *b, HALF * (*known - *found)], None)?;
-            let is_right = |turn: &Solution| is_at_distance(turn.sin_cos, vectors, *found);
-            // A turn off the circle, which is refused, for a distance that the turn does not have.
-            let refused = turn((Number::ZERO, Number::ZERO));
-            let checked = turns
-                .into_iter()
-                .map(|turn| if is_right(&turn) { turn } else { refused });
-            Some(checked.collect())
-        }
-        (Rule::Slide, [d]) => Some(vec![slide(*d)]),
-        (Rule::Slides, [b, discriminant, _]) => {
+        (Rule::Slide, &[d]) => Some(vec![slide(d)]),
+        (Rule::Slides, &[b, discriminant, _]) => {
             let root = discriminant.square_root()?;
-            Some(vec![slide(*b + root), slide(*b - root)])
+            Some(vec![slide(b + root), slide(b - root)])
         }
         _ => None,
     }
-}
-
-/// The turn by that sine and cosine.
-fn turn((s, c): (Number, Number)) -> Solution {
-    Solution {
-        sin_cos: (s, c),
-        q: Number::ZERO,
-    }
-}
-
-/// a cos q + b sin q = c, with a^2 + b^2 - c^2 as the discriminant unless one is given.
-fn turns([a, b, c]: [Number; 3], discriminant: Option<Number>) -> Option<Vec<Solution>> {
-    let square = a * a + b * b;
-    let discriminant = discriminant.unwrap_or(square - c * c);
-    let (root, by) = (discriminant.square_root()?, square.inverse()?);
-    let with = |root: Number| turn(((b * c + a * root) * by, (a * c - b * root) * by));
-    Some(vec![with(root), with(-root)])
-}
-
-/// |y - Rz(q) x|^2 + rest = found
-fn is_at_distance((s, c): (Number, Number), vectors: &[Number], found: Number) -> bool {
-    let &[x0, x1, y0, y1, rest] = vectors else {
-        return false;
-    };
-    let (u, v) = (c * x0 - s * x1 - y0, s * x0 + c * x1 - y1);
-    u * u + v * v + rest == found
 }

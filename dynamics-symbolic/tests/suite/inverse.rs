@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use dynamics_symbolic::inverse::{Plan, Solved, plan};
+use dynamics_symbolic::inverse::{Plan, Step, plan};
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::prove::prove_inverse;
 use dynamics_symbolic::robot::{JointType, Robot, Value};
@@ -19,12 +19,12 @@ fn shown(plan: &Plan) -> String {
         plan.target
     );
     for step in &plan.steps {
-        let what = match step.solved {
-            Solved::Joint(joint) => format!("joint {}", joint + 1),
-            Solved::Numbers(place) => format!("numbers from {place}"),
-            Solved::Nothing => "nothing".to_owned(),
-        };
-        writeln!(text, "    {what}: {:?}", step.rule).expect("memory");
+        match step {
+            Step::Joint(joint, rule) => writeln!(text, "    joint {}: {rule:?}", joint + 1),
+            Step::Direction(place) => writeln!(text, "    numbers from {place}: Direction"),
+            Step::Condition => writeln!(text, "    nothing: Condition"),
+        }
+        .expect("memory");
     }
     text
 }
@@ -104,11 +104,11 @@ fn only_sizes(plan: &Plan, index: usize) -> bool {
     let firsts = plan.first_outputs();
     let steps = plan.steps.iter().zip(firsts);
     let proven = steps.flat_map(|(step, first)| {
-        let count = match step.rule {
-            Rule::Turn | Rule::Turns | Rule::Condition => 3,
-            Rule::Slides => 2,
-            Rule::Direction => 3,
-            rule => rule.coefficients(),
+        let count = match step {
+            Step::Joint(_, Rule::Turns) => 4,
+            Step::Joint(_, Rule::Turn) | Step::Direction(_) | Step::Condition => 3,
+            Step::Joint(_, Rule::Slides) => 2,
+            Step::Joint(_, Rule::Slide) => 1,
         };
         first..first + count
     });

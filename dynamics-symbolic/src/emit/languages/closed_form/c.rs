@@ -1,10 +1,8 @@
 //! Closed forms in C99.
 
 use super::super::c::precision::OF_DOUBLE;
-use super::super::comments::comment;
 use super::super::{Language, indented, snake_case};
-use super::{Kind, Words, description, entry_of_pose, statements};
-use crate::emit::inverse::turning;
+use super::{Words, description, entry_of_pose, statements};
 use crate::function::inverse_method;
 use crate::inverse::{Plan, Target};
 use crate::robot::Robot;
@@ -20,11 +18,18 @@ const WORDS: Words = Words {
         fused: None,
         ..OF_DOUBLE
     },
-    declare: |kind, name, value| match kind {
-        Kind::Number => format!("const double {name} = {value};"),
-        Kind::Joint => format!("const found {name} = {value};"),
-        Kind::Direction => format!("const direction_of {name} = {value};"),
-    },
+    conventions: &[
+        "pose has rows, as forward_kinematics writes them; q angles from -pi to pi, rad, or m. Returns the number of",
+        "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach, or not finite where it is read.",
+        "is_singular is 1 where two angles cannot be told apart within 1e-7 rad. Nothing is allocated, no state is kept.",
+        "Sines, arc tangents and roots are those of math.h.",
+    ],
+    turning: ["static const int turning[] = {", "};"],
+    begin: "int count = 0;",
+    result: "count",
+    joint: "const found",
+    direction: "const direction_of",
+    is_singular: "is_singular",
     each: |name, call| {
         vec![
             format!("const roots {name}_roots = {call};"),
@@ -32,12 +37,7 @@ const WORDS: Words = Words {
             format!("  const found {name} = {name}_roots.both[{name}_k];"),
         ]
     },
-    part: |name, part| match part {
-        "isSingular" => format!("{name}.is_singular"),
-        part => format!("{name}.{part}"),
-    },
     keep: |joints, singular| {
-        let singular = if singular.is_empty() { "0" } else { singular };
         vec![
             format!(
                 "const found joints[{}] = {{{}}};",
@@ -61,14 +61,8 @@ pub fn inverse_in_c(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> [(String, 
     let declarations: String = plans
         .iter()
         .map(|(frame, plan)| {
-            let mut lines = description(*frame, plan);
-            lines.push(String::new());
-            lines.extend(CONVENTIONS.map(str::to_owned));
-            format!(
-                "\n{}{};\n",
-                comment(&lines),
-                signature(robot, &name, *frame, plan)
-            )
+            let comment = description(*frame, plan, &WORDS);
+            format!("\n{comment}{};\n", signature(robot, &name, *frame, plan))
         })
         .collect();
     let header = format!(
@@ -87,13 +81,6 @@ pub fn inverse_in_c(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> [(String, 
     ]
 }
 
-const CONVENTIONS: [&str; 4] = [
-    "pose has rows, as forward_kinematics writes them; q angles from -pi to pi, rad, or m. Returns the number of",
-    "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach, or not finite where it is read.",
-    "is_singular is 1 where two angles cannot be told apart within 1e-7 rad. Nothing is allocated, no state is kept.",
-    "Sines, arc tangents and roots are those of math.h.",
-];
-
 fn signature(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> String {
     let arm = (!robot.fields.is_empty()).then(|| format!("const {name}_fields *arm, "));
     let elbow = (plan.target == Target::PoseAndElbow).then_some("double elbow, ");
@@ -107,18 +94,9 @@ fn signature(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> Str
 }
 
 fn function(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> String {
-    let turning: Vec<_> = turning(robot)
-        .map(|turns| if turns { "1" } else { "0" })
-        .collect();
-    let mut lines = vec![
-        format!("static const int turning[] = {{{}}};", turning.join(", ")),
-        "int count = 0;".to_owned(),
-    ];
-    lines.extend(statements(robot, plan, &WORDS));
-    lines.push("return count;".to_owned());
     format!(
         "\n{}\n{{\n{}}}\n",
         signature(robot, name, frame, plan),
-        indented(&lines, 4)
+        indented(&statements(robot, plan, &WORDS), 4)
     )
 }

@@ -1,10 +1,8 @@
 //! Closed forms in JavaScript.
 
-use super::super::comments::comment;
 use super::super::javascript::JAVASCRIPT;
 use super::super::{Language, indented, snake_case};
-use super::{Kind, Words, description, entry_of_pose, statements};
-use crate::emit::inverse::turning;
+use super::{Words, description, entry_of_pose, statements};
 use crate::function::inverse_method;
 use crate::inverse::{Plan, Target};
 use crate::robot::Robot;
@@ -17,17 +15,19 @@ const WORDS: Words = Words {
         entry: entry_of_pose,
         ..JAVASCRIPT
     },
-    declare: |kind, name, value| match kind {
-        Kind::Number | Kind::Joint | Kind::Direction => format!("const {name} = {value};"),
-    },
+    conventions: &[
+        "pose is an array of rows, as forward_kinematics returns it. Returns an array of objects { q, isSingular }: angles",
+        "from -pi to pi, rad, or m; empty if the pose is out of reach, or not finite where it is read. isSingular where two",
+        "angles cannot be told apart within 1e-7 rad.",
+    ],
+    turning: ["const turning = [", "];"],
+    begin: "const solutions = [];",
+    result: "solutions",
+    joint: "const",
+    direction: "const",
+    is_singular: "isSingular",
     each: |name, call| vec![format!("for (const {name} of {call}) {{")],
-    part: |name, part| format!("{name}.{part}"),
     keep: |joints, singular| {
-        let singular = if singular.is_empty() {
-            "false"
-        } else {
-            singular
-        };
         vec![format!(
             "keep(solutions, [{}], turning, {singular});",
             joints.join(", ")
@@ -45,33 +45,14 @@ pub fn inverse_in_javascript(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> (
     (name, format!("{SOLVERS}{bodies}"))
 }
 
-const CONVENTIONS: [&str; 3] = [
-    "pose is an array of rows, as forward_kinematics returns it. Returns an array of objects { q, isSingular }: angles",
-    "from -pi to pi, rad, or m; empty if the pose is out of reach, or not finite where it is read. isSingular where two",
-    "angles cannot be told apart within 1e-7 rad.",
-];
-
 fn function(robot: &Robot, frame: Option<&str>, plan: &Plan) -> String {
-    let turning: Vec<_> = turning(robot).map(|turns| turns.to_string()).collect();
-    let mut lines = vec![
-        format!("const turning = [{}];", turning.join(", ")),
-        "const solutions = [];".to_owned(),
-    ];
-    lines.extend(statements(robot, plan, &WORDS));
-    lines.push("return solutions;".to_owned());
-    let mut text = description(frame, plan);
-    text.push(String::new());
-    text.extend(CONVENTIONS.map(str::to_owned));
     let arm = if robot.fields.is_empty() { "" } else { "arm, " };
-    let elbow = if plan.target == Target::PoseAndElbow {
-        ", elbow"
-    } else {
-        ""
-    };
+    let has_elbow = plan.target == Target::PoseAndElbow;
+    let elbow = if has_elbow { ", elbow" } else { "" };
     format!(
         "\n{}export function {}({arm}pose{elbow}) {{\n{}}}\n",
-        comment(&text),
+        description(frame, plan, &WORDS),
         inverse_method(frame),
-        indented(&lines, 2)
+        indented(&statements(robot, plan, &WORDS), 2)
     )
 }

@@ -9,29 +9,30 @@ pub use javascript::inverse_in_javascript;
 
 use super::Language;
 use super::body::Body;
-use crate::emit::inverse::{name_of, stages};
-use crate::inverse::{ELBOW, Plan, Rule, Solved, Step, Target};
+use super::comments::comment;
+use crate::emit::inverse::{documentation, stages, turning};
+use crate::inverse::{ELBOW, Plan, Step, Target};
 use crate::robot::{Robot, Symbol};
 
 /// How a language writes the steps.
 struct Words {
     language: Language,
-    /// The statement that gives a value of that kind its name.
-    declare: fn(Kind, &str, &str) -> String,
+    /// The lines of a function's comment about its arguments and its results.
+    conventions: &'static [&'static str],
+    /// What stands around the list of joints that turn, with 1 for each that does.
+    turning: [&'static str; 2],
+    /// The declaration of the result, and its name.
+    begin: &'static str,
+    result: &'static str,
+    /// What a declaration of a joint that was found begins with, and that of a direction.
+    joint: &'static str,
+    direction: &'static str,
     /// The beginning of a loop in which the joint of that name is each of the solutions of a call.
     each: fn(&str, &str) -> Vec<String>,
-    /// The parts of a joint that was found, or of a direction.
-    part: fn(&str, &str) -> String,
+    /// The part of a direction that says whether it is singular.
+    is_singular: &'static str,
     /// The statements that keep a solution: its joints, and whether it is singular besides.
     keep: fn(&[String], &str) -> Vec<String>,
-}
-
-/// The kind of number that a statement declares.
-#[derive(Clone, Copy)]
-enum Kind {
-    Number,
-    Joint,
-    Direction,
 }
 
 struct Writer<'a> {
@@ -42,7 +43,7 @@ struct Writer<'a> {
     stages: Vec<usize>,
 }
 
-/// The statements of a plan behind the declarations of its results.
+/// The statements of a function.
 fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
     let proven = plan.proven();
     let writer = Writer {
@@ -51,9 +52,27 @@ fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
         body: Body::new(robot, &proven, &words.language),
         stages: stages(plan),
     };
-    let mut statements = writer.inputs();
+    let turning: Vec<_> = turning(robot)
+        .map(|turns| u8::from(turns).to_string())
+        .collect();
+    let ([before, behind], result) = (words.turning, words.result);
+    let turning = format!("{before}{}{behind}", turning.join(", "));
+    let mut statements = vec![turning, words.begin.to_owned()];
+    if plan.target != Target::Position {
+        statements.push(format!("if (!is_rotation(pose)) return {result};"));
+    }
+    statements.extend(writer.inputs());
     writer.from(0, &[], 0, &mut statements);
+    statements.push(format!("return {result};"));
     statements
+}
+
+/// The comment on a function.
+fn description(frame: Option<&str>, plan: &Plan, words: &Words) -> String {
+    let first = &documentation(frame, plan)[0];
+    let mut lines = vec![first.trim().replace('`', ""), String::new()];
+    lines.extend(words.conventions.iter().map(|line| (*line).to_owned()));
+    comment(&lines)
 }
 
 /// The name of a joint that was found.
@@ -92,28 +111,36 @@ impl Writer<'_> {
             text.extend(lines.into_iter().map(|line| format!("{indent}{line}")));
         };
         push(self.body.lines_that(|line| self.stages[line] == step));
-        let Some(&Step { solved, rule }) = self.plan.steps.get(step) else {
+        let Some(&current) = self.plan.steps.get(step) else {
             let joints: Vec<_> = (0..self.plan.joints).map(joint).collect();
-            push((self.words.keep)(&joints, &singular.join(" || ")));
+            let singular = match singular {
+                [] => "0".to_owned(),
+                _ => singular.join(" || "),
+            };
+            push((self.words.keep)(&joints, &singular));
             return;
         };
         let first = self.plan.first_outputs()[step];
-        let outputs = first..first + rule.coefficients();
+        let outputs = first..first + current.coefficients();
         let coefficients: Vec<_> = outputs.map(|k| self.body.output_of(k)).collect();
-        let call = format!("{}({})", name_of(rule), coefficients.join(", "));
-        match solved {
-            Solved::Nothing => push(vec![format!("if ({call}) {{")]),
-            Solved::Numbers(place) => {
-                let (lines, mark) = self.numbers(rule, place, &call);
-                push(lines);
-                let singular: Vec<String> = singular.iter().cloned().chain(mark).collect();
+        let call = format!("{}({})", current.name(), coefficients.join(", "));
+        match current {
+            Step::Condition => push(vec![format!("if ({call}) {{")]),
+            Step::Direction(place) => {
+                let name = format!("direction_{}", place + 1);
+                push(vec![format!("{} {name} = {call};", self.words.direction)]);
+                for (k, part) in ["x", "y", "z"].into_iter().enumerate() {
+                    push(vec![self.declared(&self.number(place + k), &name, part)]);
+                }
+                let mark = format!("{name}.{}", self.words.is_singular);
+                let singular = [singular, &[mark]].concat();
                 return self.from(step + 1, &singular, depth, text);
             }
-            Solved::Joint(number) => {
+            Step::Joint(number, _) => {
                 let name = joint(number);
                 let bound = self.bound(number, &name);
-                if rule.solutions() == 1 {
-                    push(vec![(self.words.declare)(Kind::Joint, &name, &call)]);
+                if current.solutions() == 1 {
+                    push(vec![format!("{} {name} = {call};", self.words.joint)]);
                     push(bound);
                     return self.from(step + 1, singular, depth, text);
                 }
@@ -125,19 +152,9 @@ impl Writer<'_> {
         text.push(format!("{indent}}}"));
     }
 
-    /// Numbers that a step finds, and the condition under which others would do.
-    fn numbers(&self, rule: Rule, place: usize, call: &str) -> (Vec<String>, Option<String>) {
-        let declare = self.words.declare;
-        if rule == Rule::Root {
-            return (vec![declare(Kind::Number, &self.number(place), call)], None);
-        }
-        let name = format!("direction_{}", place + 1);
-        let mut lines = vec![declare(Kind::Direction, &name, call)];
-        for (k, part) in ["x", "y", "z"].into_iter().enumerate() {
-            let value = (self.words.part)(&name, part);
-            lines.push(declare(Kind::Number, &self.number(place + k), &value));
-        }
-        (lines, Some((self.words.part)(&name, "isSingular")))
+    /// The statement that gives a part of a joint or of a direction a name.
+    fn declared(&self, name: &str, of: &str, part: &str) -> String {
+        (self.words.language.declare)(name, &format!("{of}.{part}"))
     }
 
     /// Sine and cosine, or the position, of a joint that was found, where they are read.
@@ -149,11 +166,7 @@ impl Writer<'_> {
                 Symbol::Cosine(i) if *i == number => "cosine",
                 _ => return None,
             };
-            let value = (self.words.part)(name, part);
-            Some((self.words.language.declare)(
-                self.body.input_name(index),
-                &value,
-            ))
+            Some(self.declared(self.body.input_name(index), name, part))
         });
         read.collect()
     }
@@ -163,11 +176,4 @@ impl Writer<'_> {
 fn entry_of_pose(_: &str, entry: usize) -> String {
     let (row, column) = Plan::place_in_pose(entry);
     format!("pose[{row}][{column}]")
-}
-
-/// The description, as lines of a comment.
-fn description(frame: Option<&str>, plan: &Plan) -> Vec<String> {
-    let lines = crate::emit::inverse::documentation(frame, plan);
-    let first = lines.into_iter().take(1);
-    first.map(|line| line.trim().replace('`', "")).collect()
 }

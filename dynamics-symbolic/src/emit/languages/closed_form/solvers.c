@@ -6,9 +6,11 @@ typedef struct { double sine, cosine; int is_singular; } found;
 typedef struct { found both[2]; int count; } roots;
 typedef struct { double x, y, z; int is_singular; } direction_of;
 
-/* Angles closer than this cannot be told apart; a pose is reached that is missed by less than the second number. */
+/* Angles closer than this cannot be told apart; a pose is reached that is missed by less than the second number, and a rotation
+   has unit vectors at right angles to the third. */
 #define APART 1e-7
 #define REACHED 1e-9
+#define ROTATION 1e-6
 
 /* Differences of numbers as large as the size may be nothing but rounding below this. */
 static inline double roundings(double size) { return 16 * 2.220446049250313e-16 * size; }
@@ -30,66 +32,27 @@ static inline found turn(double cosine, double sine, double length, double size)
 
 static inline found slide(double position) { return turned(position, 0, 0); }
 
-static inline roots by_discriminant(double a, double b, double c, double square, double discriminant, double size)
+/* a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as size; the discriminant is
+   a^2 + b^2 - c^2. */
+static inline roots turns(double a, double b, double c, double discriminant, double size)
 {
-    const double radius = sqrt(square);
+    const double square = a * a + b * b, least = roundings(1);
     roots all = {{{0, 1, 1}, {0, 1, 1}}, 0};
-    if (discriminant > 0) {
+    size += square;
+    if (square <= least * least * size) {
+        all.count = c * c <= least * least * size && isfinite(size);
+    } else if (discriminant > least * least * square) {
         const double root = sqrt(discriminant), scale = 1 / square;
-        const int is_singular = root + root <= APART * radius;
+        const int is_singular = 4 * discriminant <= APART * APART * square;
         all.both[0] = turned((b * c + a * root) * scale, (a * c - b * root) * scale, is_singular);
         all.both[1] = turned((b * c - a * root) * scale, (a * c + b * root) * scale, is_singular);
         all.count = 2;
     } else if (discriminant >= -roundings(size) && isfinite(size)) {
-        const double scale = c < 0 ? -radius : radius;
+        const double scale = c < 0 ? -sqrt(square) : sqrt(square);
         all.both[0] = turned(b / scale, a / scale, 1);
         all.count = 1;
     }
     return all;
-}
-
-/* a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as size. */
-static inline roots turns(double a, double b, double c, double size)
-{
-    const double square = a * a + b * b, least = roundings(1), radius = sqrt(square), magnitude = fabs(c);
-    size += square;
-    if (square <= least * least * size) {
-        const roots any = {{{0, 1, 1}, {0, 1, 1}}, c * c <= least * least * size && isfinite(size)};
-        return any;
-    }
-    return by_discriminant(a, b, c, square, (radius - magnitude) * (radius + magnitude), size);
-}
-
-/* |y - Rz(q) x|^2 + rest = found, which is a cos q + b sin q = (known - found) / 2, with a step of Newton's method. */
-static inline roots turns_at_distance(double a, double b, double known, double distance, double x0, double x1, double y0,
-                                      double y1, double rest)
-{
-    const double c = (known - distance) * 0.5;
-    roots all = turns(a, b, c, (known + distance) * (known + distance));
-    for (int k = 0; k < all.count; ++k) {
-        found *one = &all.both[k];
-        if (one->is_singular) continue;
-        const double s = one->sine, u = one->cosine * x0 - s * x1, v = s * x0 + one->cosine * x1;
-        const double du = u - y0, dv = v - y1;
-        const double step = (distance - rest - (du * du + dv * dv)) / (-2 * (u * y1 - v * y0));
-        one->sine = s + one->cosine * step;
-        one->cosine -= s * step;
-    }
-    return all;
-}
-
-/* The same with a^2 + b^2 - c^2. */
-static inline roots turns_by(double a, double b, double c, double discriminant)
-{
-    const double square = a * a + b * b, least = roundings(sqrt(square));
-    const int is_nothing = discriminant <= least * least && discriminant >= -roundings(square);
-    return by_discriminant(a, b, c, square, is_nothing ? 0 : discriminant, square);
-}
-
-/* The same with (1 - along) (1 + along - twice), where (1 - along) (1 + along) = across. */
-static inline roots inclined_turns(double a, double b, double c, double along, double across, double twice)
-{
-    return turns_by(a, b, c, across / (1 + along) * (1 + along - twice));
 }
 
 /* b + root and b - root of the discriminant, a difference of numbers as large as size. */
@@ -102,8 +65,6 @@ static inline roots slides(double b, double discriminant, double size)
     all.count = is_some ? (discriminant > 0 ? 2 : 1) : 0;
     return all;
 }
-
-static inline double root(double square) { return sqrt(square); }
 
 /* The direction of a vector, or of the other one if the first vanishes beside size. */
 static inline direction_of direction(double x, double y, double z, double u, double v, double w, double size)
@@ -118,6 +79,23 @@ static inline direction_of direction(double x, double y, double z, double u, dou
 static inline int is_reached(double x, double y, double z, double size)
 {
     return x * x + y * y + z * z <= REACHED * REACHED * size && isfinite(size);
+}
+
+static inline double product(const double pose[4][4], int i, int j)
+{
+    return pose[0][i] * pose[0][j] + pose[1][i] * pose[1][j] + pose[2][i] * pose[2][j];
+}
+
+/* Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third. */
+static inline int is_rotation(const double pose[4][4])
+{
+    int is_one = fabs(product(pose, 0, 0) - 1) <= ROTATION && fabs(product(pose, 1, 1) - 1) <= ROTATION
+                 && fabs(product(pose, 0, 1)) <= ROTATION;
+    for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
+        const double third = pose[j][0] * pose[k][1] - pose[k][0] * pose[j][1];
+        is_one = is_one && fabs(third - pose[i][2]) <= ROTATION;
+    }
+    return is_one;
 }
 
 /* Writes a solution, unless it is not finite, and returns how many were written. */
@@ -135,6 +113,6 @@ static inline int keep(const found *joints, const int *turning, int count, int i
 /* A file need not need all of these. */
 static inline void are_used(void)
 {
-    (void)turn; (void)slide; (void)turns_at_distance; (void)turns_by; (void)inclined_turns; (void)slides;
-    (void)root; (void)direction; (void)is_reached; (void)keep; (void)are_used;
+    (void)turn; (void)turns; (void)slide; (void)slides; (void)direction; (void)is_reached; (void)is_rotation; (void)keep;
+    (void)are_used;
 }
