@@ -207,7 +207,7 @@ impl Arm {
     /// each function.
     fn check(&self, py: Python<'_>, samples: usize) -> PyResult<(String, bool, Vec<Compared>)> {
         let robot = self.all_functions(py)?;
-        let report = py.detach(|| Check::new().samples(samples).run_any(&robot));
+        let report = py.detach(|| Check::new().samples(samples).run_any(&*robot));
         let functions = report.functions.iter().map(|of| {
             let frame = of.frame.as_ref().map(|frame| format!("_{frame}"));
             let name = of.function.to_owned() + &frame.unwrap_or_default();
