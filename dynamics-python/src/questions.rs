@@ -17,6 +17,7 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::description::Description;
+use crate::function::require_values;
 use crate::robot::Arm;
 
 /// How far formulas are multiplied out before they are given up, for each term that one may have.
@@ -83,17 +84,13 @@ impl Arm {
     /// The page of the robot: a file that shows it in motion.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
         let mut robot = self.description.robot.clone();
+        require_values(&robot.fields, &self.fields)?;
+        let names = robot.fields.iter().cloned();
+        let fields: Vec<_> = names.zip(self.fields.iter().copied()).collect();
         let poses = page::shown_poses(&mut robot);
         let requests = page::FUNCTIONS.map(Request::from).into_iter();
         let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
         let programs = derived_anew(py, &robot, requests)?;
-        let names = robot.fields.iter().cloned();
-        let fields: Vec<_> = names.zip(self.fields.iter().copied()).collect();
-        if let Some((name, _)) = fields.iter().find(|(_, value)| value.is_nan()) {
-            let message =
-                format!("field `{name}` has no value: `with_fields({name}=..)` gives it one");
-            return Err(PyValueError::new_err(message));
-        }
         let start = page::Start::default();
         Ok(page::Page::new(&robot, &programs, &poses, &fields, &start).html)
     }
