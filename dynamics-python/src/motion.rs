@@ -3,7 +3,7 @@
 use dynamics_evaluation::{
     EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot, Stands,
 };
-use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Matrix6xX, Vector6};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
 use dynamics_runtime::simulation::{
     Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, Sampled, SizedModel,
     SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work, WrenchAt,
@@ -177,12 +177,7 @@ fn at_places<'a, R>(
     places: &'a [RuntimePlace<'_>],
     plan: &'a Plan,
     force: &'a Force,
-) -> Vec<
-    WrenchAt<
-        impl Fn(&R, &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>),
-        impl Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
-    >,
-> {
+) -> Vec<impl ToolWrench<R, Dyn> + ContinuousWrench> {
     let pairs = places.iter().zip(&plan.wrenches);
     let wrenches = pairs.map(move |(place, wrench)| {
         WrenchAt::new(
