@@ -42,7 +42,7 @@ mod words;
 pub use audience::Audience;
 pub use diagnose::Error;
 pub use validate::Model;
-pub use words::visible;
+pub use words::{nearest, visible};
 
 use diagnose::Diagnostics;
 use dynamics_symbolic::function::Part;

@@ -112,7 +112,7 @@ pub fn visible(c: char) -> char {
 ///
 /// Case does not count; words of one or two letters must agree, longer ones may be off
 /// by one edit, from six letters on by two, from nine by three.
-pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
     known
         .iter()

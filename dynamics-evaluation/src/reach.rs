@@ -1,22 +1,26 @@
-//! A frame of a robot at run time, as numeric inverse kinematics takes it.
+//! A frame of a robot at run time, as numeric inverse kinematics and forces of the surroundings take it.
 
-use dynamics_runtime::SizedKinematics;
+use core::marker::PhantomData;
+
 use dynamics_runtime::inverse_kinematics::SizedTable;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::table::RuntimeTable;
+use dynamics_runtime::{Pose, SizedKinematics};
 use dynamics_symbolic::Function;
 
 use crate::compiled::Compiled;
-use crate::{EvaluationError, RuntimeRobot};
+use crate::{EvaluationError, Moves, RuntimeRobot};
 
 /// The tip of a [`RuntimeRobot`], or one of its frames: what
-/// [`InverseKinematics`](dynamics_runtime::InverseKinematics) needs of it. Vectors are `DVector<f64>`.
+/// [`InverseKinematics`](dynamics_runtime::InverseKinematics) needs of it. Vectors are `DVector<f64>`. One that [`Moves`] is
+/// that of a robot on a base that moves.
 #[derive(Clone, Debug)]
-pub struct RuntimePlace<'a> {
+pub struct RuntimePlace<'a, K = ()> {
     arm: &'a RuntimeRobot,
     table: RuntimeTable,
     pose: &'a Compiled,
     jacobian: &'a Compiled,
+    base: PhantomData<K>,
 }
 
 impl RuntimeRobot {
@@ -66,9 +70,29 @@ impl RuntimeRobot {
     /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotDerived`] unless both
     /// [`place_functions`](RuntimeRobot::place_functions) were requested.
     pub fn place(&self, frame: Option<&str>) -> Result<RuntimePlace<'_>, EvaluationError> {
-        if self.robot().floating().is_some() {
-            return Err(EvaluationError::MovingBase);
+        match self.robot().floating() {
+            Some(_) => Err(EvaluationError::MovingBase),
+            None => self.place_of(frame),
         }
+    }
+
+    /// The same of a robot on a base that moves.
+    ///
+    /// # Errors
+    ///
+    /// [`EvaluationError::StandingBase`] of a robot whose base stands; [`EvaluationError::NotDerived`] as for
+    /// [`place`](RuntimeRobot::place).
+    pub fn place_on_base(
+        &self,
+        frame: Option<&str>,
+    ) -> Result<RuntimePlace<'_, Moves>, EvaluationError> {
+        match self.robot().floating() {
+            Some(_) => self.place_of(frame),
+            None => Err(EvaluationError::StandingBase),
+        }
+    }
+
+    fn place_of<K>(&self, frame: Option<&str>) -> Result<RuntimePlace<'_, K>, EvaluationError> {
         let function = |function: Function| match frame {
             None => self.function(function.name()),
             Some(frame) => self.function(&function.name_of_frame(frame)),
@@ -78,25 +102,46 @@ impl RuntimeRobot {
             table: self.table(),
             pose: function(Function::ForwardKinematics)?,
             jacobian: function(Function::Jacobian)?,
+            base: PhantomData,
         })
     }
 }
 
-impl RuntimePlace<'_> {
+impl<K> RuntimePlace<'_, K> {
     /// The entries of a function; NaN where there are none.
-    fn entries(&self, function: &Compiled, q: &DVector<f64>) -> Vec<f64> {
-        let values = self.arm.at(function, &[q.as_slice()]);
+    fn entries(&self, function: &Compiled, arguments: &[&[f64]]) -> Vec<f64> {
+        let values = self.arm.at(function, arguments);
         values.unwrap_or_else(|_| vec![f64::NAN; function.layout.entries()])
+    }
+
+    fn pose_and_jacobian(&self, arguments: &[&[f64]]) -> (Matrix4<f64>, Matrix6xX<f64>) {
+        let pose = Matrix4::from_column_slice(&self.entries(self.pose, arguments));
+        let jacobian = Matrix6xX::from_vec(self.entries(self.jacobian, arguments));
+        (pose, jacobian)
+    }
+}
+
+impl RuntimePlace<'_> {
+    /// The pose and the Jacobian: what [`wrench_at`](dynamics_runtime::Simulation::wrench_at) needs.
+    pub fn at(&self, q: &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>) {
+        self.pose_and_jacobian(&[q.as_slice()])
+    }
+}
+
+impl RuntimePlace<'_, Moves> {
+    /// The pose and the Jacobian where the base has a pose; the columns of the base come first.
+    pub fn at(&self, base: &Pose<f64>, q: &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>) {
+        self.pose_and_jacobian(&[base.entries().as_slice(), q.as_slice()])
     }
 }
 
 impl SizedKinematics<Dyn> for RuntimePlace<'_> {
     fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
-        Matrix4::from_column_slice(&self.entries(self.pose, q))
+        Matrix4::from_column_slice(&self.entries(self.pose, &[q.as_slice()]))
     }
 
     fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
-        Matrix6xX::from_vec(self.entries(self.jacobian, q))
+        Matrix6xX::from_vec(self.entries(self.jacobian, &[q.as_slice()]))
     }
 }
 

@@ -1,6 +1,6 @@
 //! A robot whose functions are evaluated without a compiler.
 
-use std::sync::Mutex;
+use std::sync::{Mutex, OnceLock};
 
 use dynamics_runtime::{Operations, Scalar, SingularMassMatrix, table::RuntimeTable};
 use dynamics_symbolic::function::Argument;
@@ -54,6 +54,8 @@ pub struct RuntimeRobot {
     /// The axes for the present values of the fields.
     axes: Vec<Axis<f64>>,
     functions: Vec<Compiled>,
+    /// The table for these values, once it has been needed: its exact cells take longer than many calls.
+    table: OnceLock<RuntimeTable>,
     /// Slots that no call is using.
     rooms: Mutex<Vec<Room>>,
 }
@@ -74,6 +76,7 @@ impl Clone for RuntimeRobot {
             fields: self.fields.clone(),
             axes: self.axes.clone(),
             functions: self.functions.clone(),
+            table: self.table.clone(),
             rooms: Mutex::default(),
         }
     }
@@ -127,6 +130,7 @@ impl RuntimeRobot {
             fields,
             axes: Vec::new(),
             functions: compiled,
+            table: OnceLock::new(),
             rooms: Mutex::default(),
         };
         arm.update();
@@ -141,7 +145,8 @@ impl RuntimeRobot {
 
     /// The table as numbers, with the present values of the fields: without a value for each, some are NaN.
     pub fn table(&self) -> RuntimeTable {
-        table(&self.robot, &self.fields)
+        let table = || table(&self.robot, &self.fields);
+        self.table.get_or_init(table).clone()
     }
 
     /// Number of joints that move, and six more of a base that moves.
@@ -196,6 +201,7 @@ impl RuntimeRobot {
     }
 
     fn update(&mut self) {
+        self.table = OnceLock::new();
         self.axes = axes(&self.robot, &self.fields, &|x| x);
         for function in &mut self.functions {
             function.shared = function.tape.shared(&self.fields, &|x| x);

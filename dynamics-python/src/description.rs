@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock, mpsc};
 use std::thread;
 use std::time::Duration;
 
-use dynamics_codegen::Model;
+use dynamics_codegen::{Model, nearest};
 use dynamics_evaluation::{BuildError, FileError, ReadOptions, RuntimeRobot, read_source};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
@@ -92,6 +92,44 @@ impl Description {
                 names.join(", ")
             ))
         })
+    }
+
+    /// The places of the two functions by which a frame, or the tip, is found: its pose and its Jacobian.
+    pub(crate) fn kinematics(&self, frame: Option<&str>) -> PyResult<[usize; 2]> {
+        let frames: Vec<_> = self
+            .robot
+            .frames
+            .iter()
+            .map(|of| of.name.as_str())
+            .collect();
+        if let Some(name) = frame.filter(|name| !frames.contains(name)) {
+            let hint = match (nearest(name, &frames), &frames[..]) {
+                (Some(right), _) => format!("did you mean `{right}`?"),
+                (None, []) => format!(
+                    "there are none (a link of a URDF file is one if `functions` names it: \"jacobian({name})\")"
+                ),
+                (None, frames) => format!("expected one of {}", frames.join(", ")),
+            };
+            return Err(PyValueError::new_err(format!("no frame `{name}`: {hint}")));
+        }
+        let [pose, jacobian] = [Function::ForwardKinematics, Function::Jacobian].map(|function| {
+            let name = frame.map_or_else(
+                || function.name().to_owned(),
+                |frame| function.name_of_frame(frame),
+            );
+            let mut known = self.functions();
+            known.find(|(_, of)| of.name() == name).map(|(at, _)| at)
+        });
+        match (pose, jacobian) {
+            (Some(pose), Some(jacobian)) => Ok([pose, jacobian]),
+            _ => {
+                let [pose, jacobian] = RuntimeRobot::place_functions(frame);
+                Err(PyValueError::new_err(format!(
+                    "{} needs functions that were not asked for: functions=[\"default\", \"{pose}\", \"{jacobian}\"]",
+                    frame.map_or_else(|| "the tip".to_owned(), |frame| format!("frame `{frame}`")),
+                )))
+            }
+        }
     }
 
     /// The function at that place, which is derived if this has not been done.

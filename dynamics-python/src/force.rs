@@ -1,4 +1,4 @@
-//! The forces of the motors: constant, or a law of Python.
+//! The forces of the motors, constant or a law of Python, and those of the surroundings.
 
 use std::cell::{Cell, RefCell};
 
@@ -14,24 +14,28 @@ use crate::results::array;
 /// After so many calls of a constant force signals such as Ctrl-C are looked for.
 const BETWEEN_SIGNALS: u32 = 1024;
 
-/// A law of the forces, and the exception that it raised.
+/// A law of the forces, and the exception that it, or a law of the surroundings, raised.
 pub(crate) struct Force {
     law: Option<Py<PyAny>>,
     constant: DVector<f64>,
-    wrench: Option<Py<PyAny>>,
     failure: RefCell<Option<PyErr>>,
     calls: Cell<u32>,
 }
 
+/// A law of the surroundings at a frame, or at the tip.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Wrench {
+    pub(crate) frame: Option<String>,
+    law: Py<PyAny>,
+    /// The name of the law in messages.
+    name: String,
+}
+
 impl Force {
-    pub(crate) fn new(
-        law: Option<Py<PyAny>>,
-        constant: Vec<f64>,
-        wrench: Option<Py<PyAny>>,
-    ) -> Self {
+    pub(crate) fn new(law: Option<Py<PyAny>>, constant: Vec<f64>) -> Self {
         Force {
             law,
-            wrench,
             constant: constant.into(),
             failure: RefCell::default(),
             calls: Cell::new(0),
@@ -90,27 +94,22 @@ impl Force {
         Ok(numbers("torque", forces.bind(py), self.constant.len())?.into())
     }
 
-    /// Whether a law of Python is the force at the tool.
-    pub(crate) fn has_wrench(&self) -> bool {
-        self.wrench.is_some()
-    }
-
-    /// The force and the moment at the tool; NaN once a law has failed.
-    pub(crate) fn wrench_at(
+    /// The force and the moment of the surroundings at a place; NaN once a law has failed.
+    pub(crate) fn wrench(
         &self,
+        of: &Wrench,
         t: f64,
         pose: &Matrix4<f64>,
         twist: &Vector6<f64>,
     ) -> Vector6<f64> {
-        let law = match &self.wrench {
-            Some(law) if self.failure.borrow().is_none() => law,
-            _ => return Vector6::repeat(f64::NAN),
-        };
+        if self.failure.borrow().is_some() {
+            return Vector6::repeat(f64::NAN);
+        }
         let wrench = Python::attach(|py| {
             let pose = array(py, &[4, 4], &rows_of(pose))?;
             let twist = PyArray1::from_slice(py, twist.as_slice());
-            let wrench = law.call1(py, (t, pose, twist))?;
-            numbers("tool_wrench", wrench.bind(py), 6)
+            let wrench = of.law.call1(py, (t, pose, twist))?;
+            numbers(&of.name, wrench.bind(py), 6)
         });
         match wrench {
             Ok(wrench) => Vector6::from_column_slice(&wrench),
@@ -124,12 +123,13 @@ impl Force {
 
 /// The numbers that a law returned.
 fn numbers(law: &str, returned: &Bound<'_, PyAny>, expected: usize) -> PyResult<Vec<f64>> {
-    let numbers: Vec<f64> = returned.extract()?;
-    if numbers.len() == expected {
-        return Ok(numbers);
-    }
-    let found = numbers.len();
-    Err(PyValueError::new_err(format!(
-        "`{law}` returned {found} numbers: expected {expected}"
-    )))
+    let message = match returned.extract::<Vec<f64>>() {
+        Ok(numbers) if numbers.len() == expected => return Ok(numbers),
+        Ok(numbers) => format!("{} numbers: expected {expected}", numbers.len()),
+        Err(_) => match returned.getattr("shape") {
+            Ok(shape) => format!("an array of the shape {shape}: expected ({expected},)"),
+            Err(_) => format!("{}: expected {expected} numbers", returned.repr()?),
+        },
+    };
+    Err(PyValueError::new_err(format!("`{law}` returned {message}")))
 }

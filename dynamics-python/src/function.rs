@@ -59,12 +59,7 @@ impl Ready {
         if !fields.is_empty() {
             let mut with_fields = (*arm).clone();
             with_fields.set_fields(fields).map_err(error)?;
-            let mut pairs = with_fields.field_names().iter().zip(fields);
-            if let Some((name, _)) = pairs.find(|(_, value)| value.is_nan()) {
-                return Err(PyValueError::new_err(format!(
-                    "field `{name}` has no value: `with_fields({name}=..)` gives it one"
-                )));
-            }
+            require_values(with_fields.field_names(), fields)?;
             arm = Arc::new(with_fields);
         }
         let name = derived.request.name();
@@ -89,6 +84,26 @@ impl Ready {
         let names: Vec<_> = self.arguments.iter().map(|of| of.name).collect();
         format!("{}({})", self.name, names.join(", "))
     }
+}
+
+/// An error that names all fields without a value, if there are some.
+pub(crate) fn require_values(names: &[String], values: &[f64]) -> PyResult<()> {
+    let pairs = names.iter().zip(values);
+    let missing = pairs.filter(|(_, value)| value.is_nan());
+    let missing: Vec<_> = missing
+        .map(|(name, _)| name.trim_start_matches("r#"))
+        .collect();
+    let given = missing.iter().map(|name| format!("{name}=.."));
+    let given = given.collect::<Vec<_>>().join(", ");
+    let message = match &missing[..] {
+        [] => return Ok(()),
+        [name] => format!("field `{name}` has no value: `with_fields({given})` gives it one"),
+        _ => {
+            let names = missing.join("`, `");
+            format!("fields `{names}` have no values: `with_fields({given})` gives them some")
+        }
+    };
+    Err(PyValueError::new_err(message))
 }
 
 #[pymethods]

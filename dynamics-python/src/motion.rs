@@ -1,17 +1,19 @@
 //! Simulations, under torques that are constant or a law of Python.
 
-use dynamics_evaluation::{EvaluationError, RuntimeDynamics, RuntimeRobot, Stands};
+use dynamics_evaluation::{
+    EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot, Stands,
+};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
 use dynamics_runtime::simulation::{
     Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, Sampled, SizedModel,
-    SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work,
+    SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work, WrenchAt,
 };
 use dynamics_runtime::{Friction, Pose, Simulation};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::force::Force;
+use crate::force::{Force, Wrench};
 use crate::results::array;
 use crate::robot::Arm;
 
@@ -35,8 +37,10 @@ struct Plan {
     stops: Option<f64>,
     limits_are_errors: bool,
     control_period: Option<f64>,
-    /// Whether the force at the tool is held for the control period.
-    holds_wrench: bool,
+    /// The forces of the surroundings.
+    wrenches: Vec<Wrench>,
+    /// The force at the tool that is held for the control period.
+    held_wrench: Option<Wrench>,
 }
 
 /// A motion: one entry a sample.
@@ -86,6 +90,12 @@ impl Plan {
             "dormand_prince" => controlled!(DormandPrince),
             "dop853" => controlled!(Dop853),
             "radau5" => controlled!(Radau5),
+            "taylor" => {
+                return Err(PyValueError::new_err(
+                    "`method` \"taylor\" is of compiled robots, `TaylorSimulation` in Rust: its series have a program of their own, \
+                     which only a compiler makes fast; \"dop853\" with `tolerance=1e-12` is accurate too",
+                ));
+            }
             other => {
                 return Err(PyValueError::new_err(format!(
                     "`method` is {other:?}: expected dormand_prince, dop853 or radau5, or explicit_euler, craig_euler, \
@@ -144,26 +154,40 @@ fn is_invalid(cause: &Cause) -> bool {
 
 /// The motion of a robot whose base stands.
 fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
+    let places = plan.wrenches.iter();
+    let places = places.map(|wrench| robot.place(wrench.frame.as_deref()));
+    let places = places.collect::<Result<Vec<RuntimePlace<'_>>, _>>()?;
     let dynamics = robot.dynamics()?;
-    if !force.has_wrench() {
-        return follow(&dynamics, Simulation::new(&dynamics), plan, kinds, force);
-    }
+    let (Some(held), Some(period)) = (&plan.held_wrench, plan.control_period) else {
+        let wrenches = at_places(&places, plan, force);
+        let simulation = Simulation::new(&dynamics).wrenches(wrenches);
+        return follow(&dynamics, simulation, plan, kinds, force);
+    };
     let dynamics = dynamics.with_tip()?;
-    let wrench = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench_at(t, pose, twist);
-    let simulation = Simulation::new(&dynamics);
-    match plan.control_period.filter(|_| plan.holds_wrench) {
-        None => follow(
-            &dynamics,
-            simulation.tool_wrench(wrench),
-            plan,
-            kinds,
-            force,
-        ),
-        Some(period) => {
-            let simulation = simulation.control_period(period).held_tool_wrench(wrench);
-            sampled(&dynamics, simulation, plan, kinds, force)
-        }
-    }
+    let law = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench(held, t, pose, twist);
+    let simulation = Simulation::new(&dynamics)
+        .control_period(period)
+        .held_tool_wrench(law)
+        .wrenches(at_places(&places, plan, force));
+    sampled(&dynamics, simulation, plan, kinds, force)
+}
+
+/// The forces of the surroundings at their places.
+fn at_places<'a, R>(
+    places: &'a [RuntimePlace<'_>],
+    plan: &'a Plan,
+    force: &'a Force,
+) -> Vec<impl ToolWrench<R, Dyn> + ContinuousWrench> {
+    let pairs = places.iter().zip(&plan.wrenches);
+    let wrenches = pairs.map(move |(place, wrench)| {
+        WrenchAt::new(
+            move |_: &R, q: &DVector<f64>| place.at(q),
+            move |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| {
+                force.wrench(wrench, t, pose, twist)
+            },
+        )
+    });
+    wrenches.collect()
 }
 
 fn follow<'a, K: Stands, L, W>(
@@ -240,7 +264,18 @@ fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: 
     let dynamics = robot.dynamics_on_base()?;
     let [q, v] = plan.start();
     let base = plan.base.map_or_else(Pose::identity, Pose::of_entries);
-    let simulation = plan.planned(Simulation::new(&dynamics).initial(base, q, v), kinds);
+    let places = plan.wrenches.iter();
+    let places = places.map(|wrench| robot.place_on_base(wrench.frame.as_deref()));
+    let places = places.collect::<Result<Vec<RuntimePlace<'_, Moves>>, _>>()?;
+    let pairs = places.iter().zip(&plan.wrenches);
+    let wrenches = pairs.map(|(place, wrench)| {
+        WrenchAt::new(
+            |_: &RuntimeDynamics<'_, Moves>, base: &Pose<f64>, q: &DVector<f64>| place.at(base, q),
+            |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench(wrench, t, pose, twist),
+        )
+    });
+    let simulation = Simulation::new(&dynamics).wrenches(wrenches.collect());
+    let simulation = plan.planned(simulation.initial(base, q, v), kinds);
     let law =
         |t, base: &Pose<f64>, q: &DVector<f64>, v: &DVector<f64>| force.at(t, Some(base), q, v);
     let outcome = match plan.control_period {
@@ -321,15 +356,18 @@ impl Arm {
         plan: Plan,
         law: Option<Py<PyAny>>,
         constant: Vec<f64>,
-        wrench: Option<Py<PyAny>>,
     ) -> PyResult<(Bound<'py, PyDict>, Option<Stopped>)> {
         let kinds = (plan.method()?, plan.friction()?);
+        for wrench in plan.wrenches.iter().chain(&plan.held_wrench) {
+            self.description.kinematics(wrench.frame.as_deref())?;
+        }
         let robot = self.all_functions(py)?;
-        let force = Force::new(law, constant, wrench);
+        let force = Force::new(law, constant);
+        let plan = &plan;
         let (ran, force) = py.detach(move || {
             let ran = match robot.robot().floating() {
-                Some(_) => on_base(&robot, &plan, kinds, &force),
-                None => standing(&robot, &plan, kinds, &force),
+                Some(_) => on_base(&robot, plan, kinds, &force),
+                None => standing(&robot, plan, kinds, &force),
             };
             (ran, force)
         });

@@ -17,6 +17,7 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::description::Description;
+use crate::function::require_values;
 use crate::robot::Arm;
 
 /// How far formulas are multiplied out before they are given up, for each term that one may have.
@@ -83,17 +84,13 @@ impl Arm {
     /// The page of the robot: a file that shows it in motion.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
         let mut robot = self.description.robot.clone();
+        require_values(&robot.fields, &self.fields)?;
+        let names = robot.fields.iter().cloned();
+        let fields: Vec<_> = names.zip(self.fields.iter().copied()).collect();
         let poses = page::shown_poses(&mut robot);
         let requests = page::FUNCTIONS.map(Request::from).into_iter();
         let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
         let programs = derived_anew(py, &robot, requests)?;
-        let names = robot.fields.iter().cloned();
-        let fields: Vec<_> = names.zip(self.fields.iter().copied()).collect();
-        if let Some((name, _)) = fields.iter().find(|(_, value)| value.is_nan()) {
-            let message =
-                format!("field `{name}` has no value: `with_fields({name}=..)` gives it one");
-            return Err(PyValueError::new_err(message));
-        }
         let start = page::Start::default();
         Ok(page::Page::new(&robot, &programs, &poses, &fields, &start).html)
     }
@@ -207,7 +204,7 @@ impl Arm {
     /// each function.
     fn check(&self, py: Python<'_>, samples: usize) -> PyResult<(String, bool, Vec<Compared>)> {
         let robot = self.all_functions(py)?;
-        let report = py.detach(|| Check::new().samples(samples).run_any(&robot));
+        let report = py.detach(|| Check::new().samples(samples).run_any(&*robot));
         let functions = report.functions.iter().map(|of| {
             let frame = of.frame.as_ref().map(|frame| format!("_{frame}"));
             let name = of.function.to_owned() + &frame.unwrap_or_default();

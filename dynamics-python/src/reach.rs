@@ -1,10 +1,9 @@
 //! Numeric inverse kinematics.
 
-use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::inverse_kinematics::{NotReached, Places, Reached, Target};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Vector3};
 use dynamics_runtime::{InverseKinematics, SizedKinematics as _};
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::robot::Arm;
@@ -97,22 +96,16 @@ fn search<P: Places<Dyn>>(
 impl Arm {
     /// Joint positions at which frames reach their targets; or those that came nearest, and why.
     fn reach(&self, py: Python<'_>, asked: Asked) -> PyResult<(Vec<Found>, Option<Failed>)> {
-        let runtime_error =
-            |error: &dyn std::error::Error| PyRuntimeError::new_err(error.to_string());
-        let mut programs = Vec::new();
+        let mut functions = Vec::new();
         let mut targets = Vec::new();
         for (frame, numbers) in &asked.targets {
             targets.push(target(numbers)?);
-            let of_frame = frame
-                .as_ref()
-                .map_or_else(String::new, |frame| format!("_{frame}"));
-            for function in ["forward_kinematics", "jacobian"] {
-                let derived = self.derived(py, &format!("{function}{of_frame}"))?;
-                programs.push((derived.request.clone(), derived.proven.clone()));
-            }
+            functions.extend(self.description.kinematics(frame.as_deref())?);
         }
-        let robot = RuntimeRobot::of_programs(self.description.robot.clone(), &programs);
-        let robot = self.with_values(&robot.map_err(|error| runtime_error(&error))?)?;
+        // A frame may have several targets.
+        functions.sort_unstable();
+        functions.dedup();
+        let robot = self.with_functions(py, functions)?;
         let places = asked
             .targets
             .iter()

@@ -1,7 +1,8 @@
 //! The robot that Python holds.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use dynamics_evaluation::{JointFriction, ReadOptions, RuntimeRobot, read_text};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
@@ -16,9 +17,19 @@ use crate::function::Function;
 pub(crate) struct Arm {
     pub(crate) description: Arc<Description>,
     pub(crate) fields: Arc<[f64]>,
+    /// Robots of several functions by the places of these, each made when it is first needed.
+    robots: Mutex<HashMap<Vec<usize>, Arc<RuntimeRobot>>>,
 }
 
 impl Arm {
+    fn of(description: Arc<Description>, fields: Arc<[f64]>) -> Self {
+        Arm {
+            description,
+            fields,
+            robots: Mutex::default(),
+        }
+    }
+
     /// A function, derived.
     pub(crate) fn derived(&self, py: Python<'_>, function: &str) -> PyResult<&Derived> {
         let place = self.description.place(function)?;
@@ -34,15 +45,31 @@ impl Arm {
     }
 
     /// The robot with all functions, derived.
-    pub(crate) fn all_functions(&self, py: Python<'_>) -> PyResult<RuntimeRobot> {
-        let mut programs = Vec::new();
-        for (place, _) in self.description.functions() {
-            let derived = self.description.derived(py, place)?;
-            programs.push((derived.request.clone(), derived.proven.clone()));
+    pub(crate) fn all_functions(&self, py: Python<'_>) -> PyResult<Arc<RuntimeRobot>> {
+        let places = self.description.functions().map(|(place, _)| place);
+        self.with_functions(py, places.collect())
+    }
+
+    /// The robot with the functions at these places, derived.
+    pub(crate) fn with_functions(
+        &self,
+        py: Python<'_>,
+        places: Vec<usize>,
+    ) -> PyResult<Arc<RuntimeRobot>> {
+        // A thread that panics does so without the lock.
+        let robots = || self.robots.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(robot) = robots().get(&places) {
+            return Ok(Arc::clone(robot));
         }
+        let programs = places.iter().map(|place| {
+            let derived = self.description.derived(py, *place)?;
+            Ok((derived.request.clone(), derived.proven.clone()))
+        });
+        let programs = programs.collect::<PyResult<Vec<_>>>()?;
         let robot = RuntimeRobot::of_programs(self.description.robot.clone(), &programs);
         let robot = robot.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
-        self.with_values(&robot)
+        let robot = Arc::new(self.with_values(&robot)?);
+        Ok(Arc::clone(robots().entry(places).or_insert(robot)))
     }
 }
 
@@ -93,10 +120,8 @@ impl Arm {
         }
         let read = py.detach(|| Description::read(&path, text, &options));
         let description = read.map_err(|error| errors::of_file(py, &error))?;
-        Ok(Arm {
-            fields: without_values(&description),
-            description: Arc::new(description),
-        })
+        let fields = without_values(&description);
+        Ok(Arm::of(Arc::new(description), fields))
     }
 
     /// The same robot whose fields have these values.
@@ -114,10 +139,7 @@ impl Arm {
             })?;
             fields[place] = value;
         }
-        Ok(Arm {
-            description: Arc::clone(&self.description),
-            fields: fields.into(),
-        })
+        Ok(Arm::of(Arc::clone(&self.description), fields.into()))
     }
 
     /// The robot with these base parameters, and with a friction of `(viscous, Coulomb's of positive velocities, of
@@ -141,10 +163,8 @@ impl Arm {
             }
         });
         let found = found.map_err(|error| PyValueError::new_err(error.to_string()))?;
-        Ok(Arm {
-            description: Arc::new(self.description.of_robot(found.robot().clone())),
-            fields: Arc::clone(&self.fields),
-        })
+        let description = self.description.of_robot(found.robot().clone());
+        Ok(Arm::of(Arc::new(description), Arc::clone(&self.fields)))
     }
 
     /// The base parameters nearest to these that bodies can have, and their distance in torque, N m or N.

@@ -146,6 +146,92 @@ def test_a_held_force_at_the_tool() -> None:
             arm.simulate([0.0], held_tool_wrench=push, **settings)
 
 
+FINGERS = """
+convention = "modified"
+gravity = [0, -9.81, 0]
+functions = ["default", "forward_kinematics(left_pad)", "jacobian(left_pad)", "forward_kinematics(right_pad)", "jacobian(right_pad)"]
+[[joint]]
+name = "left"
+type = "prismatic"
+mass = 1
+[[joint]]
+name = "right"
+on = "base"
+type = "prismatic"
+mass = 1
+[frame.left_pad]
+on = "left"
+xyz = [0, 0, 0.1]
+[frame.right_pad]
+on = "right"
+xyz = [0, 0, -0.1]
+[frame.screw]
+on = "right"
+"""
+"""Two fingers on one rail, with pads."""
+
+
+def test_forces_at_frames() -> None:
+    fingers = rd.Robot.from_toml(FINGERS)
+    places: list[float] = []
+
+    def push(t: float, pose: np.ndarray, twist: np.ndarray) -> list[float]:
+        places.append(pose[2, 3])
+        assert pose.shape == (4, 4) and twist.shape == (6,)
+        return [0, 0, 2, 0, 0, 0]
+
+    laws = {"left_pad": push, "right_pad": lambda t, pose, twist: -0.5 * twist}
+    motion = fingers.simulate([0, 0.5], [0, 1], wrench_at=laws, tolerance=1e-12)
+    np.testing.assert_allclose(motion.q[:, 0], motion.t**2, atol=1e-9)
+    np.testing.assert_allclose(motion.qd[:, 1], np.exp(-motion.t / 2), atol=1e-9)
+    assert places[0] == 0.1
+    np.testing.assert_array_equal(motion.tau, 0)
+    sampled = fingers.simulate([0, 0.5], wrench_at=laws, control_period=0.1, torque=lambda t, q, qd: [-2, 0])
+    np.testing.assert_allclose(sampled.q[-1], [0, 0.5], atol=1e-9)
+    for nothing in None, {}:
+        np.testing.assert_array_equal(fingers.simulate([0, 0.5], wrench_at=nothing).q[-1], [0, 0.5])
+
+
+def test_a_force_at_a_frame_besides_those_at_the_tool() -> None:
+    functions = [f"{name}{of}" for name in ("forward_kinematics", "jacobian") for of in ("", "(bumper)")]
+    cart = rd.Robot.from_toml(
+        CART, gravity=[0, -9.7, 0], functions=["default", *functions], frames={"bumper": {"on": "rail"}}
+    )
+
+    def along(force: float) -> rd.Law:
+        return lambda t, pose, twist: [0, 0, force, 0, 0, 0]
+
+    laws = {"wrench_at": {"bumper": along(1.5)}, "duration": 1.0}
+    both = cart.simulate([0.0], tool_wrench=along(0.5), **laws)
+    assert both.q[-1, 0] == pytest.approx(0.5, abs=1e-12)
+    held = cart.simulate([0.0], held_tool_wrench=along(-1.5), control_period=0.1, **laws)
+    assert held.q[-1, 0] == pytest.approx(0, abs=1e-12)
+
+
+def test_mistakes_about_forces_at_frames() -> None:
+    fingers = rd.Robot.from_toml(FINGERS)
+
+    def still(t: float, pose: np.ndarray, twist: np.ndarray) -> list[float]:
+        return [0] * 6
+
+    for laws, message in [
+        ({"left_pda": still}, "no frame `left_pda`: did you mean `left_pad`\\?"),
+        ({"elbow": still}, "no frame `elbow`: expected one of left_pad, right_pad, screw"),
+        ({"screw": still}, r"frame `screw` needs .*\"forward_kinematics\(screw\)\", \"jacobian\(screw\)\""),
+        ({"left_pad": lambda *_: [1, 2, 3]}, r'`wrench_at\["left_pad"\]` returned 3 numbers: expected 6'),
+        ({"left_pad": lambda *_: np.zeros((2, 3))}, r"an array of the shape \(2, 3\): expected \(6,\)"),
+        ({"left_pad": lambda *_: None}, "returned None: expected 6 numbers"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            fingers.simulate([0, 0], wrench_at=laws)
+    with pytest.raises(TypeError, match="`wrench_at` is a mapping of frames to laws"):
+        fingers.simulate([0, 0], wrench_at=still)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r'`wrench_at\["left_pad"\]` is 2: expected a function'):
+        fingers.simulate([0, 0], wrench_at={"left_pad": 2})  # type: ignore[dict-item]
+    with pytest.raises(ValueError, match="no frame `left_pad`: there are none"):
+        rd.Robot.from_toml(CART).simulate([0], wrench_at={"left_pad": still})
+
+
 def test_stops_and_limits(cart: rd.Robot) -> None:
     with pytest.raises(rd.SimulationError, match="rail|joint 1") as raised:
         cart.simulate([0.0], limits_are_errors=True, duration=4)
@@ -196,6 +282,50 @@ def test_a_base_that_moves() -> None:
     assert motion.base is not None and motion.base.shape == (11, 4, 4)
     np.testing.assert_allclose(motion.base[:, 2, 3], -5 * motion.t**2, atol=1e-9)
     np.testing.assert_allclose(motion.q[:, 0], 3 * motion.t, atol=1e-9)
+
+
+def test_forces_on_a_base_that_moves() -> None:
+    """A ball on a rope that is tied to it at one side, and beside it a thread at its tip."""
+    ball = rd.Robot.from_toml(
+        """
+        convention = "modified"
+        gravity = [0, 0, -10]
+        base = { floating = true, mass = 1, inertia = "sphere(0.1)" }
+        [[joint]]
+        name = "wheel"
+        type = "revolute"
+        mass = 1
+        inertia = { zz = 0.1 }
+        [frame.knot]
+        on = "base"
+        xyz = [0, 0, 0.1]
+        """,
+        functions=["default", "forward_kinematics(knot)", "jacobian(knot)", "forward_kinematics", "jacobian"],
+    )
+    base = np.eye(4)
+    base[:3, 3] = [1, 2, 3]
+
+    def rope(t: float, pose: np.ndarray, twist: np.ndarray) -> list[float]:
+        np.testing.assert_allclose(pose[:3, 3], [1, 2, 3.1], atol=1e-9)
+        return [0, 0, 15, 0, 0, 0]
+
+    def thread(t: float, pose: np.ndarray, twist: np.ndarray) -> list[float]:
+        return [0, 0, 5, 0, 0, 0.1]
+
+    motion = ball.simulate([0.0], base=base, wrench_at={"knot": rope}, tool_wrench=thread, samples=3)
+    assert motion.base is not None
+    np.testing.assert_allclose(motion.base[-1], base, atol=1e-9)
+    # The thread turns the wheel by 0.1 N m / 0.1 kg m^2.
+    assert motion.q[-1, 0] == pytest.approx(0.5, abs=1e-9)
+    with pytest.raises(ValueError, match="`held_tool_wrench` is of a robot whose base stands"):
+        ball.simulate([0.0], held_tool_wrench=thread, control_period=0.1)
+
+
+def test_series_are_of_compiled_robots(pendulum: rd.Robot) -> None:
+    with pytest.raises(ValueError, match="`TaylorSimulation` in Rust: .* \"dop853\" with `tolerance=1e-12`"):
+        pendulum.simulate([1.0], method="taylor")
+    with pytest.raises(AttributeError, match="`taylor_series` is a function of compiled robots"):
+        rd.Robot.from_toml(PENDULUM, functions=["default", "taylor_series"]).taylor_series
 
 
 def test_a_motion_is_plotted(pendulum: rd.Robot) -> None:

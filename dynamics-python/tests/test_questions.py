@@ -74,9 +74,10 @@ def test_a_notebook_shows_the_page(arm: rd.Robot, two_link: rd.Robot) -> None:
     page = two_link.page()
     assert page.startswith("<!DOCTYPE html>") and "robotEquations" in page and "shoulder" in page
     shown = two_link._repr_html_()
-    assert shown is not None and html.unescape(shown).count(page) == 1
+    assert html.unescape(shown).count(page) == 1
     without_values = rd.Robot.from_file(DATA / "files" / "two_link.toml", fields=list(FIELDS))
-    assert without_values._repr_html_() is None
+    shown = html.unescape(without_values.with_fields(m1=1, g=9.81)._repr_html_())
+    assert "<Robot" in shown and "fields `m2`, `l1`, `l2` have no values: `with_fields(m2=.., l1=.., l2=..)`" in shown
 
 
 def test_the_page_of_a_robot_whose_base_moves() -> None:

@@ -1,5 +1,8 @@
 """Numeric inverse kinematics."""
 
+import pickle
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -70,5 +73,45 @@ def test_why_nothing_is_found(reaching: rd.Robot) -> None:
         reaching.reach([], frame=[])
     with pytest.raises(ValueError, match="`start` has the shape"):
         reaching.reach([0.5, 0, 0.5], [0, 0])
-    with pytest.raises(ValueError, match="`forward_kinematics_hand` was not asked for"):
-        reaching.reach([0.5, 0, 0.5], frame="hand")
+    with pytest.raises(ValueError, match=r"no frame `panda_hand`: .*a link .* \"jacobian\(panda_hand\)\""):
+        reaching.reach([0.5, 0, 0.5], frame="panda_hand")
+    hand = panda(functions=["jacobian(panda_hand)"])
+    with pytest.raises(ValueError, match="no frame `panda_hnad`: did you mean `panda_hand`"):
+        hand.reach([0.5, 0, 0.5], frame="panda_hnad")
+    with pytest.raises(ValueError, match=r"needs .*\"forward_kinematics\(panda_hand\)\""):
+        hand.reach([0.5, 0, 0.5], frame="panda_hand")
+
+
+def test_one_frame_may_have_two_targets() -> None:
+    puma = rd.Robot.from_file(
+        DATA / "robots" / "puma560.json",
+        functions=[f"{name}(pen)" for name in KINEMATICS],
+        frames={"pen": {"on": "joint6", "xyz": [0, 0, 0.1]}},
+    )
+    q = puma.reach([[0.4, 0.1, 0.2], [[0, 0, 1], [0, 0, -1]]], frame=["pen", "pen"])
+    pose = puma.forward_kinematics_pen(q)
+    np.testing.assert_allclose(pose[:3, 2:].T, [[0, 0, -1], [0.4, 0.1, 0.2]], atol=1e-8)
+
+
+def test_what_is_derived_is_kept(reaching: rd.Robot) -> None:
+    """Threads that begin at once find the same, as do the same robot unpickled and one with other values of its fields."""
+    pose = reaching.forward_kinematics(reaching.joint_limits.mean(axis=1))
+    fresh = pickle.loads(pickle.dumps(reaching))
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: fresh.reach(pose), range(8)))
+    for q in found:
+        np.testing.assert_array_equal(q, reaching.reach(pose))
+    text = """
+        convention = "modified"
+        gravity = [0, -9.81, 0]
+        tool = { xyz = ["length", 0, 0] }
+        [[joint]]
+        name = "shoulder"
+        type = "revolute"
+    """
+    crank = rd.Robot.from_toml(text, functions=KINEMATICS, fields={"length": 2.0})
+    for length in 2.0, 3.0, 2.0:
+        q = crank.with_fields(length=length).reach([0, length, 0])
+        assert q[0] == pytest.approx(np.pi / 2)
+    with pytest.raises(rd.NotReached):
+        crank.reach([0, 3, 0])

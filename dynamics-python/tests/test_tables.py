@@ -67,8 +67,8 @@ def test_names_that_nothing_binds_are_fields() -> None:
 
 def test_fields_take_no_new_derivation() -> None:
     arm = rd.Robot.from_file(FILES / "two_link.toml", fields=["m1", "m2", "l1", "l2", "g"])
-    with pytest.raises(ValueError, match="field `m1` has no value"):
-        arm.mass_matrix(np.zeros(2))
+    with pytest.raises(ValueError, match="field `m1` has no value: `with_fields\\(m1=..\\)`"):
+        arm.with_fields(m2=1, l1=1, l2=1, g=9.81).mass_matrix(np.zeros(2))
     arm = arm.with_fields(m1=1, m2=1, l1=1, l2=1, g=9.81)
     heavy = arm.with_fields(m2=2.0)
     assert heavy.fields == {"m1": 1, "m2": 2, "l1": 1, "l2": 1, "g": 9.81}

@@ -2,8 +2,8 @@
 
 use dynamics_evaluation::{EvaluationError, ReadOptions, RuntimeRobot};
 use dynamics_runtime::inverse_kinematics::{InverseKinematics, Reason, Target};
-use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4};
-use dynamics_runtime::{NumericArm, SizedKinematics as _};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector3, Vector6};
+use dynamics_runtime::{NumericArm, Pose, SizedKinematics as _};
 
 fn data(name: &str) -> String {
     format!("{}/../tests/data/{name}", env!("CARGO_MANIFEST_DIR"))
@@ -69,6 +69,38 @@ fn frames_of_a_tree_are_reached_together() {
     assert!((found.q - q).amax() < 1e-8);
     let short = solver.solve_all(&targets, &DVector::zeros(2)).unwrap_err();
     assert_eq!(short.reason, Reason::Length);
+}
+
+/// The velocity of a frame on a base that moves follows from its Jacobian.
+#[test]
+fn frames_are_placed_on_a_base_that_moves() {
+    let text = r#"
+        convention = "modified"
+        gravity = [0, 0, -9.81]
+        base = { floating = true, mass = 1, inertia = "sphere(0.1)" }
+        joint = [{ name = "wheel", type = "revolute", mass = 1 }]
+        [frame.knot]
+        on = "base"
+        xyz = [0, 0, 0.1]
+    "#;
+    let functions = RuntimeRobot::place_functions(Some("knot"));
+    let arm = RuntimeRobot::from_toml(text, &ReadOptions::new().functions(&functions)).unwrap();
+    let knot = arm.place_on_base(Some("knot")).unwrap();
+    let mut base = Pose::identity();
+    base.position = Vector3::new(1.0, 2.0, 3.0);
+    let (pose, jacobian) = knot.at(&base, &DVector::zeros(1));
+    let position = pose.fixed_view::<3, 1>(0, 3).into_owned();
+    assert!((position - Vector3::new(1.0, 2.0, 3.1)).amax() < 1e-15);
+    // The base turns about x.
+    let v = DVector::from_vec(vec![0.0, 0.5, 0.0, 1.0, 0.0, 0.0, 7.0]);
+    let twist = Vector6::new(0.0, 0.4, 0.0, 1.0, 0.0, 0.0);
+    assert!((jacobian * v - twist).amax() < 1e-15);
+    let found = arm.place(Some("knot")).unwrap_err();
+    assert_eq!(found, EvaluationError::MovingBase);
+    let options = ReadOptions::new().functions(["jacobian"]);
+    let standing = RuntimeRobot::from_file(data("robots/scara.json"), &options).unwrap();
+    let found = standing.place_on_base(None).unwrap_err();
+    assert_eq!(found, EvaluationError::StandingBase);
 }
 
 #[test]

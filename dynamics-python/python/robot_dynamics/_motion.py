@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -115,7 +115,12 @@ def simulate(
     held = settings.pop("held_tool_wrench", None)
     if held is not None and (wrench is not None or settings.get("control_period") is None):
         raise ValueError("`held_tool_wrench` takes the place of `tool_wrench`, and needs a `control_period`")
-    wrench = wrench if held is None else held
+    at_frames = settings.pop("wrench_at") or {}
+    if not isinstance(at_frames, Mapping):
+        raise TypeError("`wrench_at` is a mapping of frames to laws: `{\"hand\": law}`")
+    wrenches = [_wrench(frame, law, f'wrench_at["{frame}"]') for frame, law in at_frames.items()]
+    if wrench is not None:
+        wrenches.insert(0, _wrench(None, wrench, "tool_wrench"))
     unknown = sorted(set(settings) - set(SETTINGS) - {"duration", "samples", "method"})
     if unknown:
         raise TypeError(f"unknown settings {unknown}: expected some of {', '.join(SETTINGS)}")
@@ -130,11 +135,12 @@ def simulate(
         "base": None if base is None else _entries_of_pose(base),
         "q": _vector("q", q, len(arm.joint_names)),
         "v": _vector("qd", qd, arm.dof),
-        "holds_wrench": held is not None,
+        "wrenches": wrenches,
+        "held_wrench": None if held is None else _wrench(None, held, "held_tool_wrench"),
     }
-    if wrench is not None and moves:
-        raise ValueError("`tool_wrench` is of a robot whose base stands: this one moves")
-    arrays, stopped = arm.simulate(plan, law, _vector("torque", constant, arm.dof), wrench)
+    if held is not None and moves:
+        raise ValueError("`held_tool_wrench` is of a robot whose base stands: this one moves")
+    arrays, stopped = arm.simulate(plan, law, _vector("torque", constant, arm.dof))
     motion = _trajectory(arrays, arm.joint_names)
     if stopped is None:
         return motion
@@ -142,6 +148,13 @@ def simulate(
     if is_setting:
         raise ValueError(reason)
     raise SimulationError(time, reason, motion)
+
+
+def _wrench(frame: str | None, law: Law, name: str) -> dict[str, Any]:
+    """A force of the surroundings at a frame, or at the tip."""
+    if not callable(law):
+        raise TypeError(f"`{name}` is {law!r}: expected a function `law(t, pose, twist)`")
+    return {"frame": frame, "law": law, "name": name}
 
 
 def _vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:

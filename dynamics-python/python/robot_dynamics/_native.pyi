@@ -59,7 +59,6 @@ class Arm:
         plan: dict[str, Any],
         law: Callable[..., ArrayLike] | None,
         constant: list[float],
-        wrench: Callable[..., ArrayLike] | None,
     ) -> tuple[dict[str, Any], tuple[float, str, bool] | None]: ...
     @property
     def name(self) -> str: ...

@@ -187,6 +187,7 @@ class Robot:
         method: str = "dormand_prince",
         base: ArrayLike | None = None,
         tool_wrench: Law | None = None,
+        wrench_at: Mapping[str, Law] | None = None,
         **settings: Any,
     ) -> Trajectory:
         """Follows the motion from positions `q` and velocities `qd` under the torques of a law.
@@ -199,6 +200,8 @@ class Robot:
 
         `tool_wrench`: the force at the tool, `law(t, pose, twist)` to `(fx, fy, fz, nx, ny, nz)` in the axes of `jacobian`;
         `forward_kinematics` and `jacobian` must be among the functions.
+        `wrench_at`: forces at frames besides, `{"hand": law}` with as many frames as there are; a law is one of `tool_wrench`, at
+        the frame's origin, and needs `forward_kinematics(hand)` and `jacobian(hand)`.
         `held_tool_wrench`: such a law that is called once a `control_period` and held, for random pushes; it may have a memory.
         `friction`: `"sign"`, `"sticking"` (joints stop and stick, as events), or `"regularised"` by a `speed`.
         `stops`: the restitution with which joints rebound at the limits of the table, from 0 to 1.
@@ -213,6 +216,7 @@ class Robot:
             "samples": samples,
             "method": method,
             "tool_wrench": tool_wrench,
+            "wrench_at": wrench_at,
         }
         return simulate(self._arm, q, qd, base, {**given, **settings})
 
@@ -280,6 +284,8 @@ class Robot:
         """Functions of frames and of several have names of their own. The others were not requested."""
         if name.startswith("_"):
             raise AttributeError(name)
+        if name == "taylor_series":
+            raise AttributeError("`taylor_series` is a function of compiled robots: the macro of Rust has it")
         raise AttributeError(
             f"no function `{name}`: `functions` asks for it, for example functions=[\"default\", \"{name}\"]"
         )
@@ -293,16 +299,17 @@ class Robot:
     def page(self) -> str:
         """The page of the robot: one HTML file that shows it in motion, with its table and its functions.
 
+        Fields have sliders, which begin at the values of the robot.
         `ValueError` where a field has no value.
         """
         return self._arm.page()
 
-    def _repr_html_(self) -> str | None:
-        """The page, in a notebook."""
+    def _repr_html_(self) -> str:
+        """The page, in a notebook; or which fields need a value for it."""
         try:
             page = html.escape(self.page())
-        except ValueError:
-            return None
+        except ValueError as error:
+            return f"<pre>{html.escape(repr(self))}<br>{html.escape(str(error))}</pre>"
         return f'<iframe srcdoc="{page}" width="100%" height="640" style="border:0"></iframe>'
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -299,12 +299,16 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((left - 1.0).abs() < 1e-9 && right.abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn wrench_at<P, F>(self, place: P, law: F) -> Simulation<'a, R, L, D, WrenchAt<W, P, F>, S>
+    pub fn wrench_at<P, F>(
+        self,
+        place: P,
+        law: F,
+    ) -> Simulation<'a, R, L, D, (W, WrenchAt<P, F>), S>
     where
         P: Fn(&R, &D::Vector) -> (Matrix4<f64>, D::Columns<6>),
         F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
-        self.with_laws(|torque, others, asked| (torque, WrenchAt { others, place, law }, asked))
+        self.with_laws(|torque, others, asked| (torque, (others, WrenchAt::new(place, law)), asked))
     }
 }
 
@@ -323,6 +327,39 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
             setting: self.setting,
             start: self.start,
         }
+    }
+
+    /// Forces of the surroundings besides those that were given before, as many as a program finds while it runs: each is a
+    /// [`WrenchAt`], the place and the law of [`wrench_at`](Simulation::wrench_at).
+    ///
+    /// ```
+    /// # extern crate dynamics_runtime as robot_dynamics;
+    /// use robot_dynamics::nalgebra::{SVector, Vector6};
+    /// use robot_dynamics::simulation::WrenchAt;
+    /// use robot_dynamics::{Simulation, robot_dynamics};
+    ///
+    /// robot_dynamics! {
+    ///     /// A cart of 2 kg on a rail along z.
+    ///     struct Cart;
+    ///     convention: modified,
+    ///     gravity: [0, -9.81, 0],
+    ///     joints: [rail: prismatic { mass: 2 }],
+    ///     functions: [default, tip = (forward_kinematics, jacobian)],
+    /// }
+    ///
+    /// let pushes = [1.0, 2.5, 0.5].map(|force| {
+    ///     let along = Vector6::new(0.0, 0.0, force, 0.0, 0.0, 0.0);
+    ///     WrenchAt::new(|cart: &Cart, q: &SVector<f64, 1>| cart.tip(q), move |_, _: &_, _: &_| along)
+    /// });
+    /// let motion = Simulation::new(&Cart).wrenches(pushes.into()).run()?;
+    /// assert!((motion.q[100][0] - 1.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn wrenches<F>(self, forces: Vec<F>) -> Simulation<'a, R, L, K, (W, Vec<F>), S>
+    where
+        F: ToolWrench<R, K>,
+    {
+        self.with_laws(|torque, others, asked| (torque, (others, forces), asked))
     }
 
     /// The method of integration: a [`Method`], or the settings of [`DormandPrince`] alone.

@@ -99,20 +99,25 @@ where
     }
 }
 
-/// A force at a frame, besides the forces at others.
+/// A force at a frame.
 #[derive(Clone, Copy, Debug)]
-pub struct WrenchAt<W, P, F> {
-    pub(super) others: W,
-    /// The frame's pose and Jacobian.
-    pub(super) place: P,
-    pub(super) law: F,
+pub struct WrenchAt<P, F> {
+    place: P,
+    law: F,
 }
 
-impl<W: ContinuousWrench, P, F> ContinuousWrench for WrenchAt<W, P, F> {}
+impl<P, F> WrenchAt<P, F> {
+    /// `place` returns the pose and the Jacobian of the frame, and `law` the wrench there, as in
+    /// [`wrench_at`](crate::Simulation::wrench_at).
+    pub fn new(place: P, law: F) -> Self {
+        WrenchAt { place, law }
+    }
+}
 
-impl<R, W, P, F, D: Size> ToolWrench<R, D> for WrenchAt<W, P, F>
+impl<P, F> ContinuousWrench for WrenchAt<P, F> {}
+
+impl<R, P, F, D: Size> ToolWrench<R, D> for WrenchAt<P, F>
 where
-    W: ToolWrench<R, D>,
     P: Fn(&R, &D::Vector) -> (Matrix4<f64>, D::Columns<6>),
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
@@ -120,18 +125,12 @@ where
         let (t, q, qd) = at;
         let (pose, jacobian) = (self.place)(robot, q);
         let wrench = finite((self.law)(t, &pose, &twist::<D>(&jacobian, qd)))?;
-        let tau = self.others.added_to(tau, robot, at)?;
         Ok(tau + torques::<D>(&jacobian, &wrench, q))
-    }
-
-    fn sample(&mut self, robot: &R, at: At<'_, '_, D>) -> Result<(), Cause> {
-        self.others.sample(robot, at)
     }
 }
 
-impl<R, W, P, F, D: Size, V: Size> ToolWrench<R, OnBase<D, V>> for WrenchAt<W, P, F>
+impl<R, P, F, D: Size, V: Size> ToolWrench<R, OnBase<D, V>> for WrenchAt<P, F>
 where
-    W: ToolWrench<R, OnBase<D, V>>,
     P: Fn(&R, &Pose<f64>, &D::Vector) -> (Matrix4<f64>, V::Columns<6>),
     F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
 {
@@ -144,12 +143,47 @@ where
         let (t, (base, q), v) = at;
         let (pose, jacobian) = (self.place)(robot, base, q);
         let wrench = finite((self.law)(t, &pose, &twist::<V>(&jacobian, v)))?;
-        let tau = self.others.added_to(tau, robot, at)?;
         Ok(tau + torques::<V>(&jacobian, &wrench, v))
     }
+}
 
-    fn sample(&mut self, robot: &R, at: At<'_, '_, OnBase<D, V>>) -> Result<(), Cause> {
-        self.others.sample(robot, at)
+impl<A: ContinuousWrench, B: ContinuousWrench> ContinuousWrench for (A, B) {}
+
+/// Both forces.
+impl<R, A: ToolWrench<R, K>, B: ToolWrench<R, K>, K: Stand> ToolWrench<R, K> for (A, B) {
+    fn added_to(
+        &self,
+        tau: Velocities<K>,
+        robot: &R,
+        at: At<'_, '_, K>,
+    ) -> Result<Velocities<K>, Cause> {
+        let tau = self.0.added_to(tau, robot, at)?;
+        self.1.added_to(tau, robot, at)
+    }
+
+    fn sample(&mut self, robot: &R, at: At<'_, '_, K>) -> Result<(), Cause> {
+        self.0.sample(robot, at)?;
+        self.1.sample(robot, at)
+    }
+}
+
+impl<W: ContinuousWrench> ContinuousWrench for Vec<W> {}
+
+/// All of these forces.
+impl<R, W: ToolWrench<R, K>, K: Stand> ToolWrench<R, K> for Vec<W> {
+    fn added_to(
+        &self,
+        tau: Velocities<K>,
+        robot: &R,
+        at: At<'_, '_, K>,
+    ) -> Result<Velocities<K>, Cause> {
+        let mut wrenches = self.iter();
+        wrenches.try_fold(tau, |tau, wrench| wrench.added_to(tau, robot, at))
+    }
+
+    fn sample(&mut self, robot: &R, at: At<'_, '_, K>) -> Result<(), Cause> {
+        let mut wrenches = self.iter_mut();
+        wrenches.try_for_each(|wrench| wrench.sample(robot, at))
     }
 }
 

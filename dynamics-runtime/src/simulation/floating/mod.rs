@@ -109,12 +109,12 @@ impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> 
         self,
         place: P,
         law: F,
-    ) -> Simulation<'a, R, L, OnBase<D, V>, WrenchAt<W, P, F>, S>
+    ) -> Simulation<'a, R, L, OnBase<D, V>, (W, WrenchAt<P, F>), S>
     where
         P: Fn(&R, &Pose<f64>, &D::Vector) -> (Matrix4<f64>, V::Columns<6>),
         F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
     {
-        self.with_laws(|torque, others, asked| (torque, WrenchAt { others, place, law }, asked))
+        self.with_laws(|torque, others, asked| (torque, (others, WrenchAt::new(place, law)), asked))
     }
 }
 
