@@ -1,4 +1,4 @@
-//! What `--project` writes: the test of a source passes, C++ has the same values, and CMake builds all of it.
+//! The files of `--project`: the test of a source passes, C++ has the same values, and CMake builds all of it.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
