@@ -70,5 +70,5 @@ def test_why_nothing_is_found(reaching: rd.Robot) -> None:
         reaching.reach([], frame=[])
     with pytest.raises(ValueError, match="`start` has the shape"):
         reaching.reach([0.5, 0, 0.5], [0, 0])
-    with pytest.raises(ValueError, match="`forward_kinematics_hand` was not asked for"):
+    with pytest.raises(ValueError, match="`forward_kinematics_hand` is not in `functions`"):
         reaching.reach([0.5, 0, 0.5], frame="hand")

@@ -281,13 +281,13 @@ class Robot:
         if name.startswith("_"):
             raise AttributeError(name)
         raise AttributeError(
-            f"no function `{name}`: `functions` asks for it, for example functions=[\"default\", \"{name}\"]"
+            f"no function `{name}`: add it to `functions`, for example functions=[\"default\", \"{name}\"]"
         )
 
     def _function(self, name: str) -> Function:
         if name not in self._functions:
             expected = ", ".join(self._functions)
-            raise ValueError(f"`{name}` was not asked for by `functions`: expected one of {expected}")
+            raise ValueError(f"`{name}` is not in `functions`: expected one of {expected}")
         return self._functions[name]
 
     def page(self) -> str:
