@@ -198,6 +198,11 @@ def test_a_base_that_moves() -> None:
     np.testing.assert_allclose(motion.q[:, 0], 3 * motion.t, atol=1e-9)
 
 
+def test_a_motion_is_shown_in_one_line(cart: rd.Robot) -> None:
+    motion = cart.simulate([0.0], duration=0.5, samples=6)
+    assert repr(motion) == "<Trajectory: 6 samples from 0 s to 0.5 s, rail>"
+
+
 def test_a_motion_is_plotted(pendulum: rd.Robot) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

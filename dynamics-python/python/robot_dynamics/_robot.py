@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import html
 import os
 import types
@@ -280,6 +281,10 @@ class Robot:
         """Functions of frames and of several have names of their own. The others were not requested."""
         if name.startswith("_"):
             raise AttributeError(name)
+        # Only a slip of one letter or two: names of functions resemble each other.
+        meant = difflib.get_close_matches(name, self._functions, 1, 0.9)
+        if meant:
+            raise AttributeError(f"no function `{name}`: did you mean `{meant[0]}`?")
         raise AttributeError(
             f"no function `{name}`: add it to `functions`, for example functions=[\"default\", \"{name}\"]"
         )
