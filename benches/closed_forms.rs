@@ -18,7 +18,7 @@ use testkit::random::Random;
 const POSES: usize = 1_000;
 const RUNS: usize = 31;
 
-/// What an arm is called in the table.
+/// The name of an arm in the table.
 fn name(arm: &'static str) -> &'static str {
     match arm {
         "Puma560" => "PUMA 560, spherical wrist",

@@ -1,9 +1,9 @@
 //! Numeric inverse kinematics of the Panda: how many poses are reached, how long that takes, and how searches end, as a
 //! table for `benches/inverse.sh`.
 //!
-//! `taskset -c 0 cargo bench -p benches --bench reach`. Reachable poses are those of random positions within the limits; for
-//! the others the tip is farther from the shoulder than the lengths of the links allow. What counts as reached is looked at
-//! by numeric Newton-Euler, which shares nothing with the generated functions that the search is made with.
+//! `taskset -c 0 cargo bench -p benches --bench reach`. Reachable poses are those of random positions within the
+//! limits; for the others the tip is farther from the shoulder than the lengths of the links allow. Numeric
+//! Newton-Euler decides whether a pose is reached: it shares nothing with the generated functions of the search.
 
 use std::collections::BTreeMap;
 use std::hint::black_box;
@@ -16,7 +16,7 @@ use robot_dynamics::inverse_kinematics::{InverseKinematics, Reason, Tip};
 use robot_dynamics::nalgebra::{Const, Matrix3, Matrix4, SVector, Vector3};
 use testkit::random::Random;
 
-/// Those of the manufacturer.
+/// The manufacturer's limits of the joints.
 const LIMITS: [[f64; 2]; 7] = [
     [-2.8973, 2.8973],
     [-1.7628, 1.7628],

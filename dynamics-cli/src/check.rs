@@ -40,7 +40,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         } else if report.has_negative_inertia() {
             "the mass matrix is not positive definite"
         } else {
-            "none of the functions can be compared with Newton-Euler: ask for others besides"
+            "none of the functions can be compared with Newton-Euler: name others too"
         };
         return Err(Failure::after(text, message));
     }

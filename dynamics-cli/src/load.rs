@@ -176,7 +176,7 @@ pub(crate) fn requests(model: &Model) -> Result<Vec<Request>, Failure> {
     };
     let remark = format!("{names} {be} left out: {writers}");
     if others.is_empty() {
-        let message = format!("{remark}, and nothing else is asked for");
+        let message = format!("{remark}, and nothing else is requested");
         return Err(Failure::after(String::new(), message));
     }
     if !left_out.is_empty() {

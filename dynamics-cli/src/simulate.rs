@@ -134,7 +134,7 @@ fn explanation(
     match cause {
         Cause::StepTooSmall if lost > SHORT => format!(
             "`--duration {}`: beside so long a time steps below {lost:.0e} s are lost in rounding, and the motion at \
-             t = {} s asks for shorter ones: give a shorter time",
+             t = {} s needs shorter ones: give a shorter time",
             shortest(duration),
             shortest(time)
         ),
@@ -142,7 +142,7 @@ fn explanation(
             let most = DormandPrince::default().max_steps as f64;
             let step = (time - reached) / most;
             format!(
-                "`--duration {}`: the motion asks for steps of {step:.0e} s at t = {} s, some {:.0e} up to the end, \
+                "`--duration {}`: the motion needs steps of {step:.0e} s at t = {} s, some {:.0e} up to the end, \
                  and {most:.0e} between two samples are the most: give a shorter time, a larger `--tolerance` or more \
                  `--samples`",
                 shortest(duration),

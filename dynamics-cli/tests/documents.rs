@@ -48,7 +48,7 @@ fn folder(documents: &[String]) -> PathBuf {
     }
     let robot = root().join("examples/robots/picker.urdf");
     std::fs::copy(robot, folder.join("picker.urdf")).expect("the robot of the examples");
-    // What a README calls `arm.toml` is anybody's.
+    // A document's `arm.toml` is any arm.
     std::fs::copy(folder.join("two_link.toml"), folder.join("arm.toml")).expect("the guide's arm");
     folder
 }
@@ -155,8 +155,8 @@ fn the_programs_in_c_run() {
     succeed(&mut Command::new(folder.join("main_cpp")));
 }
 
-/// The programs of the chapters in Python and MATLAB, which have assertions of their own, with the text that the calls and
-/// the C compiler make for them. Those that use the Python package are run by its tests.
+/// The programs of the chapters in Python and MATLAB, which have assertions of their own, with the text that the calls
+/// and the C compiler make for them. The tests of the Python package run the programs that use it.
 #[test]
 #[ignore = "needs numpy, Octave and a C compiler: .ci/run runs it"]
 fn programs_in_other_languages_run() {
@@ -180,7 +180,7 @@ fn programs_in_other_languages_run() {
     println!("{} programs", programs.sum::<usize>());
 }
 
-/// What a program is written to, what runs it, and what says whether that is there.
+/// The file of a program, its interpreter, and the call that shows whether the interpreter is installed.
 struct Language {
     file: &'static str,
     interpreter: &'static str,

@@ -8,7 +8,7 @@ use dynamics_evaluation::{ReadOptions, RuntimeRobot, Value};
 use dynamics_runtime::nalgebra::Rotation3;
 use dynamics_symbolic::robot::{JointType, Row};
 
-/// What the size of a page stays below.
+/// The size of every page is below this number of bytes.
 const MEGABYTE: usize = 1_000_000;
 
 fn data(name: &str) -> String {
@@ -521,8 +521,8 @@ fn held(robot: &RuntimeRobot, base: [f64; 12], from: &[f64], to: &[f64]) -> Vec<
     (0..5).map(row).collect()
 }
 
-/// A prescribed motion and a free one, with what the commands `inverse` and `simulate` say of them. Those
-/// know no fields: the arm has numbers in their places. On a base that moves, the free one begins with a spin and a throw.
+/// A prescribed motion and a free one, with what the commands `inverse` and `simulate` say of them. The commands know
+/// no fields: the arm has numbers in their places. On a base that moves, the free one begins with a spin and a throw.
 fn motions(arm: &Arm) -> String {
     let mut text = std::fs::read_to_string(&arm.file).expect("a file");
     let mut file = arm.file.clone();
@@ -636,9 +636,8 @@ fn is_there(program: &str) -> bool {
     found
 }
 
-/// What `page/test/page.mjs` finds in Chromium: sliders move the arm, play moves time, the numbers are
-/// those of Rust and of the commands `inverse` and `simulate`, a phone shows all of it, and no error is
-/// told.
+/// Pages in Chromium, by `page/test/page.mjs`: sliders move the arm, play moves time, and the numbers are those of Rust
+/// and of the commands `inverse` and `simulate`. A phone shows all of it, and no error is reported.
 #[test]
 #[ignore = "needs Chromium and node, and takes two minutes: .ci/run runs it"]
 fn pages_do_what_they_should_in_a_browser() {

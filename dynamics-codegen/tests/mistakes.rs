@@ -6,8 +6,8 @@
 //! message; then the items that stand for the robot. `UPDATE_EXPECT=1 cargo test -p dynamics-codegen
 //! --test mistakes` writes these files anew.
 //!
-//! What the compiler makes of the errors, and that no others follow from them, is shown by the
-//! compile-fail tests of the root package.
+//! The compile-fail tests of the root package show how the compiler prints the errors, and that no others follow from
+//! them.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -38,7 +38,7 @@ fn cases() -> Vec<PathBuf> {
     cases
 }
 
-/// What is said about all calls of a file.
+/// The messages about all calls of a file.
 fn report(source: &str) -> String {
     let tokens: TokenStream = source.parse().expect("the case lexes");
     let mut report = String::new();

@@ -35,7 +35,7 @@ impl fmt::Display for BuildError {
                     "a cell holds field {index}, which is not among the robot's fields"
                 )
             }
-            BuildError::Repeated(name) => write!(f, "`{name}` is asked for twice"),
+            BuildError::Repeated(name) => write!(f, "`{name}` is requested twice"),
             BuildError::Failure(reason) => f.write_str(reason),
             BuildError::TooLong(name) => write!(
                 f,
@@ -92,7 +92,7 @@ impl fmt::Display for EvaluationError {
             EvaluationError::NotDerived(function) => {
                 write!(
                     f,
-                    "`{function}` was not derived: ask for it when the robot is made"
+                    "`{function}` was not derived: request it when the robot is made"
                 )
             }
             EvaluationError::MovingBase => write!(
@@ -104,7 +104,7 @@ impl fmt::Display for EvaluationError {
             }
             EvaluationError::NotSimulated(function) => write!(
                 f,
-                "a simulation needs `{function}`, which was not derived: ask for all of \
+                "a simulation needs `{function}`, which was not derived: request all of \
                  `RuntimeRobot::simulation_functions()` when the robot is made"
             ),
             EvaluationError::Length {

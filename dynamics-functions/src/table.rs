@@ -348,7 +348,7 @@ functions! {
     /// C' qd - G - K - F
     MomentumBias: momentum_bias(Position, Velocity) -> VECTOR => {
         "Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: \
-            d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.",
+            d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds unknown forces.",
         second: OF_SMALL_ARMS,
     }
 

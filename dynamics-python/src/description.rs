@@ -88,7 +88,7 @@ impl Description {
         found.map(|(place, _)| place).ok_or_else(|| {
             let names: Vec<_> = self.functions().map(|(_, of)| of.name()).collect();
             PyValueError::new_err(format!(
-                "`{name}` was not asked for by `functions`: expected one of {}",
+                "`{name}` is not in `functions`: expected one of {}",
                 names.join(", ")
             ))
         })

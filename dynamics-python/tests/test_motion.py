@@ -328,6 +328,11 @@ def test_series_are_of_compiled_robots(pendulum: rd.Robot) -> None:
         rd.Robot.from_toml(PENDULUM, functions=["default", "taylor_series"]).taylor_series
 
 
+def test_a_motion_is_shown_in_one_line(cart: rd.Robot) -> None:
+    motion = cart.simulate([0.0], duration=0.5, samples=6)
+    assert repr(motion) == "<Trajectory: 6 samples from 0 s to 0.5 s, rail>"
+
+
 def test_a_motion_is_plotted(pendulum: rd.Robot) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")

@@ -137,6 +137,8 @@ def test_functions_of_frames_and_of_several() -> None:
     assert M.shape == (6, 6) and T == pytest.approx(q[0, 0] @ M @ q[0, 0] / 2)
     with pytest.raises(AttributeError, match=r'functions=\["default", "gravity_vector"\]'):
         arm.gravity_vector(q)
+    with pytest.raises(AttributeError, match="`jacobian_lef_hand`: did you mean `jacobian_left_hand`"):
+        arm.jacobian_lef_hand(q)
     with pytest.raises(ValueError, match="expected one of jacobian_left_hand, both"):
         arm.operations("gravity_vector")
 

@@ -96,7 +96,7 @@ function_traits! {
     ///
     /// Positions are `N` numbers, and velocities `V`: as many, unless the base moves.
     ForwardDynamics,
-    without: "`{Self}` has no forward dynamics: `forward_dynamics` was not asked for";
+    without: "`{Self}` has no forward dynamics: `forward_dynamics` is not in `functions`";
     /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau`.
     ///
     /// `q` in rad or m, `qd` per second, `tau` in N m or N.
@@ -119,28 +119,28 @@ function_traits! {
     }
 
     /// An arm whose mass matrix can be computed.
-    MassMatrix, without: "`{Self}` has no mass matrix: `mass_matrix` was not asked for";
+    MassMatrix, without: "`{Self}` has no mass matrix: `mass_matrix` is not in `functions`";
     /// Mass matrix M(q), both triangles, reflected motor inertias included; kg m^2, kg m or kg.
     ///
     /// `q` in rad or m. Where a joint position is not finite, the entries that depend on it are not.
     mass_matrix, mass_matrix_at(q: N) -> SMatrix<T, V, V>;
 
     /// An arm whose Coriolis and centrifugal forces can be computed.
-    CoriolisVector, without: "`{Self}` has no Coriolis vector: `coriolis_vector` was not asked for";
+    CoriolisVector, without: "`{Self}` has no Coriolis vector: `coriolis_vector` is not in `functions`";
     /// Coriolis and centrifugal vector V(q, qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second.
     coriolis_vector, coriolis_vector_at(q: N, qd: V) -> SVector<T, V>;
 
     /// An arm whose gravity forces can be computed.
-    GravityVector, without: "`{Self}` has no gravity vector: `gravity_vector` was not asked for";
+    GravityVector, without: "`{Self}` has no gravity vector: `gravity_vector` is not in `functions`";
     /// Gravity vector G(q) = dU/dq, N m or N.
     ///
     /// `q` in rad or m.
     gravity_vector, gravity_vector_at(q: N) -> SVector<T, V>;
 
     /// An arm whose joint forces can be computed from its motion.
-    InverseDynamics, without: "`{Self}` has no inverse dynamics: `inverse_dynamics` was not asked for";
+    InverseDynamics, without: "`{Self}` has no inverse dynamics: `inverse_dynamics` is not in `functions`";
     /// Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N.
     ///
     /// `q` in rad or m, `qd` per second, `qdd` per second squared.
@@ -149,7 +149,7 @@ function_traits! {
 
 /// An arm whose mechanical energy can be computed.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no energies: `kinetic_energy` and `potential_energy` were not asked for",
+    message = "`{Self}` has no energies: `kinetic_energy` and `potential_energy` are not both in `functions`",
     note = "add them to its `functions:`, or write `functions: [default, ...]`, which holds them"
 )]
 pub trait Energy<const N: usize, const V: usize = N> {
@@ -162,8 +162,8 @@ pub trait Energy<const N: usize, const V: usize = N> {
 
 /// An arm whose tip can be followed: what a force at the tool is handed to the joints by.
 #[diagnostic::on_unimplemented(
-    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` were not asked for",
-    note = "ask for them: `functions: [default, forward_kinematics, jacobian]`"
+    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` are not both in `functions`",
+    note = "add them: `functions: [default, forward_kinematics, jacobian]`"
 )]
 pub trait Kinematics<const N: usize, const V: usize = N> {
     /// The tip's homogeneous transform, m.
@@ -176,8 +176,8 @@ pub trait Kinematics<const N: usize, const V: usize = N> {
 
 /// The tip of an arm of any size, in doubles. Every arm with [`Kinematics`] has it.
 #[diagnostic::on_unimplemented(
-    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` were not asked for",
-    note = "ask for them: `functions: [default, forward_kinematics, jacobian]`"
+    message = "the tip of `{Self}` is not known: `forward_kinematics` and `jacobian` are not both in `functions`",
+    note = "add them: `functions: [default, forward_kinematics, jacobian]`"
 )]
 pub trait SizedKinematics<D: Size> {
     /// As [`Kinematics::forward_kinematics`].

@@ -68,7 +68,7 @@ impl fmt::Display for Failure {
             (Reason::Proof(failure), None) => write!(f, "`{name}`: {failure}"),
             (Reason::NoSeries { joint }, _) => write!(
                 f,
-                "`{name}` does not follow friction that falls with the velocity: ask for other functions, \
+                "`{name}` does not follow friction that falls with the velocity: request other functions, \
                  or leave out `stribeck` of `{joint}`"
             ),
             (Reason::OverSeries, _) => write!(

@@ -1,4 +1,4 @@
-//! What the fuzz targets do with their input. They panic where something is wrong.
+//! The work of the fuzz targets on their input. They panic where something is wrong.
 
 mod robot;
 

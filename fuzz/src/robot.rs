@@ -40,8 +40,8 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
     Ok((robot, cells.fields))
 }
 
-/// A robot of two to seven joints, some of which follow others, and the values of its fields. What follows a
-/// follower follows the joint that leads that one.
+/// A robot of two to seven joints, some of which follow others, and the values of its fields. A joint that follows a
+/// follower follows that one's leader.
 pub(crate) fn coupled_robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
     let mut cells = Cells {
         bytes: Unstructured::new(bytes),

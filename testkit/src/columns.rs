@@ -12,7 +12,7 @@ pub struct Columns<T, const N: usize> {
 }
 
 impl<T: Precision, const N: usize> Columns<T, N> {
-    /// Those of some states, with room for the values.
+    /// Columns of some states, with room for the values.
     pub fn new(states: &[Numbers<T, N>]) -> Self {
         let column =
             |argument: usize, joint: usize| states.iter().map(|s| s[argument][joint]).collect();

@@ -32,7 +32,7 @@ struct Link {
     bodies: [Option<Body>; 2],
 }
 
-/// What the motion of a body takes.
+/// The force and the moment that the motion of a body takes.
 struct Body {
     com: Vector,
     force: Vector,

@@ -1,5 +1,5 @@
-//! What tests, examples and measurements share: reference values, the dynamics of a table in 31
-//! digits, random numbers and plots.
+//! The common part of tests, examples and measurements: reference values, the dynamics of a table in 31 digits, random
+//! numbers and plots.
 
 #![forbid(unsafe_code)]
 

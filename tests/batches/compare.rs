@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::SMatrix;
 use robot_dynamics::{Scalar, SingularMassMatrix, batch::BatchError};
 
-/// What a single call returns.
+/// The result of a single call.
 pub(crate) trait Outcome {
     type Value: Numbers;
 
@@ -90,8 +90,8 @@ fn numbers(value: &impl Numbers) -> Vec<f64> {
     numbers
 }
 
-/// The largest difference from single calls, in units in the last place of the largest number of the batch: lanes
-/// fuse sums of products where a plain build does not, and what is solved with M loses as many digits as M has.
+/// The largest difference from single calls, in units in the last place of the largest number of the batch. Lanes fuse
+/// sums of products where a plain build does not. Solving with M loses digits, according to its condition.
 const ULPS: f64 = 2000.0;
 
 /// Compares a batch with single calls: its values, and the first state without one.

@@ -1,11 +1,10 @@
-//! What the compiler makes of mistakes in a call of the macro: it shows each error at the token that is
-//! wrong, in the tokens of another macro too, and nothing else in the file is one (the methods that
-//! `main` calls still exist).
+//! The compiler's output for mistakes in a call of the macro. It shows each error at the token that is wrong, in the
+//! tokens of another macro too. Nothing else in the file is an error: the methods that `main` calls still exist.
 //!
-//! The mistakes themselves, nearly all of them, are tests of `dynamics-codegen` (`tests/mistakes`),
-//! which need no compiler. The compiler is called here with the library that this test is built with;
-//! `trybuild` would build it and all of its dependencies once more, a minute of processor time, and expand
-//! each case by an engine that is not optimised.
+//! The mistakes themselves, nearly all of them, are tests of `dynamics-codegen` (`tests/mistakes`), which need no
+//! compiler. The compiler is called here with the library that this test is built with. `trybuild` would build it and
+//! all of its dependencies once more, a minute of processor time, and expand each case by an engine that is not
+//! optimised.
 
 mod accepted;
 mod rebuild;

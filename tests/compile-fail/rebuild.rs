@@ -35,7 +35,7 @@ fn write(folder: &Path, name: &str, text: &str) {
     std::fs::write(folder.join(name), text).expect("a file");
 }
 
-/// What the program prints when cargo is told to run it.
+/// The output of the program under `cargo run`.
 fn printed(folder: &Path, library: &Path) -> String {
     let flags = library_flags(library).join("\x1f");
     let mut cargo = Command::new(env!("CARGO"));

@@ -1,5 +1,5 @@
-//! Joints of a URDF file that follow others, beside the arm of the same file in which each of them moves by
-//! itself: with q = S q_j + c of that arm, M_j = S' M S, tau_j = S' tau and J_j = J S.
+//! Joints of a URDF file that follow others, beside the arm of the same file in which each of them moves by itself.
+//! With q = S q_j + c of that arm, M_j = S' M S, tau_j = S' tau and J_j = J S.
 
 use dynamics_codegen::description::{Entry, Name, Place, Positioned, Table};
 use dynamics_codegen::files::{Format, table_beside};
@@ -146,8 +146,8 @@ fn joints_that_mimic_others_follow_them() {
     }
 }
 
-/// What follows a joint that is locked stands still, on the chain and beside it, and a joint that is locked
-/// itself follows none.
+/// A joint that follows a locked one stands still, on the chain and beside it. A joint that is locked itself follows
+/// none.
 #[test]
 fn what_follows_a_joint_that_stands_still_is_locked() {
     let same = |found: &Robot, expected: &Robot| {

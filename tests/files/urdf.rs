@@ -13,7 +13,7 @@ use serde::Deserialize;
 
 use super::{check, text};
 
-/// What was recorded of an arm.
+/// The recorded values of an arm.
 #[derive(Deserialize)]
 pub(super) struct Reference {
     file: String,
@@ -54,7 +54,7 @@ impl Reference {
     }
 }
 
-/// Those of the folder.
+/// The references of the folder, with their names.
 pub(super) fn references() -> Vec<(String, Reference)> {
     let folder = format!("{}/../data/urdf", env!("CARGO_MANIFEST_DIR"));
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
@@ -90,7 +90,7 @@ fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |a, b| a.max(b.abs()))
 }
 
-/// What the arm's own file says: without friction, which Pinocchio's torques leave out, with gravity.
+/// The robot of the arm's own file: without friction, which Pinocchio's torques leave out, and with gravity.
 pub(super) fn robot(name: &str, reference: &Reference) -> Robot {
     let file = text(&format!("urdf/{}", reference.file));
     let mut robot = check(

@@ -1,6 +1,6 @@
 //! The entries that have no line on the scoreboard: which test runs them, or why none does.
 
-/// What becomes of an entry.
+/// The place where an entry is treated.
 pub(crate) enum Place {
     /// The file and the name of the test that runs it.
     Test(&'static str, &'static str),

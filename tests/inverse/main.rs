@@ -20,8 +20,8 @@ trait Inverse<const N: usize> {
     /// `elbow` is of seven joints.
     fn solutions<T: Real>(&self, pose: &Matrix4<T>, elbow: T) -> Solutions<T, N>;
 
-    /// The angle of the elbow about the line from shoulder to wrist: axes 1 to 3 meet in the origin of the second link, axis 4 is
-    /// the z axis of the third, and axes 5 to 7 meet in the origin of the sixth.
+    /// The angle of the elbow about the line from shoulder to wrist. Axes 1 to 3 meet in the origin of the second link,
+    /// axis 4 is the z axis of the third, and axes 5 to 7 meet in the origin of the sixth.
     fn elbow(&self, q: &SVector<f64, N>) -> f64 {
         if N != 7 {
             return 0.0;
@@ -112,8 +112,8 @@ fn residual<const N: usize, A: Inverse<N>>(
     miss.columns(first, 4 - first).max()
 }
 
-/// The least singular value of what is read, by the joints: so much less than some joints does the pose change. Of seven joints
-/// the angle of the elbow is read, too.
+/// The least singular value of what is read, by the joints: so much less than some joints does the pose change. For
+/// seven joints the angle of the elbow is read, too.
 fn conditioning<const N: usize, A: Inverse<N>>(arm: &A, q: &SVector<f64, N>) -> f64 {
     let rows = if A::READS_ROTATION { 6 } else { 3 };
     let jacobian = arm.jacobian(q);

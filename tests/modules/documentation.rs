@@ -1,4 +1,4 @@
-//! What users read names the crate that they have.
+//! Documentation for users names the crate that they have.
 
 use std::fs;
 use std::path::Path;

@@ -7,7 +7,7 @@ use crate::source::{Crate, Import, Module};
 /// The names of a crate.
 pub(crate) struct Names<'a>(&'a Crate);
 
-/// What a path leads to within the crate.
+/// The target of a path within the crate.
 #[derive(Clone, Debug, PartialEq)]
 enum Place {
     Module(Vec<String>),
@@ -64,7 +64,7 @@ impl<'a> Names<'a> {
         })
     }
 
-    /// What a name means in a module: a child, an item, or what an import says.
+    /// The meaning of a name in a module: a child, an item, or the target of an import.
     fn lookup(&self, path: &[String], name: &str, depth: usize) -> Option<Place> {
         let depth = depth.checked_sub(1)?;
         let module = self.0.modules.get(path)?;

@@ -7,8 +7,8 @@ use crate::source::{has_attribute, is_word, read_use, split_item};
 /// The crates of the engine.
 const ENGINE: [&str; 2] = ["dynamics_symbolic", "dynamics_codegen"];
 
-/// What is wrong with the public items of a source: signatures that name something of the engine, and structs that can be
-/// built by a literal. Items that are hidden and those of tests are left out.
+/// The mistakes of a source's public items: signatures that name something of the engine, and structs that can be built
+/// by a literal. Items that are hidden and those of tests are left out.
 pub(crate) fn open_items(text: &str) -> Vec<String> {
     let items = items(text.parse().expect("Rust"));
     let mut imports = Vec::new();

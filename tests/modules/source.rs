@@ -21,7 +21,7 @@ pub(crate) struct File {
 #[derive(Default)]
 pub(crate) struct Module {
     pub(crate) file: usize,
-    /// What it defines, modules left out.
+    /// The items that it defines, modules left out.
     pub(crate) items: Vec<String>,
     pub(crate) imports: Vec<Import>,
     /// All paths with `::` in its code, and all single names, imports left out.
@@ -111,7 +111,7 @@ fn joined(path: &[String], name: String) -> Vec<String> {
     path.iter().cloned().chain([name]).collect()
 }
 
-/// What an item is.
+/// The kind of an item.
 enum Item<'a> {
     Module(String, Option<TokenStream>),
     Use {

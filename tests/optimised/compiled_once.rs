@@ -13,7 +13,7 @@ use crate::three_joints::ThreeJoints;
 
 type Vector = Vector3<f64>;
 
-/// What [`at_six_places`] calls at each place.
+/// The methods that [`at_six_places`] calls at each place.
 const METHODS: [&str; 5] = [
     "mass_matrix",
     "coriolis_vector",
@@ -122,7 +122,7 @@ fn compilation(configuration: &[&str], run: &str) -> Option<f64> {
 #[ignore = "compiles a program seven times: .ci/run runs it"]
 fn twenty_four_places_take_hardly_more_time_than_one() {
     let run = std::process::id();
-    // What the program needs is compiled first.
+    // The program's dependencies are compiled first.
     if compilation(&[], &format!("run_{run}")).is_none() {
         return println!("left out: the system does not tell times of children");
     }

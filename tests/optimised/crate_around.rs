@@ -1,5 +1,5 @@
-//! What a function costs does not depend on how many others are in the crate: its sines are evaluated by the
-//! same instructions.
+//! The cost of a function does not depend on how many others are in the crate: its sines are evaluated by the same
+//! instructions.
 
 use std::hint::black_box;
 
@@ -74,7 +74,7 @@ fn instructions(listing: &Listing) -> Vec<String> {
             .unwrap_or_default()
             .to_owned()
     };
-    // What fills the space up to the next function is not carried out.
+    // Instructions that fill the space up to the next function are not executed.
     let filling = |word: &String| word.starts_with("nop") || word == "int3" || word == "xchg";
     own.into_iter()
         .flatten()

@@ -1,4 +1,4 @@
-//! What `objdump` lists of a program.
+//! The listing of a program by `objdump`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -7,8 +7,8 @@ use std::process::Command;
 /// The instructions of each function.
 pub(crate) struct Listing(BTreeMap<String, Vec<String>>);
 
-/// What a function may call that is not of its arithmetic: panics, and the report of a singular mass
-/// matrix, which is in double precision.
+/// Calls of a function beside its arithmetic: panics, and the report of a singular mass matrix, which is in double
+/// precision.
 const APART: [&str; 4] = [
     "panic",
     "relative_pivot",
@@ -17,7 +17,8 @@ const APART: [&str; 4] = [
 ];
 
 impl Listing {
-    /// Of a program; nothing, with a word about it, where there is no tool or another processor.
+    /// The listing of a program. If the tool is missing or the processor is another one, it is none, and a line says
+    /// so.
     pub(crate) fn of_program(program: &Path) -> Option<Listing> {
         if !cfg!(target_arch = "x86_64") {
             println!("left out: only instructions of x86-64 are known to the test");
@@ -34,7 +35,7 @@ impl Listing {
         Some(Listing::of(&String::from_utf8_lossy(&tool.stdout)))
     }
 
-    /// Of lines such as `0000000000012340 <name>:` and `12344: addsd %xmm0,%xmm1`, a tab behind the colon.
+    /// The listing in lines such as `0000000000012340 <name>:` and `12344: addsd %xmm0,%xmm1`, a tab behind the colon.
     pub(crate) fn of(text: &str) -> Listing {
         let mut functions = BTreeMap::<String, Vec<String>>::new();
         let mut current = String::new();
@@ -52,7 +53,7 @@ impl Listing {
         Listing(functions)
     }
 
-    /// Of a compiler's assembly for ARM: labels, and lines such as `bl name`.
+    /// The listing in a compiler's assembly for ARM: labels, and lines such as `bl name`.
     pub(crate) fn of_assembly(text: &str) -> Listing {
         let mut functions = BTreeMap::<String, Vec<String>>::new();
         let mut current = String::new();
@@ -93,7 +94,7 @@ impl Listing {
         reached
     }
 
-    /// What the function in whose name `name` is calls, in the order of the calls.
+    /// The functions that the one in whose name `name` is calls, in the order of the calls.
     pub(crate) fn called_by(&self, name: &str) -> Vec<&str> {
         let mut functions = self.0.iter().filter(|(other, _)| other.contains(name));
         let (_, instructions) = functions.next().expect(name);
@@ -120,8 +121,8 @@ fn target(line: &str) -> Option<&str> {
     name.strip_suffix('>')
 }
 
-/// Whether an instruction of x86-64 computes with doubles, or converts from or to them. Those that move
-/// eight or sixteen bytes have names of doubles too, whatever these hold.
+/// Whether an instruction of x86-64 computes with doubles, or converts from or to them. Instructions that move eight or
+/// sixteen bytes have names of doubles too, whatever these hold.
 pub(crate) fn is_of_doubles(line: &str) -> bool {
     const ARITHMETIC: [&str; 13] = [
         "add", "sub", "mul", "div", "sqrt", "min", "max", "round", "ucomi", "comi", "fma", "fm",

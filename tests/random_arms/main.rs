@@ -16,7 +16,7 @@ use dynamics_symbolic::robot::{JointType, Robot, Row};
 use dynamics_symbolic::{Function, Request};
 use robot_dynamics::check::Check;
 
-/// What an arm was compared in.
+/// The counts of a comparison, and its largest error.
 #[derive(Default)]
 struct Tally {
     arms: usize,
@@ -67,7 +67,7 @@ fn compare_drawn(seed: u64, count: usize, draw: fn(&mut Tables) -> Robot) -> Tal
     compare_by_turns(seed, count, 1, draw)
 }
 
-/// Of each arm one function among so many, in turn, beside M. One turn is all functions.
+/// Compares M of each arm, and of the other functions one in `turns`, by turns. One turn is all functions.
 fn compare_by_turns(
     seed: u64,
     count: usize,

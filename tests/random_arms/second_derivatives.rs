@@ -68,7 +68,7 @@ fn largest<const R: usize, const C: usize>(matrix: &SMatrix<DoubleDouble, R, C>)
     matrix.iter().map(|x| x.high().abs()).fold(0.0, f64::max)
 }
 
-/// The largest error of an arm. What is symmetric is so to the last bit.
+/// The largest error of an arm. Symmetric parts are symmetric to the last bit.
 fn largest_error<const N: usize>(arm: &RuntimeRobot, states: usize) -> f64 {
     let table = arm.table().of_joints::<N>().expect("so many joints");
     let exact = Exact(&table);

@@ -380,7 +380,7 @@ fn parallelograms_of_a_palletiser() {
     ]);
     let c = SVector::from([0.0, 0.0, std::f64::consts::FRAC_PI_2, 0.0, -0.25]);
     agrees!(Palletiser, Serial, 3, 5, Coupling { s, c }, [0, 1, 3]);
-    // Of five angles three are read: those that follow share sine and cosine with the joint that leads.
+    // Three of five angles are read: the followers share sine and cosine with their leader.
     let count = |name: &str| {
         let mut operations = Palletiser::OPERATIONS.iter();
         operations
@@ -447,7 +447,7 @@ fn both_fingers_hold_by_friction() {
     };
     let q = SVector::from([0.1, 0.4, 0.02]);
     let still = hand.inverse_dynamics(&q, &SVector::zeros(), &SVector::zeros());
-    // Of the leader 0.3, of the follower, which moves the other way, its static friction.
+    // The threshold is 0.3 of the leader, and the static friction of the follower, which moves the other way.
     for (push, moves) in [(0.69, false), (0.71, true)] {
         let tau = still + SVector::from([0.0, 0.0, push]);
         let run = Simulation::new(&hand)
@@ -488,7 +488,7 @@ robots::every_function! {
     lock: [finger_1 = 0.01, finger_2 = -0.01 + width],
 }
 
-/// What follows a joint that is locked is locked.
+/// A joint that follows a locked one is locked.
 #[test]
 fn a_follower_of_a_locked_joint_is_locked() {
     let (width, q) = (0.08, SVector::from([0.7]));

@@ -225,7 +225,7 @@ fn a_load_of_nothing_is_no_load() {
     }
 }
 
-/// What a load adds to the forces at rest is the force of its weight at its centre, by the Jacobian.
+/// The forces that a load adds at rest are that of its weight at its centre, by the Jacobian.
 #[test]
 fn a_load_is_felt_by_the_jacobian_of_its_centre() {
     let load = 2.5;
@@ -346,7 +346,7 @@ robot_dynamics! {
 }
 
 robot_dynamics! {
-    /// What hardly matters is left out, the tool's inertia among it.
+    /// An arm without the parts that hardly matter, the tool's inertia among them.
     struct Abbreviated;
     convention: standard,
     gravity: [0, 0, -9.81],

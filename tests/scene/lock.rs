@@ -51,7 +51,7 @@ macro_rules! whole {
     ($name:ident $convention:ident) => {
         arm!(
             robot_dynamics::robot_dynamics: $name {} $convention,
-            // What the locked arms are compared in.
+            // The functions in which the locked arms are compared.
             functions: [
                 mass_matrix, inverse_dynamics, coriolis_matrix, kinetic_energy, gravity_vector, potential_energy,
                 forward_kinematics, link_poses, jacobian,
@@ -177,7 +177,7 @@ fn locked_joints_of_modified_tables() {
     );
 }
 
-/// What a locked joint costs: nothing.
+/// A locked joint costs nothing.
 #[test]
 fn an_arm_without_its_wrist_is_as_short_as_one_of_three_joints() {
     let total = |of: &[(&str, robot_dynamics::Operations)], name: &str| {

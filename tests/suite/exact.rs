@@ -1,5 +1,4 @@
-//! What errors are measured against, [`Exact`], and programs that are evaluated in extended
-//! precision, both against 25 digits.
+//! [`Exact`], the reference of errors, and programs that are evaluated in extended precision, both against 25 digits.
 
 use robot_dynamics::nalgebra::{SMatrix, SVector};
 use robot_dynamics::{CoriolisVector, GravityVector, MassMatrix, Model};

@@ -1,4 +1,4 @@
-//! What holds for every robot of `tests/data/robots`.
+//! Tests that hold for every robot of `tests/data/robots`.
 
 mod accuracy;
 mod allocations;

@@ -201,7 +201,7 @@ fn nothing_is_allocated() {
     assert_eq!(count.count_total, 0);
 }
 
-/// What the documentation says of the operations stands in the constant too.
+/// The constant has the operations that the documentation lists.
 #[test]
 fn operations_of_a_tuple_are_known() {
     let total = |name: &str| {

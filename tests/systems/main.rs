@@ -21,7 +21,7 @@ use robot_dynamics::nalgebra::SVector;
 use robot_dynamics::{Method, Trajectory, simulation::DormandPrince};
 use testkit::references::MotionFile;
 
-/// What a computed value may be from the true one, relative to its magnitude: 18 roundings.
+/// The largest difference of a computed value from the true one, relative to its magnitude: 18 roundings.
 const TOLERANCE: f64 = 4e-15;
 
 /// Asserts that two numbers agree relative to `magnitude`.

@@ -99,8 +99,8 @@ fn free_swing() {
     assert!(motion.energy_drift(&SLIDES) < 1e-9);
 }
 
-/// (6.117) with the old velocity, 10,000 steps: the scheme's own value, not that of the motion.
-/// What its roundings of 1e-16 grow to in as many steps, thirty times amplified, is 3e-11.
+/// (6.117) with the old velocity, 10,000 steps: the scheme's own value, not that of the motion. Its roundings of 1e-16
+/// grow in as many steps, thirty times amplified, to 3e-11.
 #[test]
 fn craigs_euler_scheme_value_for_value() {
     let (motion, free, scheme) = swing(Method::CraigEuler { step: 1e-3 });

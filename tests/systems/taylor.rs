@@ -177,7 +177,7 @@ fn a_start_from_rest_is_no_blind_step() {
     }
 }
 
-/// What compensated sums are for: a drift of a few roundings in 1,000 s.
+/// The purpose of compensated sums: a drift of a few roundings in 1,000 s.
 #[test]
 fn a_long_run_keeps_its_energy() {
     let settings = Taylor::with_tolerance(1e-16);

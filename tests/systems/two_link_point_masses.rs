@@ -1,6 +1,6 @@
-//! The two-link arm with point masses at the ends of its links (Craig, figure 6.6), symbolic in
-//! m1, m2, l1, l2 and g, in both conventions: M, V, G as printed in (6.60) to (6.62), and the
-//! coefficients B and C of the configuration-space equation (6.63).
+//! The two-link arm with point masses at the ends of its links (Craig, figure 6.6), symbolic in m1, m2, l1, l2 and g,
+//! in both conventions. M, V, G are compared with (6.60) to (6.62), and the coefficients B and C with the
+//! configuration-space equation (6.63).
 
 use robot_dynamics::nalgebra::{Matrix2, Vector1, Vector2};
 use robot_dynamics::robot_dynamics;

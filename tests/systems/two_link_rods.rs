@@ -192,8 +192,8 @@ fn free_fall_is_not_that_of_the_misprinted_gravity_term() {
     assert!(errors[1] > 0.1, "after 0.2 s: {}", errors[1]);
 }
 
-/// (6.117) with the old velocity, 10,000 steps: the scheme's own value, not that of the motion.
-/// What its roundings of 1e-16 grow to in as many steps, two thousand times amplified, is 2e-9.
+/// (6.117) with the old velocity, 10,000 steps: the scheme's own value, not that of the motion. Its roundings of 1e-16
+/// grow in as many steps, two thousand times amplified, to 2e-9.
 #[test]
 fn craigs_euler_scheme_value_for_value() {
     let motion = fall(Method::CraigEuler { step: 1e-3 });

@@ -1,5 +1,5 @@
-//! What the project has set itself goals for, measured: `benches/goals.sh` builds this program for the processor
-//! at hand, runs it in turn with a trial outside of Rust, and prints a table of goals, met or missed.
+//! The quantities for which the project has set itself goals, measured: `benches/goals.sh` builds this program for the
+//! processor at hand, runs it in turn with a trial outside of Rust, and prints a table of goals, met or missed.
 
 mod measure;
 mod second;

@@ -15,7 +15,7 @@ pub(crate) const STATES: usize = 64;
 /// The states of a batch of derivatives.
 const MANY: usize = 1024;
 
-/// What one core does.
+/// The measurements on one core.
 pub(crate) fn on_one_core() {
     macro_rules! measure {
         ($($file:ident: $arm:ident, $n:literal;)*) => {$(

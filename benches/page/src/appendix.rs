@@ -62,7 +62,7 @@ impl Appendix {
     }
 }
 
-/// What a program has written.
+/// A region that a program has written.
 pub(crate) struct Region {
     /// The first line: processor, compilers and date.
     pub(crate) conditions: String,

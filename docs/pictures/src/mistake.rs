@@ -6,7 +6,7 @@ use measuring::drawing::{At, Drawing, Letters};
 
 use crate::{Picture, read};
 
-/// What the compiler prints, held by `tests/compile-fail`.
+/// The compiler's output, held by `tests/compile-fail`.
 const MESSAGE: &str = "tests/compile-fail/cases/readme.stderr";
 
 const SIZE: f64 = 12.5;

@@ -35,7 +35,7 @@ fn show() -> Command {
              of arms of up to three joints follow. With --format, print the formulas alone, of arms of any length. \
              Formulas of more than --terms terms are not printed, nor those that take too long to multiply out: a \
              sentence names them. Names in the file's cells that have no value are fields: they are listed first, and \
-             stand in the formulas.",
+             kept in the formulas.",
         )
         .arg(functions())
         .arg(choice("format", "FORMAT", ["text", "latex", "mathml"]).help("Print formulas alone, in this format"))

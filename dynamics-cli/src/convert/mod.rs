@@ -73,7 +73,7 @@ fn target(given: &ArgMatches, path: &Path) -> Format {
 fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let numbers = if is_rounded {
-        format!("Numbers are exact, but for those of {DIGITS} digits, which are rounded.")
+        format!("Numbers are exact, except those of {DIGITS} digits, which are rounded.")
     } else {
         "Numbers are exact.".to_owned()
     };

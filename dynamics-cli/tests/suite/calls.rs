@@ -56,7 +56,7 @@ pub(crate) fn output(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// What is told of a call that fails.
+/// The message of a call that fails.
 #[track_caller]
 pub(crate) fn errors(arguments: &[&str], status: i32) -> String {
     let output = run(arguments);

@@ -1,4 +1,4 @@
-//! What each subcommand writes.
+//! The output of each subcommand.
 
 use super::calls::{PENDULUM, data, errors, file, folder, output, run};
 
@@ -139,7 +139,7 @@ fn check_compares_with_newton_euler_and_with_another_file() {
         "{message}"
     );
     output(&["check", &one, "--against", &heavier, "--tolerance", "0.01"]);
-    // What cannot be compared is no difference.
+    // Functions that cannot be compared are no difference.
     for alone in ["regressor", "energy_regressors"] {
         let call = ["check", &one, "--functions", alone];
         let message = errors(&call, 1);
@@ -153,7 +153,7 @@ fn check_compares_with_newton_euler_and_with_another_file() {
     for call in [&["check"][..], &["show"], &["generate", "--lang", "c"]] {
         let series = ["--functions", "taylor_series"];
         let message = errors(&[call, &[&one], &series].concat(), 1);
-        assert!(message.contains("nothing else is asked for"), "{message}");
+        assert!(message.contains("nothing else is requested"), "{message}");
     }
     output(&["show", &one, "--functions", "mass_matrix,taylor_series"]);
     // Functions of a tuple are compared as its one program has them.
@@ -378,7 +378,7 @@ fn torques_of_motions() {
         message.contains("swapped.csv:1:3: a column of `knee`, expected one of `pivot`"),
         "{message}"
     );
-    // What was perhaps meant in degrees is remarked on.
+    // Angles that were perhaps meant in degrees are remarked on.
     let way = file("degrees.csv", "0,0,0\n1,90,45\n");
     for degrees in [["--waypoints", &way], ["--to", "90,45"]] {
         let call = run(&[&["inverse", &pendulum][..], &degrees].concat());

@@ -130,7 +130,7 @@ pub(super) fn largest(differences: impl IntoIterator<Item = f64>) -> f64 {
     differences.into_iter().fold(0.0, worse)
 }
 
-/// That of each of them.
+/// The largest difference of each of the five.
 fn differences(one: &Robot, other: &Robot) -> [f64; 5] {
     macro_rules! of_joints {
         ($($n:literal)*) => {
@@ -179,8 +179,8 @@ fn names(robot: &Robot) -> Vec<&str> {
     robot.joints().map(|row| row.name.as_str()).collect()
 }
 
-/// Of every arm, the tables of both conventions, and URDF of one of them: M, V, G, tau and the tip's pose of
-/// all are those of the file that was published.
+/// Every arm is converted to tables of both conventions, and one of these back to URDF. All of them have M, V, G, tau
+/// and the tip's pose of the published file.
 #[test]
 fn arms_of_urdf_files_are_the_same_as_tables_and_back() {
     let arms = arms();
@@ -483,7 +483,7 @@ fn what_urdf_cannot_say_is_told() {
     ]);
     let text = std::fs::read_to_string(&*urdf).expect("a file");
     assert!(text.contains("Left out: `turn` has a motor"), "{text}");
-    // What is left of it is the arm without springs, motors and such friction.
+    // The arm that is left has no springs, no motors and no such friction.
     let besides = ReadOptions::new().chain(["base", "tip"]).entries(GRAVITY);
     let left = read(&urdf, &besides);
     let mut bare = source.clone();

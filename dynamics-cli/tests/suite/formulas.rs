@@ -2,7 +2,7 @@
 
 use super::calls::{data, folder, output};
 
-/// What generated code leaves out names the command that prints it, and the command does.
+/// Generated code that leaves a formula out names the command that prints it, and the command does.
 #[test]
 fn the_command_prints_what_documentation_leaves_out() {
     let arm = data("robots/elbow_3r.json");

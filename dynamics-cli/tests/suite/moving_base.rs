@@ -198,7 +198,7 @@ fn a_throw_is_simulated() {
         (x - 1.0).abs() < 1e-8 && (y - 2.0).abs() < 1e-8 && (z - height).abs() < 1e-8,
         "{text}"
     );
-    // Of 0.1 N m the wheel has 1 / 0.002, and the brick the other way 1 / 0.04.
+    // The accelerations under 0.1 N m: 0.1 / 0.002 of the wheel, and 0.1 / 0.04 of the brick, the other way.
     let (of_wheel, of_brick) = (0.1 / 0.002, 0.1 / 0.04);
     assert!((q - 0.125 * (of_wheel + of_brick)).abs() < 1e-7, "{q}");
     let yaw = f64::atan2(numbers[4], numbers[1]);
@@ -343,8 +343,8 @@ fn a_quadruped_has_torques() {
     }
 }
 
-/// The motion of a free-flying arm is followed: on its rows the torques are those that moved it, and between them they are
-/// off by the fourth power of the distance of rows, as second derivatives of polynomials of fifth degree are.
+/// The motion of a free-flying arm is followed: on its rows the torques are those that moved it. Between rows their
+/// error is of the fourth power of the distance, as that of second derivatives of polynomials of fifth degree is.
 #[test]
 fn a_simulated_motion_gives_its_torques_back() {
     let second = "[[joint]]\nname = \"arm\"\ntype = \"revolute\"\na = 0.4\nalpha = 1\nmass = 0.3\ncom = [0.2, 0, 0]\n\

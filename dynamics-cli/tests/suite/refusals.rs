@@ -1,4 +1,4 @@
-//! What is wrong with a file or the command line is told, whatever it is.
+//! Every mistake in a file or on the command line has a message.
 
 #[cfg(target_os = "linux")]
 use std::process::Command;
@@ -18,7 +18,7 @@ fn mistakes_are_told_with_their_places() {
         message.contains("wrong.toml:8:1: ") && message.contains("wrong.toml:14:5: "),
         "{message}"
     );
-    // What cannot be read and what makes no robot are told at once.
+    // Cells that cannot be read and cells that make no robot are reported together.
     let both = PENDULUM
         .replace("mass = 2", "mass = \"2 kg\"")
         .replace("a = 1", "alpha = 90");
@@ -89,7 +89,7 @@ fn files_that_are_no_robots_are_refused() {
         file("long.toml", long),
         folder.to_string_lossy().into_owned(),
     ];
-    // What never ends is not read to its end.
+    // A file that never ends is not read to its end.
     #[cfg(unix)]
     {
         let endless = std::env::temp_dir().join(format!("endless_{}.toml", std::process::id()));
@@ -370,7 +370,7 @@ fn output_goes_to_files() {
     }
 }
 
-/// What the command line says is told as a mistake of the command line, though it is about a file.
+/// A mistake on the command line is reported as such, even if it concerns a file.
 #[test]
 fn mistakes_of_the_command_line_are_none_of_the_file() {
     let pendulum = file("command_line.toml", PENDULUM);
@@ -452,7 +452,7 @@ fn times_of_too_many_steps_are_told() {
     }
 }
 
-/// What a file or the name of one holds does not act on a terminal that shows a log, and makes no line of its own.
+/// The contents of a file, or its name, do not act on a terminal that shows a log, and make no line of their own.
 #[test]
 fn messages_hold_no_control_characters() {
     let escape = r#"\u001b[31m\u009b2J\nother.toml:1:1: forged\u202e"#;

@@ -1,4 +1,4 @@
-//! What the macro expands to, as a file.
+//! The macro's expansion, as a file.
 
 use std::path::Path;
 

@@ -175,7 +175,7 @@ fn two_ends_on_the_last_link_are_no_tip() {
     assert!(!text.contains("\ntip "), "{text}");
     let refused = errors(&call("jacobian"), 2);
     assert!(
-        refused.contains("several links end on that of `one`: ask for it at a frame"),
+        refused.contains("several links end on that of `one`: request it at a frame"),
         "{refused}"
     );
     let named = [&call("jacobian")[..], &["--chain", "root,tool"]].concat();

@@ -90,7 +90,7 @@ fn the_chain_ends_where_it_is_told() {
     assert!(message.contains("`flange`"), "{message}");
     let message = told(&gravity(&["--chain", "base,base"]));
     assert!(
-        message.contains("`base` stands in `--chain` twice"),
+        message.contains("`base` is in `--chain` twice"),
         "{message}"
     );
     let beside = errors(
@@ -387,7 +387,7 @@ fn every_subcommand_reads_a_chain() {
     }
 }
 
-/// What no body can have is taken as it is where that is asked for.
+/// A tensor that no body can have is taken as it is if that is requested.
 #[test]
 fn odd_files_are_accepted_where_that_is_asked_for() {
     let odd = turntable("0").replace("izz=\"0.15\"", "izz=\"0.25\"");
@@ -671,7 +671,7 @@ fn subcommands_ask_for_the_masses_that_they_read() {
         1,
     );
     assert!(message.contains("not positive definite"), "{message}");
-    // What is converted can be read back, with the word that it needs.
+    // A converted file can be read back, with the entry that it needs.
     for (options, expected) in [
         (["--functions", "jacobian"], "functions = [\"jacobian\"]"),
         (["--allow", "no_inertia"], "allow = [\"no_inertia\"]"),
@@ -808,7 +808,7 @@ fn the_rest_of_the_joints_has_a_name() {
     );
 }
 
-/// What stands still does so within its limits; limits the wrong way round are none where that is asked for.
+/// A locked joint stands within its limits. Limits the wrong way round are none if that is requested.
 #[test]
 fn limits_hold_beside_the_chain() {
     let hand = hand("limits.urdf", "thumb");
@@ -829,7 +829,7 @@ fn limits_hold_beside_the_chain() {
         ),
         "{message}"
     );
-    // What follows a joint of the chain that is locked, on the chain.
+    // A joint of the chain that follows a locked one.
     let follower = r#"<mimic joint="one" multiplier="3"/><limit lower="-1" upper="1"/>"#;
     let text = std::fs::read_to_string(bare("followed.urdf", [POINT, POINT])).expect("the file");
     let text = text.replace(

@@ -39,7 +39,7 @@ mistakes! {
         "`neglect` is for robots whose base stands, for it does not know how a base turns: leave it out";
     /// A function of the tip, where there are no joints.
     tip_without_joints(function: &str) [frames: frame("hand", "base"), asked: function_of(function, "hand")]
-        "`{function}` is about the tip, and there are no joints: make a frame, {frames}, and ask for {asked}";
+        "`{function}` is about the tip, and there are no joints: make a frame, {frames}, and request {asked}";
     /// A tool, where there are no joints.
     tool_without_joints() [frames: frame("tool", "base")]
         "a `tool` is at the tip, and there are no joints: write a frame in its place, {frames}";

@@ -15,8 +15,8 @@ mistakes! {
     /// A word of `allow` that belongs to the whole table.
     allowed_for_the_table(word: &str) [allow: allow(word, AT_THE_END)]
         "`{word}` is about the whole table: write {allow}";
-    no_function() "no function is asked for: name one, or leave `functions` out for the default set";
-    function_twice(name: &str) "`{name}` is asked for twice";
+    no_function() "no function is requested: name one, or leave `functions` out for the default set";
+    function_twice(name: &str) "`{name}` is requested twice";
     /// `default` and one of its functions.
     in_default_set(name: &str) "`{name}` is in the default set already";
     /// `(a, b)` in the list of functions, as it is written.
@@ -31,10 +31,10 @@ mistakes! {
     /// `name = (a)`
     one_part(name: &impl Display, wanted: &Wanted)
         {function: wanted.name(), frame: wanted.frame.as_ref().map(Name::plain)} [asked: wanted(function, frame)]
-        "`{name}` is one function alone, which is asked for by its own name: write {asked}";
+        "`{name}` has one function alone, which is requested by its own name: write {asked}";
     part_twice(name: &impl Display, function: &str) "`{function}` is in `{name}` twice";
     /// A function whose program is its own.
-    never_a_part(function: &str) "`{function}` shares nothing with other functions: ask for it apart from the tuple";
+    never_a_part(function: &str) "`{function}` shares nothing with other functions: request it outside the tuple";
     /// The reason, as the end of a sentence.
     no_closed_form(why: &impl Display)
         "the inverse kinematics of this arm have no closed form, because {why}; `InverseKinematics` of the runtime solves \
@@ -44,7 +44,7 @@ mistakes! {
         "`{function}` of an arm without mass: there is no centre of mass, write `mass` in a row that moves";
     /// A model in which nothing resists a motion.
     no_inertia() [functions: functions("forward_kinematics", "jacobian"), allow: allow("no_inertia", AT_THE_END)]
-        "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or ask for \
+        "no link of this arm has a mass, a tensor or a motor with inertia: write `mass` in its rows, or request \
          functions of its geometry alone, {functions} ({allow} takes it as massless)";
     /// Gravity, m/s^2, as it is nowhere.
     odd_gravity(magnitude: f64 => number) [allow: allow("odd_gravity", AT_THE_END)]
@@ -71,7 +71,7 @@ mistakes! {
     neglect_without_limits(name: &impl Display)
         "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m";
     tests_of_one_factor(function: &str, other: &str)
-        "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, ask for both";
+        "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, request both";
     /// In a call, or in a file, of either format.
     missing_convention(is_of_file: bool)
         "missing `convention`: expected \"standard\" or \"modified\"" if is_of_file

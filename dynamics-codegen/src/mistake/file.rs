@@ -25,14 +25,14 @@ mistakes! {
     no_name(what: &str, word: &str => shortened) "{what} is a word of letters, digits and `_`, found `{word}`";
     /// A number in place of a name.
     number_as_name(number: &str => shortened)
-        "expected a name, found `{number}`: a name that is no word stands in quotes, `\"{number}\"`";
+        "expected a name, found `{number}`: a name that is no word is written in quotes, `\"{number}\"`";
     /// A name that would act on a terminal.
     control_in_name(word: &str => shortened) "a name has no control characters, found `{word}`";
     nameless_joint() "this joint has no name: write `name = \"shoulder\"`, for example";
     /// A value that is written as text, and is none.
     no_value(text: &str => shortened) "expected a value, found `{text}`";
     /// An entry that the file has too.
-    in_file_too(word: &str, path: &str) "`{word}` stands in `{path}` too: remove one of the two";
+    in_file_too(word: &str, path: &str) "`{word}` is in `{path}` too: remove one of the two";
     /// An entry in place of which the file stands.
     instead_of(word: &str, path: &str) "`{path}` stands in place of `{word}`: remove `{word}`";
     /// A table that is read by a call and names a file itself.
@@ -44,11 +44,11 @@ mistakes! {
     only_with_urdf(word: &str) "`{word}` is about a URDF file: write it beside `file: \"robots/arm.urdf\"`";
     /// `chain: []`
     no_links()
-        "`chain` names no link: the link at which the robot begins stands in it, and the tips to which its joints lead, \
+        "`chain` names no link: name the link at which the robot begins, and the tips to which its joints lead, \
          `[\"base_link\", \"tool0\"]` for example; without `chain` the whole tree of the file is read";
     /// `joint_1.0 = 0` in TOML, where a dot leads into a table.
     dotted_name(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
-        "expected a joint and a position: a name with a dot stands in quotes, `\"{name}\"`";
+        "expected a joint and a position: a name with a dot is written in quotes, `\"{name}\"`";
     /// A key of the table in the row of a joint, behind whose line it stands.
     of_the_whole_table(word: &str, is_json: bool, is_beside: bool)
         {line: if is_beside { "[joints.NAME]" } else { "[[joint]]" }}
@@ -56,23 +56,23 @@ mistakes! {
         else "`{word}` belongs to the whole table and to no joint: write it above the first line `{line}`";
     /// A cell of a joint that cannot be given beside its file.
     said_by_the_file(word: &str, known: &[&str] => all)
-        "`{word}` of a joint is said by its file: the cells that stand beside a file are {known}";
+        "`{word}` of a joint comes from its file: the cells that can be written beside a file are {known}";
     /// `joints: { }` beside a file.
     no_joint_of_file()
         "no joint is named: give cells to one, `elbow: {{ friction: {{ viscous: 0.1 }} }}` for example, or leave \
          `joints` out";
     /// `[joints.joint.1]` in TOML, where a dot leads into a table.
     dotted_joint(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
-        "expected the cells of a joint: a name with a dot stands in quotes, `[joints.\"{name}\"]`";
+        "expected the cells of a joint: a name with a dot is written in quotes, `[joints.\"{name}\"]`";
     /// A joint that has no row.
     not_of_the_arm(joint: &str => shortened)
         "`{joint}` is none of the robot's joints, which are those of its tree that move: cells would do nothing there, \
          remove them";
     /// Cells of the joints of a file, where there is no file.
     without_a_file(is_of_file: bool)
-        "`[joints.NAME]` stands beside a file that has the joint: in the file itself, write the cells in its \
+        "`[joints.NAME]` adds cells to the joints of another file: in the file that has the joint, write them in its \
          `[[joint]]`" if is_of_file
-        else "in braces, `joints` gives cells to the joints of a `file`: rows of a table stand in brackets, \
+        else "in braces, `joints` gives cells to the joints of a `file`: rows of a table are written in brackets, \
               `joints: [name: revolute {{ ... }}, ...]`";
     typeless_joint(is_json: bool) {word: if is_json { "\"type\":" } else { "type =" }}
         "this joint has no type: write `{word} \"revolute\"` or `{word} \"prismatic\"`";

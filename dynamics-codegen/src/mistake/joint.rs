@@ -9,10 +9,10 @@ mistakes! {
     none() "no joints: a robot has at least one";
     twice(name: &str) "there is a joint `{name}` already";
     /// `name(...)`
-    in_parentheses() "the cells of a joint stand in braces: `name: revolute {{ ... }}`";
+    in_parentheses() "the cells of a joint are written in braces: `name: revolute {{ ... }}`";
     /// `_` in place of a name.
     unnamed() "a joint needs a name: `_` is none";
-    extra_word(name: &impl Display) "no word stands in front of a joint's name: write `{name}: ...`";
+    extra_word(name: &impl Display) "no word comes before a joint's name: write `{name}: ...`";
     /// `revolute { ... }`
     without_name(joint_type: &impl Display) "this joint has no name: write `name: {joint_type} {{ ... }}`";
     /// `name { ... }`

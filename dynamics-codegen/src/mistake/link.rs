@@ -29,19 +29,19 @@ mistakes! {
     without_frame(function: &str) "`{function}` is about no frame: write `{function}`";
     /// A joint in place of a frame.
     frame_of_joint(function: &str, joint: &str) [frames: frame("hand", joint), asked: function_of(function, "hand")]
-        "`{joint}` is a joint: make a frame on its link, {frames}, and ask for {asked}";
+        "`{joint}` is a joint: make a frame on its link, {frames}, and request {asked}";
     /// A frame where a table has none.
     no_frames(frame: &str) [frames: frame(frame, "elbow")]
         "there is no frame `{frame}`: make it, {frames}, if `elbow` is the joint whose link carries it";
     /// A function of the tip where several rows carry no other. `tips` are these, or some of them.
     no_tip(function: &str, tips: &[&str]) {count: tips.len(), tips_shown: some(tips), tip: tips[0]}
         [frames: frame("hand", tip), asked: function_of(function, "hand")]
-        "`{function}` is about the tip, and {count} joints carry no other, {tips_shown}: make a frame, {frames}, and ask for \
+        "`{function}` is about the tip, and {count} joints carry no other, {tips_shown}: make a frame, {frames}, and request \
          {asked}";
     /// The same where there are frames.
     no_tip_but_frames(function: &str, tips: &[&str], frames: &[&str]) {count: tips.len(), tips_shown: some(tips), frames_shown: some(frames), first: frames[0]}
         [asked: function_of(function, first)]
-        "`{function}` is about the tip, and {count} joints carry no other, {tips_shown}: ask for it at a frame, {asked}; there \
+        "`{function}` is about the tip, and {count} joints carry no other, {tips_shown}: request it at a frame, {asked}; there \
          are {frames_shown}";
     /// A tool where there is no tip.
     tool_without_tip(tips: &[&str], link: &str) {count: tips.len(), tips_shown: some(tips)} [frames: frame("tool", link)]
@@ -49,7 +49,7 @@ mistakes! {
     /// A function of the tip in a file in which several links end on that of the last joint, or none of them is the tip.
     no_end(function: &str, joint: &str, frames: &[&str]) {frames_shown: some(frames), first: frames[0]}
         [asked: function_of(function, first)]
-        "`{function}` is about the tip, and several links end on that of `{joint}`: ask for it at a frame, {asked}, or name the \
+        "`{function}` is about the tip, and several links end on that of `{joint}`: request it at a frame, {asked}, or name the \
          tip in `chain`; there are {frames_shown}";
     /// A tool in such a file.
     tool_without_end(joint: &str, link: &str) [frames: frame("tool", link)]
@@ -60,7 +60,7 @@ mistakes! {
         "`{asked}` is the method `{method}`, which is {other}: give the frame another name";
     /// A frame that nothing needs.
     idle_frame(frame: &str) [asked: function_of("forward_kinematics", frame)]
-        "frame `{frame}` has no body, and no function is about it: ask for one, {asked}, or remove the frame";
+        "frame `{frame}` has no body, and no function is about it: request one, {asked}, or remove the frame";
     /// `word` is `gamma` or `b`.
     two_places(word: &str)
         "`at` and `{word}` both say where the row begins: remove one of the two";

@@ -25,7 +25,7 @@ mistakes! {
     long_function(name: &str, most: Freedoms => more) "`{name}` of {most} would be too long";
     /// A long function besides others.
     long_functions(name: &str, others: &[&str] => all, freedoms: Freedoms => of)
-        "`{name}` besides {others} would be too long for one call with {freedoms}: ask for it in a call of its \
+        "`{name}` besides {others} would be too long for one call with {freedoms}: request it in a call of its \
          own, for a second struct with this table";
     terms_written() "a value has at most {MOST_TERMS} terms: name parts of it by `let`";
     nested_value() "nested more than {DEEPEST_VALUE} deep: name parts of it by `let`";
@@ -38,7 +38,7 @@ mistakes! {
         "a name has at most {MOST_LETTERS} letters: `{start}` has {letters}";
     /// A function of a frame besides others.
     of_frames(name: &str, freedoms: Freedoms => of)
-        "`{name}` besides the other functions of frames would be too long for one call with {freedoms}: ask for it in a \
+        "`{name}` besides the other functions of frames would be too long for one call with {freedoms}: request it in a \
          call of its own, for a second struct with this table";
     /// Tuples of functions with too many functions in all.
     parts(freedoms: Freedoms) {most: MOST_PARTS / freedoms.all().max(1), all: of(freedoms)}

@@ -30,7 +30,7 @@ mistakes! {
     two_parents(link: &str => shortened) "the link `{link}` is the child of another joint already: a robot is a tree";
     /// A name that stands in `chain` twice.
     link_twice(link: &str => shortened) [chain: entry("chain")]
-        "`{link}` stands in {chain} twice: remove one of the two";
+        "`{link}` is in {chain} twice: remove one of the two";
     /// A tip that the joints to another one pass.
     on_the_way(link: &str => shortened, tip: &str => shortened)
         "`{link}` is on the way to `{tip}`, and belongs to the robot without being named: remove it";
@@ -70,7 +70,7 @@ mistakes! {
     round_angles() "expected an angle between 0 and 0.1 rad: `round_angles: 1e-4`, for example";
     /// The second of two elements of which only one is read; `place` is that of the first.
     repeated(element: &str, word: &str, place: (usize, usize)) {line: place.0, column: place.1}
-        "a second `<{word}>` in one `<{element}>`, the first stands in line {line}, column {column}: remove one of them";
+        "a second `<{word}>` in one `<{element}>`, the first is in line {line}, column {column}: remove one of them";
     /// A joint whose parent or child is no link.
     unknown_link_of(joint: &str => shortened, link: &str => shortened, meant: Option<&str>)
         {hint: meant.map_or(String::new(), |right| format!(": did you mean `{right}`?"))}

@@ -160,7 +160,7 @@ fn functions_that_would_be_too_long_together() {
         refusal(&call(MOST_JOINTS_OF_LONG_FUNCTIONS)),
         [
             "`inverse_dynamics_derivatives` besides `regressor` and `coriolis_matrix` would be too long for one \
-             call with 32 joints: ask for it in a call of its own, for a second struct with this table"
+             call with 32 joints: request it in a call of its own, for a second struct with this table"
         ]
     );
     assert_eq!(refusal(&call(26)).len(), 1);
@@ -215,7 +215,7 @@ fn too_many_functions_of_frames() {
         refusal(&with_functions_of_frames(2)),
         [
             "`operational_inertia_inverse(f1)` besides the other functions of frames would be too long for one call with 64 \
-          joints: ask for it in a call of its own, for a second struct with this table"
+          joints: request it in a call of its own, for a second struct with this table"
         ]
     );
 }

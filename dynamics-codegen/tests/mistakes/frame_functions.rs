@@ -48,7 +48,7 @@ robot_dynamics! {
     functions: [jacobian, mass_matrix, pair = (mass_matrix, forward_kinematics)],
 }
 
-// What follows from a frame that is not known is not reported.
+// Mistakes that follow from an unknown frame are not reported.
 robot_dynamics! {
     pub struct Arm;
     convention: modified,

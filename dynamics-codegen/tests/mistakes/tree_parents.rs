@@ -17,7 +17,7 @@ robot_dynamics! {
     frames: { hand: { on: right_elbow, mass: 1 } },
 }
 
-// What follows from a row that cannot be read is not reported.
+// Mistakes that follow from a row that cannot be read are not reported.
 robot_dynamics! {
     pub struct Torso;
     convention: modified,

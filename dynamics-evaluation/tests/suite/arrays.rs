@@ -49,7 +49,7 @@ fn numbers(entries: &[f64], infinity: &str, between: &str) -> String {
     format!("[{}]", entries.collect::<Vec<_>>().join(between))
 }
 
-/// What every program of Python begins with.
+/// The beginning of every Python program.
 const PYTHON: &str = r#"
 import struct
 import types
@@ -149,7 +149,7 @@ pub(super) fn assert_python(case: &Case, name: &str) {
     }
 }
 
-/// What every program of Octave begins with.
+/// The beginning of every Octave program.
 const OCTAVE: &str = "
 1;
 function list = flat(value)

@@ -3,7 +3,7 @@
 use dynamics_evaluation::{EvaluationError, RuntimeRobot};
 use dynamics_symbolic::Function;
 
-/// Of every kind: matrices, numbers, arrays, tuples; with pivots, friction, and a wrench.
+/// Functions of every kind: matrices, numbers, arrays, tuples; with pivots, friction, and a wrench.
 const FUNCTIONS: [Function; 9] = [
     Function::MassMatrix,
     Function::FrictionVector,

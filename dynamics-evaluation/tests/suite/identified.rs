@@ -1,4 +1,4 @@
-//! What was identified, back in a robot.
+//! Identified parameters, back in a robot.
 
 use dynamics_evaluation::dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
 use dynamics_evaluation::dynamics_runtime::{Friction, Simulation, check::Check};

@@ -88,7 +88,7 @@ impl Case {
         entries.collect()
     }
 
-    /// What Rust computes: a line for each call, as the programs print it.
+    /// The values of Rust: a line for each call, as the programs print it.
     fn expected(&self) -> Vec<Result<Vec<f64>, usize>> {
         let calls = self.programs.iter().flat_map(|(request, _)| {
             (0..STATES).map(move |state| {
@@ -367,7 +367,7 @@ fn c_batch(case: &Case, name: &str, request: &Request, header: &str) -> String {
     text + &compare + "    }\n    (void)first;\n    }\n"
 }
 
-/// What a function writes to, with its dimensions, as its declaration has them; none of a number.
+/// The arrays that a function writes to, with the dimensions of its declaration. A number has none.
 fn c_parts(name: &str, request: &Request, header: &str) -> Vec<(String, String)> {
     let call = format!(" {name}_{}(", request.name());
     let declaration = header
@@ -550,7 +550,7 @@ fn assert_javascript(case: &Case, name: &str) {
     }
 }
 
-/// What every arm has; forward dynamics among them, which refuses the last state.
+/// Functions that every arm has; `forward_dynamics` refuses the last state.
 const FUNCTIONS: [Function; 3] = [
     Function::InverseDynamics,
     Function::ForwardDynamics,

@@ -1,4 +1,4 @@
-//! What is refused, and what is said of it.
+//! Refusals, and their messages.
 
 use dynamics_evaluation::dynamics_runtime::nalgebra::Vector6;
 use dynamics_evaluation::dynamics_runtime::{Friction, Simulation};
@@ -18,7 +18,7 @@ fn what_was_not_asked_for_is_no_value() {
     assert!(
         error
             .to_string()
-            .contains("ask for it when the robot is made"),
+            .contains("request it when the robot is made"),
         "{error}"
     );
     assert!(arm().dynamics().is_err());
@@ -47,7 +47,7 @@ fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
             "{text}"
         );
         assert!(
-            text.contains("ask for all of `RuntimeRobot::simulation_functions()`"),
+            text.contains("request all of `RuntimeRobot::simulation_functions()`"),
             "{text}"
         );
     }
@@ -154,7 +154,7 @@ fn descriptions_that_make_no_sense_are_refused() {
     assert_eq!(refused, BuildError::NoJoints);
     let twice = [Function::MassMatrix, Function::MassMatrix];
     let refused = RuntimeRobot::new(arms::robot("one_link"), twice).unwrap_err();
-    assert_eq!(refused.to_string(), "`mass_matrix` is asked for twice");
+    assert_eq!(refused.to_string(), "`mass_matrix` is requested twice");
     let series = RuntimeRobot::new(arms::robot("one_link"), [Function::TaylorSeries]).unwrap_err();
     assert!(
         series.to_string().contains("no program over numbers"),

@@ -2,7 +2,7 @@
 
     import robot_dynamics as rd
 
-    arm = rd.Robot.from_file("panda.urdf", chain=("panda_link0", "panda_link8"), gravity=(0, 0, -9.81))
+    arm = rd.Robot.from_file("panda.urdf", chain=("panda_link0", "panda_hand_tcp"), gravity=(0, 0, -9.81), ignore="rest")
     tau = arm.inverse_dynamics(q, qd, qdd)
 
 The last axis of an array has the joints, and the axes before it are broadcast as numpy does. SI units, radians.

@@ -41,7 +41,7 @@ class Work(NamedTuple):
     """Steps thrown away because their error was too large."""
 
 
-@dataclass
+@dataclass(repr=False)
 class Trajectory:
     """A sampled motion: one row for each of the times `t`. SI units, radians."""
 
@@ -71,6 +71,10 @@ class Trajectory:
 
     def __len__(self) -> int:
         return len(self.t)
+
+    def __repr__(self) -> str:
+        joints = ", ".join(self.joint_names)
+        return f"<Trajectory: {len(self)} samples from {self.t[0]:g} s to {self.t[-1]:g} s, {joints}>"
 
     def plot(self) -> Any:
         """Positions, velocities and torques over time, as a figure of matplotlib, which must be installed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import html
 import os
 import types
@@ -286,14 +287,18 @@ class Robot:
             raise AttributeError(name)
         if name == "taylor_series":
             raise AttributeError("`taylor_series` is a function of compiled robots: the macro of Rust has it")
+        # Only a slip of one letter or two: names of functions resemble each other.
+        meant = difflib.get_close_matches(name, self._functions, 1, 0.9)
+        if meant:
+            raise AttributeError(f"no function `{name}`: did you mean `{meant[0]}`?")
         raise AttributeError(
-            f"no function `{name}`: `functions` asks for it, for example functions=[\"default\", \"{name}\"]"
+            f"no function `{name}`: add it to `functions`, for example functions=[\"default\", \"{name}\"]"
         )
 
     def _function(self, name: str) -> Function:
         if name not in self._functions:
             expected = ", ".join(self._functions)
-            raise ValueError(f"`{name}` was not asked for by `functions`: expected one of {expected}")
+            raise ValueError(f"`{name}` is not in `functions`: expected one of {expected}")
         return self._functions[name]
 
     def page(self) -> str:

@@ -27,7 +27,7 @@ pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
 ///
 /// Every arm with [`ForwardDynamics`] is one, and [`NewtonEuler`](crate::NewtonEuler) is one for any table.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be simulated: `forward_dynamics` was not asked for",
+    message = "`{Self}` cannot be simulated: `forward_dynamics` is not in `functions`",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 pub trait EquationsOfMotion<D: Size> {
@@ -178,7 +178,7 @@ pub(crate) fn inverse_columns<D: Size>(
 /// A robot that a [`Simulation`](crate::Simulation) moves, by its [`EquationsOfMotion`] or its [`FloatingEquations`]. The
 /// compiler finds out which `K` it is.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be simulated: `forward_dynamics` was not asked for",
+    message = "`{Self}` cannot be simulated: `forward_dynamics` is not in `functions`",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
 #[cfg(feature = "std")]

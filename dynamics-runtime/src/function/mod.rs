@@ -25,8 +25,8 @@ pub mod functions {
 /// A generated function: `F` is one of [`functions`].
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has not this function: it was not asked for",
-    note = "ask for it by its name without `_batch`: `functions: [default, jacobian]`"
+    message = "`{Self}` does not have this function: it is not in `functions`",
+    note = "add it by its name without `_batch`: `functions: [default, jacobian]`"
 )]
 pub trait Function<F, const N: usize> {
     /// The vectors that it takes, a tuple.

@@ -69,8 +69,8 @@ pub use term::SeriesTerm;
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no Taylor series of its motion: `taylor_series` was not asked for",
-    note = "ask for it: `functions: [default, taylor_series]`"
+    message = "`{Self}` has no Taylor series of its motion: `taylor_series` is not in `functions`",
+    note = "add it: `functions: [default, taylor_series]`"
 )]
 pub trait TaylorDynamics<const N: usize>: Model<N> {
     /// Room for the products of two series in the equations of motion.

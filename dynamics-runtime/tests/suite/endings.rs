@@ -61,7 +61,7 @@ fn swings(duration: f64, samples: usize) -> Vec<(String, Run<1>)> {
     runs
 }
 
-/// What `?` in `main` and `unwrap` print.
+/// The text that `?` in `main` and `unwrap` print.
 #[test]
 fn an_error_with_many_samples_prints_one_sentence() {
     let law = |t: f64, _: &Vector1<f64>, _: &Vector1<f64>| {

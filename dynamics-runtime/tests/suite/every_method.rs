@@ -5,7 +5,7 @@ use dynamics_runtime::{
     simulation::{Dop853, DormandPrince, Radau5},
 };
 
-/// Those of fixed step.
+/// The methods of fixed step.
 pub(crate) fn fixed(step: f64) -> [Method; 7] {
     [
         Method::ExplicitEuler { step },
@@ -18,7 +18,7 @@ pub(crate) fn fixed(step: f64) -> [Method; 7] {
     ]
 }
 
-/// Those with error control; the last one is implicit.
+/// The methods with error control; the last one is implicit.
 pub(crate) fn controlled(tolerance: f64) -> [Method; 3] {
     [
         DormandPrince::with_tolerance(tolerance).into(),

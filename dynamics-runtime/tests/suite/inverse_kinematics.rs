@@ -208,7 +208,7 @@ fn half_turns_are_made() {
     }
 }
 
-/// Of the postures with one pose of the hand, the nearest to the middle of the limits.
+/// The posture that is nearest to the middle of the limits, among those with one pose of the hand.
 #[test]
 fn the_null_space_has_an_aim() {
     let middle = SVector::<f64, 7>::from_fn(|joint, _| {

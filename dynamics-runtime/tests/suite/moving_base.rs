@@ -132,8 +132,8 @@ fn jacobi(u: f64, m: f64) -> [f64; 3] {
     ]
 }
 
-/// Euler's equations of a free body: `w = (w1 cn, w2 sn, w3 dn)` of `p t` with `p^2 = (I3 - I2) (L^2 - 2 T I1) / (I1 I2 I3)`
-/// (Landau and Lifshitz, *Mechanics*, section 37), and an angular momentum that stands still in the world.
+/// Euler's equations of a free body (Landau and Lifshitz, *Mechanics*, section 37): `w = (w1 cn, w2 sn, w3 dn)` of
+/// `p t` with `p^2 = (I3 - I2) (L^2 - 2 T I1) / (I1 I2 I3)`. The angular momentum stands still in the world.
 #[test]
 fn a_free_body_turns_as_euler_and_jacobi_have_it() {
     let inertia: [f64; 3] = [1.0, 2.0, 2.5];
@@ -543,7 +543,7 @@ fn sampled_laws_are_held_and_motors_saturate() {
         [0.0, 0.25, 0.5, 0.75]
     );
     let end = motion.last().unwrap();
-    // Of the 2 N of the motor friction leaves 1.7 N, which pull the weight, and push the sledge back.
+    // Friction leaves 1.7 N of the motor's 2 N. They pull the weight, and push the sledge back.
     let (of_sledge, of_weight) = ((4.0 - 1.7) / 3.0, 1.7);
     assert!((end.v[0] - of_sledge).abs() < 1e-10, "{}", end.v);
     assert!((end.v[6] - (of_weight - of_sledge)).abs() < 1e-10);

@@ -43,7 +43,7 @@ robot_dynamics! {
     functions: [mass_matrix, inverse_dynamics, forward_dynamics, taylor_series],
 }
 
-/// Those that are exact under constant forces. The steps fit into the period in no way.
+/// The methods that are exact under constant forces. The steps fit into the period in no way.
 fn methods() -> [Method; 8] {
     let step = 0.7e-2;
     [
@@ -346,7 +346,7 @@ fn a_period_longer_than_the_run_asks_once() {
     }
 }
 
-/// What a law returns that is no number ends the run where it was asked, with all samples before.
+/// A law that returns no number ends the run at the time of its call, with all samples before.
 #[test]
 fn a_law_that_returns_no_number_ends_the_run() {
     for method in methods() {

@@ -97,8 +97,8 @@ fn a_stuck_joint_leaves_a_pendulum_that_keeps_its_energy() {
     }
 }
 
-/// Joints that stick and slip by turns: whatever momentum a joint had when it began to stick, it
-/// starts from rest. What one method says, another does too.
+/// Joints that stick and slip by turns: whatever momentum a joint had when it began to stick, it starts from rest. All
+/// methods agree on this.
 #[test]
 fn joints_that_let_go_start_from_rest() {
     let arm = DryRods { c1: 40.0, c2: 2.0 };

@@ -36,7 +36,7 @@ robot_dynamics! {
     ],
 }
 
-/// Those that are exact under constant forces.
+/// The methods that are exact under constant forces.
 fn methods() -> [Method; 8] {
     let step = 0.03;
     [
@@ -338,7 +338,7 @@ fn stops_and_friction_meet() {
         );
         assert_eq!((run.qd[4][0], run.qdd[4][0]), (0.0, 0.0), "{method:?}");
         if matches!(method, Method::CraigEuler { .. }) {
-            // Of a force that is zero where a step starts it knows nothing.
+            // This method does not see a force that is zero at the start of a step.
             continue;
         }
         for kind in [Friction::Sign, Friction::Sticking] {
@@ -413,7 +413,7 @@ fn limits_that_are_errors_are_found_where_they_are_passed() {
                 error.q
             );
         }
-        // What reaches its limit at the end, or rests there, does not pass it.
+        // A joint that reaches its limit at the end, or rests there, does not pass it.
         assert!(run(0.4999).is_ok(), "{method:?}");
         let rests = Simulation::new(&arm)
             .initial(Vector3::new(0.0, 0.5, 0.0), Vector3::zeros())

@@ -5,7 +5,7 @@ use dynamics_runtime::{ForwardDynamics, Method, Simulation, Trajectory};
 
 use crate::arms::{OneLink, TwoLink};
 
-/// What the two links exchange between kinetic and potential energy, J.
+/// The energy that the two links exchange between kinetic and potential, J.
 const EXCHANGED: f64 = 54.0;
 
 /// The fall of the two links from the horizontal.
@@ -14,8 +14,8 @@ fn fall(arm: &impl ForwardDynamics<2>, method: Method, duration: f64) -> Traject
     run.method(method).run().unwrap()
 }
 
-/// Semi-implicit Euler is symplectic where M is constant: the energy of one link stays near. That of
-/// an arm does not, or the arm flies away: which of both hangs on the last digit.
+/// Semi-implicit Euler is symplectic where M is constant: the energy of one link stays near. The energy of an arm does
+/// not, or the arm flies away: the last digit decides which.
 #[test]
 fn semi_implicit_euler_does_not_keep_the_energy_of_an_arm() {
     let method = Method::SemiImplicitEuler { step: 0.01 };

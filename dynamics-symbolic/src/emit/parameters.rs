@@ -74,8 +74,8 @@ fn legend(robot: &Robot) -> String {
     let locked = shown_if(is_locked, position);
     let coupled = shown_if(
         robot.is_coupled(),
-        ". Links of joints that follow others are told apart as far as the arm moves them: what the forces show of \
-         them together stands in one sum",
+        ". Links of joints that follow others have parameters of their own as far as the forces depend on \
+         each; the others are combined into sums",
     );
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \

@@ -15,7 +15,7 @@
 #ifndef TWO_LINK_CRAIG_H
 #define TWO_LINK_CRAIG_H
 
-/* What stands in front of every function: for device code it is compiled for both sides. */
+/* The specifier of every function: device code compiles it for both sides. */
 #ifndef ROBOT_DYNAMICS_DEVICE
 #if defined(__CUDACC__) || defined(__HIPCC__)
 #define ROBOT_DYNAMICS_DEVICE __host__ __device__

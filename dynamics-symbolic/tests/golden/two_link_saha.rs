@@ -998,7 +998,7 @@ impl Arm {
         );
         all_values
     }
-    /// Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds the forces that nobody has told it of.
+    /// Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds unknown forces.
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s.
     ///

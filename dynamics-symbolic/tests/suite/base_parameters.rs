@@ -83,7 +83,7 @@ fn gravity_shows_moments() {
     assert_eq!(count(&arm), 9);
 }
 
-/// What the table says about masses and inertias does not matter to the structure.
+/// Values of masses and inertias in the table do not change the structure.
 #[test]
 fn a_parameter_that_is_zero_keeps_its_column() {
     for name in ["puma560", "stanford", "scara", "panda"] {
@@ -287,7 +287,7 @@ fn formulas_in_the_documentation_are_right() {
     }
 }
 
-/// What the names in formulas stand for.
+/// The values of the names in formulas.
 struct Names(HashMap<String, f64>);
 
 impl Names {

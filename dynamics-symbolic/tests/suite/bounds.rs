@@ -1,4 +1,4 @@
-//! What the documentation of generated methods says of rounding over the joint limits. That the bounds hold is
+//! Bounds of rounding over the joint limits, in the documentation of generated methods. That the bounds hold is
 //! measured in tests/files, on arms whose files have limits.
 
 use dynamics_symbolic::robot::{Frame, JointType, Robot, Value};
@@ -80,7 +80,7 @@ fn nothing_is_said_where_no_joint_has_limits() {
     }
 }
 
-/// What the fields are is not known, nor where a joint is that slides without limits.
+/// The values of fields are not known, nor the place of a joint that slides without limits.
 #[test]
 fn there_is_no_bound_of_what_is_not_known() {
     let functions = [Function::MassMatrix, Function::ForwardKinematics];

@@ -32,7 +32,7 @@ struct Point<'r> {
     angles: Vec<(Value, (Number, Number))>,
     /// A common denominator of all factors.
     parts: i64,
-    /// Of each joint the sine and the cosine of its angle over the denominator.
+    /// The sine and the cosine of each joint's angle over the denominator.
     angles_of_parts: Vec<(Number, Number)>,
     state: u64,
 }
@@ -519,7 +519,7 @@ fn damages_are_found() {
         };
         assert!(proof.holds(&program).is_err(), "operation {index}");
     }
-    // Those of the arm without couplings are others.
+    // The programs of the arm without couplings are others.
     let uncoupled: Program = derive(&robot.uncoupled(), function);
     assert!(proof.holds(&uncoupled).is_err());
     let uncoupled = derive(&robot.uncoupled(), Function::Regressor);

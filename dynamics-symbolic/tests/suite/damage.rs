@@ -270,7 +270,7 @@ fn a_program_of_other_friction_is_refused() {
     }
 }
 
-/// What the table says of a spring is part of what is proven, and nothing of one that is locked is.
+/// The spring of a joint is part of the proof; the spring of a locked joint is not.
 #[test]
 fn a_program_of_another_spring_is_refused() {
     let robot = arms::robot("two_link_saha");

@@ -16,7 +16,7 @@ impl Arms {
         (self.0.next_u64() % n) as i64
     }
 
-    /// Of hundredths, up to `limit` of them to either side.
+    /// A number of hundredths, up to `limit` of them to either side.
     fn hundredths(&mut self, limit: u64) -> Value {
         let n = self.below(2 * limit + 1) - limit as i64;
         ratio(n, 100)
@@ -204,7 +204,7 @@ fn an_indefinite_mass_matrix_between_the_samples_is_refused() {
     let refused = neglect(&robot, 0.1).expect_err("indefinite");
     println!("{refused}");
     let q = refused.q.expect("a state is found");
-    // What the choice at 10 % leaves, at that state.
+    // The complete M is definite at that state, and a smaller share passes.
     let complete = derive(&robot, Function::MassMatrix);
     assert!(least_eigenvalue(&complete, &q, &[1.0; 4]) > 0.01);
     let passed = neglect(&robot, 0.01).expect("a smaller share");

@@ -108,7 +108,7 @@ fn squares_of_sums_of_angles() {
         M33 = 0.82944"#]].assert_eq(&of_mass.join("\n"));
 }
 
-/// What is shown is read back and evaluated beside the program.
+/// The formulas are read back and evaluated beside the program.
 #[test]
 fn formulas_are_what_is_computed() {
     let mut robots = vec![two_link_craig(), two_link_saha()];

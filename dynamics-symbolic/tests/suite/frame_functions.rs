@@ -55,8 +55,8 @@ fn tree_of_three() -> Robot {
     }
 }
 
-/// Of three frames of trees, of arms of both conventions and of one from a file, and together with M. A program of another
-/// frame, or of the tip, is refused.
+/// Functions of three frames of trees, of arms of both conventions and of one from a file, and together with M. A
+/// program of another frame, or of the tip, is refused.
 #[test]
 fn functions_of_frames_are_proven() {
     let arms = ["stanford", "scara", arms::MOUNTED].map(arms::robot);
@@ -137,8 +137,8 @@ fn every_damage_to_functions_of_frames_is_found() {
     assert!(count > 300, "only {count} damages were made");
 }
 
-/// A frame on the base is a constant. Of a frame on a row only the joints that carry it take operations, and the columns of
-/// the others are the constant zero.
+/// A frame on the base is a constant. For a frame on a row only the joints that carry it take operations, and the
+/// columns of the others are the constant zero.
 #[test]
 fn joints_that_do_not_carry_a_frame_cost_nothing() {
     let tree = with_frames(tree_of_five());

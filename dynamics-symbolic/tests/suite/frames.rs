@@ -79,7 +79,7 @@ fn a_base_and_a_tool_at_no_distance_leave_every_program_as_it_is() {
     }
 }
 
-/// What does not ask where the arm is does not ask where its base is.
+/// Functions that do not depend on the arm's place do not depend on its base's place.
 #[test]
 fn a_placed_base_leaves_inertia_and_coriolis_terms_as_they_are() {
     for name in ARMS {

@@ -11,14 +11,14 @@ use expect_test::{expect, expect_file};
 use quote::quote;
 use std::ops::RangeInclusive;
 
-/// What a loop of computed torque asks for.
+/// The functions of a loop of computed torque.
 const CONTROL: [Function; 3] = [
     Function::MassMatrix,
     Function::CoriolisVector,
     Function::GravityVector,
 ];
 
-/// What an optimisation of a motion asks for.
+/// The functions of an optimisation of a motion.
 const LINEARISED: [Function; 2] = [
     Function::InverseDynamics,
     Function::InverseDynamicsDerivatives,
@@ -80,8 +80,8 @@ fn each_part_of_longer_arms_is_proven_by_its_own_definition() {
     prove_sets(5..=6);
 }
 
-/// What controllers ask for together: of the tip, of the centre of mass, of passivity and identification,
-/// and what solves with M beside what does not.
+/// Functions that controllers need together: of the tip, of the centre of mass, of passivity and identification, and
+/// functions that solve with M beside others.
 const OF_CONTROLLERS: [&[Function]; 4] = [
     &[
         Function::WrenchTorques,

@@ -129,7 +129,7 @@ fn prove_table(robot: &Robot, count: usize, functions: &[Function]) {
     }
 }
 
-/// Those of these functions that the robot has, and those of its frames.
+/// Proves the functions of the list that the robot has, and the functions of its frames.
 pub(crate) fn prove_parts(
     robot: &Robot,
     count: usize,

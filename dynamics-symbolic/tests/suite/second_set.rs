@@ -29,7 +29,7 @@ fn product(rows: usize, columns: usize) -> f64 {
     (rows * (2 * columns - 1)) as f64
 }
 
-/// What a user can write with the other functions, by the operations that it takes.
+/// Operations of the same function, written by a user with the other functions.
 fn without(robot: &str, function: Function) -> Option<f64> {
     let n = arms::robot(robot).dof();
     let of = |function| length(robot, function);

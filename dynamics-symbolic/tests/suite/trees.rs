@@ -340,7 +340,7 @@ fn counts(robot: &Robot, function: Function) -> [u32; 3] {
     [count.multiplications, count.additions, count.divisions]
 }
 
-/// What no joint of one arm does to the other costs nothing, and each arm is searched as if it stood alone.
+/// Entries of M that couple the two arms are zero and cost nothing, and each arm is searched as if it stood alone.
 #[test]
 fn two_arms_on_one_base_are_twice_one_arm() {
     let functions = [

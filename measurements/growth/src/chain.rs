@@ -1,4 +1,4 @@
-//! What is measured of a chain.
+//! The measurements of a chain.
 
 use std::error::Error;
 
@@ -15,7 +15,7 @@ pub(crate) const LISTED: [(Function, &str); 5] = [
     (Function::ForwardDynamics, "qdd"),
 ];
 
-/// What was measured of one chain.
+/// The measured values of one chain.
 pub(crate) struct Chain {
     pub(crate) joints: usize,
     /// Seconds on a processor from the table to tokens, default set of functions.

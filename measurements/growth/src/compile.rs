@@ -117,7 +117,7 @@ impl Compiler {
 
 impl Drop for Compiler {
     fn drop(&mut self) {
-        // What remains is in the folder for temporary files: no reason to fail.
+        // Files that remain are in the folder for temporary files: no reason to fail.
         let _ = fs::remove_dir_all(&self.folder);
     }
 }

@@ -1,5 +1,5 @@
-//! What grows with the number of joints, and how fast: expansion time, program length, rustc time
-//! and time of a call, for generic chains with full tensors.
+//! The growth with the number of joints of expansion time, program length, rustc time and time of a call, for generic
+//! chains with full tensors.
 //!
 //! ```text
 //! cargo run --release -p growth

@@ -39,7 +39,7 @@ impl Series {
 pub(crate) struct Panel {
     pub(crate) file: &'static str,
     pub(crate) title: &'static str,
-    /// What x is, and its letter.
+    /// The quantity x, and its letter.
     pub(crate) x: (&'static str, &'static str),
     pub(crate) y: &'static str,
     pub(crate) series: Vec<Series>,

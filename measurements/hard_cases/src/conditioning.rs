@@ -72,7 +72,7 @@ fn by_factors<const N: usize>(id: &str, arm: &NewtonEuler<N>) -> f64 {
     }
 }
 
-/// What the pivots of M say that accelerations lose.
+/// The error of accelerations that the pivots of M predict.
 fn predicted<const N: usize>(mass_matrix: &SMatrix<f64, N, N>) -> f64 {
     Conditioning::of(mass_matrix).error()
 }
@@ -160,8 +160,8 @@ fn straight_chain<const N: usize>(
     ]
 }
 
-/// What the accuracy of `forward_dynamics_aba` costs: on a planar chain little, for `forward_dynamics` is written by
-/// articulated bodies there too, in two passes.
+/// The price of the accuracy of `forward_dynamics_aba`. On a planar chain it is low: there `forward_dynamics` is
+/// written by articulated bodies too, in two passes.
 fn cost(
     id: &'static str,
     short: &[(&str, Operations)],

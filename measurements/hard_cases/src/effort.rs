@@ -10,7 +10,7 @@ pub enum Effort {
 }
 
 impl Effort {
-    /// That of this build.
+    /// The effort that suits this build.
     pub fn of_this_build() -> Self {
         match cfg!(debug_assertions) {
             true => Effort::Short,

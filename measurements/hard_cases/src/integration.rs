@@ -154,9 +154,9 @@ fn pendulum(id: &'static str, bound: f64, naive: f64) -> Score {
     .naive(naive)
 }
 
-/// When a rod that starts upright, at the double nearest to pi, swings through the bottom: where
-/// its angle is counted from the top, its start is 1.2e-16 and not lost; from the bottom, a step of
-/// 10 ms changes pi by less than its rounding, a step of 0.1 s by more.
+/// The time at which a rod that starts upright, at the double nearest to pi, swings through the bottom. If its angle is
+/// counted from the top, its start is 1.2e-16 and not lost. From the bottom, a step of 10 ms changes pi by less than
+/// its rounding, a step of 0.1 s by more.
 fn upright() -> Vec<Score> {
     let id = "HC29";
     // fl(pi) - pi
@@ -224,7 +224,7 @@ fn past_the_origin() -> Vec<Score> {
     [0.1, 1e-3, 1e-6, 1e-9].map(run).to_vec()
 }
 
-/// What one step makes of an oscillation of 3.836 rad/s.
+/// The factor by which one step changes the amplitude of an oscillation of 3.836 rad/s.
 fn growth_of_a_step() -> Vec<Score> {
     let id = "HC33";
     let w = f64::sqrt(14.715);

@@ -25,7 +25,7 @@ pub use score::{Score, table};
 
 /// A theme of the hard cases.
 pub struct Theme {
-    /// What they are about.
+    /// The subject of its cases.
     pub name: &'static str,
     /// The entries that its scores belong to.
     pub cases: &'static [&'static str],

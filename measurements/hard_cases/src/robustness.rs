@@ -1,4 +1,4 @@
-//! What must hold to the bit, and what must be refused.
+//! Cases that must hold to the bit, and cases that must be refused.
 
 use std::cell::Cell;
 
@@ -194,7 +194,7 @@ fn tiny_tolerance() -> Score {
     )
 }
 
-/// What is not a number is refused, or stays visible.
+/// Values that are not numbers are refused, or stay visible.
 fn not_a_number() -> Score {
     let mut hidden = 0;
     for bad in [f64::NAN, f64::INFINITY] {

@@ -14,7 +14,7 @@ pub enum Side {
 pub struct Score {
     /// The entry of `tests/data/hard_cases.json`.
     pub case: &'static str,
-    /// What was measured.
+    /// The measured quantity.
     pub quantity: String,
     /// Its value.
     pub measured: f64,
@@ -22,7 +22,7 @@ pub struct Score {
     pub side: Side,
     /// The last value that passes.
     pub bound: f64,
-    /// What a naive implementation gets, as the entry has it or as measured here: it fails.
+    /// The value of a naive implementation, which fails: from the entry, or measured here.
     pub naive: Option<f64>,
 }
 
@@ -57,7 +57,7 @@ impl Score {
         }
     }
 
-    /// What a naive implementation gets.
+    /// Adds the value of a naive implementation.
     pub fn naive(self, value: f64) -> Self {
         Score {
             naive: Some(value),

@@ -1,4 +1,4 @@
-//! What each piece of the PUMA 560 and the Panda costs, and what leaving it out does.
+//! The cost of each piece of the PUMA 560 and the Panda, and the effect of leaving it out.
 
 use super::arms::*;
 use super::measure::{errors, operations, times};
@@ -8,7 +8,7 @@ use testkit::five::Five;
 pub struct Feature {
     /// The arm.
     pub arm: &'static str,
-    /// What is left out of it.
+    /// The piece that is left out.
     pub without: &'static str,
     /// Multiplications, additions and divisions, in the order of
     /// [`NAMES`](testkit::five::NAMES).

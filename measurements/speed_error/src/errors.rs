@@ -22,7 +22,7 @@ pub(crate) struct Errors {
     pub(crate) median_bits: f64,
     /// Values of entries that are identically zero.
     pub(crate) zeros: usize,
-    /// Those of them that are not 0.0.
+    /// The number of such values that are not 0.0.
     pub(crate) broken_zeros: usize,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Errors {
 pub(crate) struct AtState {
     pub(crate) computed: Vec<DoubleDouble>,
     pub(crate) exact: Vec<DoubleDouble>,
-    /// What is judged beside the scale: the errors themselves, or what follows from them.
+    /// The values that are judged beside the scale: the errors themselves, or values that follow from them.
     pub(crate) judged: Vec<f64>,
     pub(crate) scale: f64,
 }

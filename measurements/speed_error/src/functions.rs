@@ -420,7 +420,7 @@ impl<const N: usize> Measurements<N> {
         });
     }
 
-    /// That of a value at a state; none of accelerations, whose errors are judged by torques.
+    /// The conditioning of a value at a state. Accelerations have none: their errors are judged by torques.
     fn conditioning(&self, function: Function, state: usize) -> Option<f64> {
         let value: fn(&Exact<N>, &State<DoubleDouble, N>) -> Vec<DoubleDouble> = match function {
             Function::M => |exact, s| exact.mass_matrix(&s.q).as_slice().to_vec(),

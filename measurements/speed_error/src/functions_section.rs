@@ -116,7 +116,7 @@ fn ratio<'a>(measured: &Measured, mut all: impl Iterator<Item = &'a Measured>) -
     f64.map_or(f64::NAN, |f64| measured.nanoseconds / f64.nanoseconds)
 }
 
-/// What errors in single precision stay below, but for those of this table.
+/// The bound of all errors in single precision except those of this table.
 const OF_SINGLES: f64 = 4e-7;
 
 /// The largest errors in single precision, each beside the conditioning.

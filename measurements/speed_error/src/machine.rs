@@ -6,7 +6,7 @@ use measuring::machine;
 
 use crate::number::BUILT_FUSED;
 
-/// What the numbers depend on, as lines of name and value.
+/// The conditions of the measurement, as lines of name and value.
 pub(crate) fn conditions(effort: &str) -> Vec<(&'static str, String)> {
     let [date, time] = machine::now();
     vec![

@@ -4,11 +4,11 @@
 //! taskset -c 1 cargo run --release -p speed_error --features long_arms
 //! ```
 //!
-//! measures everything on one core and writes `target/speed_error/report.html`. Beside it are the plots, and as Markdown
-//! the appendices of `docs/ACCURACY.md`, which belong in `docs/accuracy`. Arguments: `--quick` for a run of seconds with fewer
-//! robots and shorter measurements; `--long` to watch energies for 10^5 s instead of 10^3, which takes
-//! two minutes; `--functions`, `--numbers`, `--integrators`, `--structure`, `--pieces` or `--hard` for
-//! these parts alone; and a path for the page.
+//! measures everything on one core and writes `target/speed_error/report.html`. Beside it are the plots, and as
+//! Markdown the appendices of `docs/ACCURACY.md`, which belong in `docs/accuracy`. Arguments: `--quick` for a run of
+//! seconds with fewer robots and shorter measurements; `--long` to watch energies for 10^5 s instead of 10^3, which
+//! takes two minutes. `--functions`, `--numbers`, `--integrators`, `--structure`, `--pieces` or `--hard` measures these
+//! parts alone; a path is that of the page.
 //!
 //! Building takes some five minutes of one core: 26 robots, five functions, in every kind of numbers
 //! and once for each instruction set.
@@ -43,7 +43,7 @@ use measured_robots::for_each_measured_robot;
 use measuring::Effort;
 use robots::*;
 
-/// What the command line asks for.
+/// The requests of the command line.
 struct Arguments {
     quick: bool,
     /// Energies over 10^5 s, which take minutes.

@@ -8,7 +8,7 @@ use measuring::table::{Table, escaped};
 /// Something of a section, in its order.
 pub(crate) enum Part {
     Text(String),
-    /// What the plots show.
+    /// The text that explains the plots.
     Legend(&'static str),
     Table(Table),
     /// A table that is shown when it is asked for.
@@ -105,7 +105,7 @@ impl Section {
     }
 }
 
-/// What the reader types to have all of it written anew, the arguments of this run at its end.
+/// The command that writes all of it anew, with the arguments of this run at its end.
 fn command() -> String {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let separator = if arguments.is_empty() { "" } else { " -- " };

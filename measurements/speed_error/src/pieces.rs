@@ -1,4 +1,4 @@
-//! What each piece of a model costs, and what leaving it out does.
+//! The cost of each piece of a model, and the effect of leaving it out.
 
 use measuring::table::{Table, digits, short};
 use scene::arms::PumaWithoutWrist;

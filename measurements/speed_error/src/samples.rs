@@ -13,7 +13,7 @@ use crate::number::Number;
 /// States at which functions are timed and measured.
 const ORDINARY: usize = 48;
 
-/// Of these, some more are measured at rest and at angles of up to 10^6 rad.
+/// More states, at rest and at angles of up to 10^6 rad, at which functions are measured but not timed.
 const SPECIAL: usize = 16;
 
 /// A state, and torques there.
@@ -125,8 +125,8 @@ impl<const N: usize> Samples<N> {
         states.collect()
     }
 
-    /// What changes at a state with half a unit in the last place of an argument in single precision, added over
-    /// all arguments: the largest sum of an entry of `value`.
+    /// The change of `value` at a state if an argument changes by half a unit in its last place, in single precision,
+    /// added over all arguments. It is the largest sum of an entry.
     pub(crate) fn change_by_half_units(
         &self,
         state: usize,

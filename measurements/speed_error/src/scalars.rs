@@ -1,4 +1,4 @@
-//! What other numbers than doubles cost, in the same generated functions.
+//! The cost of other numbers than doubles, in the same generated functions.
 
 use measuring::Effort;
 use measuring::table::{Table, digits};

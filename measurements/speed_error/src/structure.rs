@@ -66,7 +66,7 @@ pub(crate) fn section(duration: f64) -> Result<Section, Box<dyn Error>> {
 struct Run<const N: usize> {
     method: &'static str,
     setting: String,
-    /// Of the processor, s.
+    /// Time of the processor, s.
     time: f64,
     motion: Trajectory<N>,
     /// Why it ended early; empty where it did not.

@@ -6,7 +6,7 @@ use dynamics_symbolic::robot::{
     Stribeck, Tool, Value,
 };
 
-/// What the links are.
+/// The kind of bodies that the links are.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Bodies {
     /// Any numbers: equations of motion do not ask what they are.

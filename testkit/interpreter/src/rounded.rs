@@ -14,7 +14,7 @@ pub struct Rounded<'a> {
     constants: Vec<f64>,
 }
 
-/// What a program reads.
+/// The inputs of a program.
 #[derive(Clone, Copy)]
 pub struct Inputs<'a> {
     /// Values of the fields.
@@ -138,7 +138,7 @@ pub fn is_refused<T: Scalar>(tests: &[T]) -> bool {
     tests.any(|(&pivot, &entry)| SingularMassMatrix::test(0, pivot, entry).is_err())
 }
 
-/// What is left of each constant that a program reads beside its double, as a double.
+/// The difference of each constant of a program from its double, as a double.
 fn rests(program: &Program, doubles: &[f64]) -> Vec<f64> {
     let mut pool = program.constants.clone();
     let mut rests: Vec<Option<ConstantId>> = vec![None; doubles.len()];

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::table::escaped;
 
-/// What has a colour: a kind of element or a class, the property, and the colours on light and on dark screens.
+/// A rule of colour: a kind of element or a class, the property, and the colours on light and on dark screens.
 pub type Rule = (&'static str, &'static str, [&'static str; 2]);
 
 /// All colours. A drawing has those of its elements.
@@ -67,7 +67,7 @@ pub const SIZE: f64 = 13.0;
 /// How words are written.
 #[derive(Clone, Copy, Debug)]
 pub struct Letters {
-    /// What of the words stands at their place: `start`, `middle` or `end`.
+    /// The part of the words that is at their place: `start`, `middle` or `end`.
     pub anchor: &'static str,
     /// The class of their colour; the colour of texts if it is empty.
     pub ink: &'static str,

@@ -1,4 +1,4 @@
-//! What programs that measure have in common: clocks, tables, drawings, the machine, and lines of records that many runs
+//! The common part of programs that measure: clocks, tables, drawings, the machine, and lines of records that many runs
 //! write and a report reads.
 
 #![forbid(unsafe_code)]

@@ -3,7 +3,7 @@
 /// A table: its title, its heads, its rows.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// What it is a table of.
+    /// Its title.
     pub title: String,
     heads: Vec<String>,
     rows: Vec<Vec<String>>,

@@ -1,4 +1,4 @@
-//! What controllers ask for, from its definition. Derivatives by time are differences in 31 digits.
+//! Functions for controllers, from their definitions. Derivatives by time are differences in 31 digits.
 
 use robot_dynamics::DoubleDouble;
 use robot_dynamics::SecondDerivatives;

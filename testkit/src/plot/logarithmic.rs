@@ -27,7 +27,7 @@ pub enum Mark {
 /// Points of one colour.
 #[derive(Clone, Debug)]
 pub struct Series {
-    /// What the legend calls them.
+    /// Their name in the legend.
     pub name: String,
     /// Where they are, and what they look like.
     pub points: Vec<(f64, f64, Mark)>,
@@ -43,7 +43,7 @@ pub struct Plot {
     pub x: &'static str,
     /// The quantity upwards, and its unit.
     pub y: &'static str,
-    /// What is drawn; what is not positive has no place.
+    /// The points that are drawn; values that are not positive have no place.
     pub series: Vec<Series>,
     /// Values of x that are drawn as lines, with what they mean.
     pub limits: Vec<(f64, &'static str)>,

@@ -82,7 +82,7 @@ pub struct ReferenceFile {
 /// Every quantity at one state.
 #[derive(Deserialize)]
 pub struct ReferenceState {
-    /// What the state is called.
+    /// The name of the state.
     pub label: String,
     /// Positions.
     pub q: Vec<f64>,
@@ -114,7 +114,7 @@ pub struct ReferenceState {
     pub ee_pose: Vec<Vec<Decimal>>,
     /// The geometric Jacobian, rows vx vy vz wx wy wz.
     pub jacobian: Vec<Vec<Decimal>>,
-    /// What errors are relative to.
+    /// The denominators of relative errors.
     pub scale: Scale,
 }
 
@@ -122,18 +122,18 @@ pub struct ReferenceState {
 #[derive(Deserialize)]
 #[allow(non_snake_case, reason = "the names in the files")]
 pub struct Scale {
-    /// Of the mass matrix.
+    /// Scale of the mass matrix.
     pub M: f64,
-    /// Of the Coriolis vector.
+    /// Scale of the Coriolis vector.
     pub V: f64,
-    /// Of the gravity vector.
+    /// Scale of the gravity vector.
     pub G: f64,
-    /// Of the Coriolis matrix.
+    /// Scale of the Coriolis matrix.
     pub C: f64,
-    /// Of the torques.
+    /// Scale of the torques.
     pub tau: f64,
-    /// Of the kinetic energy.
+    /// Scale of the kinetic energy.
     pub T: f64,
-    /// Of the potential energy.
+    /// Scale of the potential energy.
     pub U: f64,
 }

@@ -11,7 +11,7 @@ use super::Decimal;
 pub struct MotionFile {
     /// A sample each: positions, then velocities.
     pub y: Vec<Vec<Decimal>>,
-    /// What a unit change of the initial state makes of each sample at most.
+    /// The largest change of each sample by a unit change of the initial state.
     #[serde(default)]
     pub sensitivity_per_sample: Vec<f64>,
 }

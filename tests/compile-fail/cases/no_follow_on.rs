@@ -1,4 +1,4 @@
-//! What a refused table would have is called all the same: no other error follows.
+//! A program that calls the methods of a refused table has no other error.
 
 use robot_dynamics::robot_dynamics;
 

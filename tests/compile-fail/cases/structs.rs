@@ -1,4 +1,4 @@
-//! What is no struct, or none that a robot can have, and fields that cannot be.
+//! An item that is no struct, structs that no robot can have, and fields that cannot be.
 
 use robot_dynamics::robot_dynamics;
 

@@ -67,7 +67,7 @@ impl<R: ForwardDynamics<N>, const N: usize> ForwardDynamics<N> for InVelocities<
     }
 }
 
-/// What the two links exchange between kinetic and potential energy, J.
+/// The energy that the two links exchange between kinetic and potential, J.
 const EXCHANGED: f64 = 54.0;
 
 /// The fall of the two links from the horizontal.

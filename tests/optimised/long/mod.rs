@@ -1,4 +1,4 @@
-//! What computes for so long that it is compiled with all optimisation there is:
+//! Tests that compute for so long that they are compiled with all optimisation there is:
 //! `cargo test --release -p optimised -- --ignored`.
 
 mod energy;

@@ -167,12 +167,12 @@ impl Motion {
     }
 }
 
-/// What the motion of a body takes.
+/// The force and the moment that the motion of a body takes.
 struct Load {
     com: Vector,
     force: Vector,
     moment: Vector,
-    /// Of the force and of the moment.
+    /// Sizes of the force and of the moment.
     size: [f64; 2],
 }
 

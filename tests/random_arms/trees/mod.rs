@@ -17,9 +17,9 @@ use exact::{Exact, Forces, Vector};
 /// Relative to the sum of the sizes of all terms.
 const BOUND: f64 = 1e-15;
 
-/// Robots in files: RBDL's five joints and KDL's Y, which others have printed values of; two arms on a waist; a palletiser
-/// whose rods stand beside its arm; a gripper of followers on both sides; legs on a trunk; an arm whose fingers move
-/// together, and one whose fingers do not.
+/// Robots in files. RBDL's five joints and KDL's Y have printed values. Two arms are on a waist, and a palletiser has
+/// rods beside its arm. A gripper has followers on both sides, and legs are on a trunk. The fingers of one arm move
+/// together, those of the other do not.
 const FILES: [&str; 9] = [
     "files/trees/five.toml",
     "files/trees/y.toml",
@@ -150,8 +150,8 @@ impl Errors {
         }
     }
 
-    /// Of certified forces, whose errors are below their bounds: the share of a bound that an error takes. Numbers of 31
-    /// digits tell no smaller errors than those of their own.
+    /// Adds certified forces, whose errors are below their bounds: the share of a bound that an error takes. Numbers of
+    /// 31 digits tell no smaller errors than those of their own.
     fn add_certified(&mut self, function: &str, found: &[Certified<f64>], expected: &Forces) {
         assert_eq!(found.len(), expected.len(), "{function}");
         for (found, (expected, size)) in found.iter().zip(expected) {
@@ -162,7 +162,7 @@ impl Errors {
         }
     }
 
-    /// Of forces, each beside the largest of their sizes.
+    /// Adds the errors of forces, each relative to the largest of their sizes.
     fn add_forces(&mut self, function: &str, found: &[f64], expected: &Forces) {
         assert_eq!(found.len(), expected.len(), "{function}");
         let size = expected

@@ -1,4 +1,4 @@
-//! What the dynamics of a table are at the decimals that stand in it.
+//! The dynamics of a table at the decimals that it has.
 //!
 //! A table at run time has doubles. The constants of generated code are made of the decimals and rounded once,
 //! so that these are what their errors are measured from. They differ from the doubles by one part in 2^53 at

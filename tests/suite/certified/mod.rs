@@ -106,7 +106,7 @@ fn values<F: Rounded, const R: usize, const C: usize>(
     found.map(|x| x.value())
 }
 
-/// What is compared: accelerations by the method, and by the function of `certified` in both precisions.
+/// The functions that are compared: accelerations by the method, and by the function of `certified` in both precisions.
 const FUNCTIONS: [&str; 7] = ["M", "V", "G", "tau", "qdd", "certified", "in f32"];
 
 /// M, V, G, tau and qdd of a robot whose cells are decimals, against Newton-Euler in 31 digits on these.

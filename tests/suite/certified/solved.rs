@@ -1,4 +1,4 @@
-//! What is solved for with M, bounded by residuals, beside 31 digits at the decimals of the tables.
+//! Solutions with M, bounded by residuals, beside 31 digits at the decimals of the tables.
 
 use super::{Decimals, DoubleDouble, Ratios, State, exactly, largest, values};
 use robot_dynamics::nalgebra::{SMatrix, SVector};

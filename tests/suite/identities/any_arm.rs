@@ -70,7 +70,7 @@ pub(super) trait Doubles<const N: usize, const P: usize>:
 {
 }
 
-/// What is differentiated.
+/// The functions that are differentiated.
 pub(super) trait Duals<const N: usize, const P: usize>:
     MassMatrix<Dual64, N, P>
     + InverseDynamics<Dual64, N, P>
@@ -82,7 +82,7 @@ pub(super) trait Duals<const N: usize, const P: usize>:
 {
 }
 
-/// What is compared in single precision.
+/// The functions that are compared in single precision.
 pub(super) trait Singles<const N: usize, const P: usize>:
     MassMatrix<f32, N, P>
     + CoriolisVector<f32, N, P>

@@ -50,9 +50,9 @@ fn tensor([xx, yy, zz, xy, yz, xz]: [f64; 6]) -> Matrix3<f64> {
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
-/// M_ij = sum over the bodies of m v_i.v_j + w_i.I w_j, with the reflected inertias on the
-/// diagonal, where v_i and w_i are the body's velocities at unit speed of joint i: the kinetic
-/// energy as every textbook defines it, from the poses alone. The tool is the last body.
+/// M_ij = sum over the bodies of m v_i.v_j + w_i.I w_j, with the reflected inertias on the diagonal. v_i and w_i are
+/// the body's velocities at unit speed of joint i: the kinetic energy as every textbook defines it, from the poses
+/// alone. The tool is the last body.
 pub(super) fn mass_matrix_is_that_of_the_moving_links<const N: usize, const P: usize>(
     robot: &dyn AnyArm<N, P>,
 ) {

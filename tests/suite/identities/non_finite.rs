@@ -1,4 +1,4 @@
-//! What is not a number stays visible: a result is finite only where it does not depend on it.
+//! Inputs that are not numbers stay visible: a result is finite only if it does not depend on them.
 
 use robot_dynamics::nalgebra::SVector;
 

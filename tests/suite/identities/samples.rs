@@ -11,8 +11,8 @@ use testkit::random::Random;
 use super::any_arm::AnyArm;
 use super::axes::{Axis, axes};
 
-/// What two results may differ by, for each joint, relative to their magnitude: the bound of the
-/// accuracy tests for both of them, and as much again for the sums of the test itself.
+/// The largest difference of two results, for each joint, relative to their magnitude: the bound of the accuracy tests
+/// for both of them, and as much again for the sums of the test itself.
 pub(super) const TOLERANCE: f64 = 1.6e-14;
 
 /// Twelve states: joints anywhere, at speeds and accelerations of an arm at work.
@@ -49,8 +49,8 @@ pub(super) struct Magnitude {
     pub(super) energy_of_springs: f64,
     /// max |M| max |qdd|, with those of the Coriolis terms, gravity, springs and friction.
     pub(super) torque: f64,
-    /// That of tau without friction and springs, for its derivative by an angle; a weight's lever arm
-    /// changes by 1 with a displacement. And the largest stiffness.
+    /// The magnitude of tau without friction and springs, for its derivative by an angle, and the largest stiffness. A
+    /// weight's lever arm changes by 1 with a displacement.
     pub(super) force_by_position: f64,
     /// 2 max |M| max |qd|, and the largest slope of friction.
     pub(super) force_by_velocity: f64,

@@ -59,7 +59,7 @@ pub(super) fn languages(rows: &Rows) -> Purpose {
     }
 }
 
-/// How many times as long CasADi's C code is to take at least.
+/// The least time of CasADi's C code over that of C code here.
 const BAR_OF_C: f64 = 1.8;
 
 /// A sentence about the functions that miss this bar.
@@ -69,9 +69,9 @@ pub(super) fn missed_by_c(rows: &Rows) -> String {
     let missed: Vec<_> = missed
         .map(|(ratio, row)| format!("`{}` of the {} ({ratio})", row[1], robot(&row[0])))
         .collect();
-    let bar = format!("C code is to take at most 1 / {BAR_OF_C} of the time of CasADi's");
+    let bar = format!("The goal for C code is at most 1 / {BAR_OF_C} of the time of CasADi's");
     match missed.as_slice() {
-        [] => format!("{bar}. It does for each function.\n"),
+        [] => format!("{bar}. Every function reaches it.\n"),
         missed => format!("{bar}. These miss it: {}.\n", missed.join(", ")),
     }
 }

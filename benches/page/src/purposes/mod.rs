@@ -9,7 +9,7 @@ use measuring::table::Table;
 use crate::appendix::{Appendices, Appendix, Rows, number};
 use crate::chart::{Chart, Series};
 
-/// What the page has of one purpose.
+/// The part of the page that serves one purpose.
 pub(crate) struct Purpose {
     /// Where the page has it: `{NAME}`.
     pub(crate) name: &'static str,
@@ -70,7 +70,7 @@ const FUNCTIONS: [(&str, &str); 5] = [
     ("forward_dynamics", "qdd"),
 ];
 
-/// What readers know a robot as.
+/// The name by which readers know a robot.
 fn robot(id: &str) -> &str {
     match id {
         "two_link_saha" => "two links",

@@ -37,7 +37,7 @@ pub(super) fn robots(name: &'static str, title: &'static str, rows: &Rows) -> Pu
     }
     let series = columns.iter().map(|&(head, name)| Series {
         name,
-        // That of Pinocchio is the same with and without batches of `f32`.
+        // Pinocchio's mark is the same with and without batches of `f32`.
         mark: COLUMNS
             .iter()
             .position(|column| column.0 == head)

@@ -159,7 +159,7 @@ impl<const N: usize> Candidate<N> for Dynibo<N> {
         let State { q, qd, qdd } = state;
         let own_gravity = self.gravity_vector(q);
         let friction = self.numeric.friction_vector(qd);
-        // What the arm of the table needs beyond dynibo's at accelerations x.
+        // The torques that the table's arm needs in addition to dynibo's at accelerations x.
         let reflected = self.reflected_inertias;
         let ratio = self.gravity;
         let beyond = |x: &SVector<f64, N>| {

@@ -1,4 +1,4 @@
-//! What was measured, for `docs/performance/arms.md`, from the lines that the builds printed.
+//! The measured values for `docs/performance/arms.md`, from the lines that the builds printed.
 
 mod machine;
 mod tables;

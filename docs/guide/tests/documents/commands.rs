@@ -23,7 +23,7 @@ fn cargo_commands_name_what_exists() {
     assert_none(unknown);
 }
 
-/// What a command names that does not exist.
+/// The first thing that a command names and that does not exist.
 fn nothing_of_that_name(root: &Path, command: &str) -> Option<String> {
     let words: Vec<&str> = command.split_whitespace().collect();
     let after = |option: &str| {

@@ -1,4 +1,4 @@
-//! What a document says: its headings, its links, its blocks of code.
+//! The contents of a document: its headings, its links, its blocks of code.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use crate::prose::Prose;
 
 #[derive(Default)]
 pub(crate) struct Document {
-    /// What comes behind `#` in links to its headings.
+    /// The texts behind `#` in links to its headings.
     pub(crate) anchors: Vec<String>,
     /// Where its links and pictures point.
     pub(crate) links: Vec<String>,

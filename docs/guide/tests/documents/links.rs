@@ -21,7 +21,7 @@ fn links_lead_somewhere() {
     assert_none(dead);
 }
 
-/// What is wrong with a link of a document.
+/// The mistake of a link, if it has one.
 fn complaint(library: &mut Library, path: &Path, link: &str) -> Option<&'static str> {
     // Another host, or an item of Rust, which rustdoc looks up.
     if link.contains(":/") || link.contains("::") || link.starts_with("mailto:") {
@@ -72,7 +72,7 @@ fn links_of_the_book_stay_in_it() {
     for page in &pages {
         for link in Document::read(page).links {
             let file = link.split('#').next().unwrap_or_default();
-            // What is no file is a complaint of `links_lead_somewhere`.
+            // A link that leads to no file is a complaint of `links_lead_somewhere`.
             let Ok(target) = page.with_file_name(file).canonicalize() else {
                 continue;
             };

@@ -1,4 +1,4 @@
-//! What `--project` writes: the test of a source passes, C++ has the same values, and CMake builds all of it.
+//! The files of `--project`: the test of a source passes, C++ has the same values, and CMake builds all of it.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -103,6 +103,30 @@ fn cmake_builds_and_tests() {
     run(&["-S", ".", "-B", "build", "-DBUILT_NATIVE=ON"]);
     run(&["--build", "build"]);
     succeed(&mut Command::new(out.join("build/built_test")));
+}
+
+/// A controller's project with the two lines that the guide's chapter about languages shows.
+#[test]
+fn cmake_links_the_functions_to_a_program() {
+    let out = project("linked", ARM, &[]);
+    if !has("g++") || !has("cmake") {
+        return;
+    }
+    let outer = folder("project_around");
+    let name = out.to_string_lossy();
+    let lists = format!(
+        "cmake_minimum_required(VERSION 3.10)\nproject(controller C CXX)\nadd_subdirectory(\"{name}\" linked)\n\
+         add_executable(controller main.cpp)\ntarget_link_libraries(controller PRIVATE linked)\n"
+    );
+    let program = "#include \"linked.hpp\"\nint main() { return linked::mass_matrix({0.1, 0.2, 0.3})[0][0] > 0 ? 0 : 1; }\n";
+    for (file, text) in [("CMakeLists.txt", lists.as_str()), ("main.cpp", program)] {
+        std::fs::write(outer.join(file), text).expect("a file");
+    }
+    let run =
+        |arguments: &[&str]| succeed(Command::new("cmake").current_dir(&outer).args(arguments));
+    run(&["-S", ".", "-B", "build"]);
+    run(&["--build", "build"]);
+    succeed(&mut Command::new(outer.join("build/controller")));
 }
 
 #[test]

@@ -15,7 +15,7 @@ pub(crate) struct State {
     pub(crate) fields: Vec<Rational>,
 }
 
-/// What an arm of one joint is told.
+/// The state of one joint.
 #[derive(Clone, Default)]
 pub(crate) struct Joint {
     pub(crate) position: Rational,

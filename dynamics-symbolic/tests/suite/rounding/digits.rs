@@ -66,7 +66,7 @@ impl State {
     }
 }
 
-/// What was measured, and the largest errors with what they are errors of.
+/// How many programs were measured, and the largest errors with their functions.
 #[derive(Default)]
 pub(crate) struct Digits {
     programs: usize,

@@ -124,7 +124,7 @@ impl<'a> Writer<'a> {
         let declarations: String = functions.iter().map(declaration).collect();
         format!(
             "{title}#ifndef {upper}_H\n#define {upper}_H\n\n\
-             /* What stands in front of every function: for device code it is compiled for both sides. */\n\
+             /* The specifier of every function: device code compiles it for both sides. */\n\
              #ifndef ROBOT_DYNAMICS_DEVICE\n\
              #if defined(__CUDACC__) || defined(__HIPCC__)\n\
              #define ROBOT_DYNAMICS_DEVICE __host__ __device__\n\
