@@ -187,7 +187,7 @@ fn programs_of_random_arms_with_joint_forces_agree_with_newton_euler() {
     assert_varied(&compare_drawn(4, 5, Tables::robot_with_joint_forces));
 }
 
-/// `cargo test -p tests --test random_arms -- --ignored`
+/// `cargo test -p random_arms -- --ignored`
 #[test]
 #[ignore = "takes two minutes: .ci/run runs it"]
 fn programs_of_many_random_arms_agree_with_newton_euler() {
