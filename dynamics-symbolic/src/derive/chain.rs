@@ -93,7 +93,7 @@ impl<'g> Given<Expr<'g>> {
         let link = |(i, joint): (usize, &mechanism::Joint)| GivenLink {
             d: symbols.value(&joint.aligned.d),
             turn: symbols.turn(i),
-            body: if joint.is_of_base() {
+            body: if arm.is_of_base(i) {
                 Body::splat(zero)
             } else {
                 places.body(symbols, arm, i).less(neglected[i].0)
@@ -167,7 +167,7 @@ impl<'g> Link<Expr<'g>> {
         };
         let none = Turn::none(zero, graph.one());
         let turns = own.turns.0.iter().map(|(_, turn)| *turn);
-        let body = if joint.is_of_base() {
+        let body = if symbols.arm().is_of_base(i) {
             body
         } else {
             let moved = body.moved(Vector3::new(zero, zero, own.origin[2] - shift));
