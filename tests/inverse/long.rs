@@ -1,4 +1,4 @@
-//! What is compiled with optimisation: `cargo test --release -p inverse -- --ignored`.
+//! The tests that are compiled with optimisation: `cargo test --release -p inverse -- --ignored`.
 
 use crate::{arms::*, random_poses_are_solved};
 

@@ -410,7 +410,7 @@ mod tests {
     use super::*;
     use crate::exact::{MOST_BITS, bit_length};
 
-    /// What is tried leaves no trace: the same nodes, numbers and random values are the next ones.
+    /// A trial leaves no trace: the same nodes, numbers and random values are the next ones.
     #[test]
     fn trials_are_forgotten() {
         let graph = Graph::new();

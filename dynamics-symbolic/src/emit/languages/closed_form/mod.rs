@@ -19,12 +19,12 @@ struct Words {
     language: Language,
     /// The lines of a function's comment about its arguments and its results.
     conventions: &'static [&'static str],
-    /// What stands around the list of joints that turn, with 1 for each that does.
+    /// The text around the list of joints that turn, with 1 for each that does.
     turning: [&'static str; 2],
     /// The declaration of the result, and its name.
     begin: &'static str,
     result: &'static str,
-    /// What a declaration of a joint that was found begins with, and that of a direction.
+    /// The beginning of the declaration of a joint that was found, and of a direction.
     joint: &'static str,
     direction: &'static str,
     /// The beginning of a loop in which the joint of that name is each of the solutions of a call.
