@@ -135,8 +135,8 @@ impl Branches<'_> {
     }
 }
 
-/// The direction of a vector; none if its length is not in the field. Of both roots it is the same one for two vectors of the
-/// same length.
+/// The direction of a vector; none if its length is not in the field. Two vectors of the same length take the same of
+/// both roots.
 fn direction(vector: &[Number]) -> Option<Vec<Number>> {
     let square = vector.iter().fold(Number::ZERO, |sum, x| sum + *x * *x);
     let by = square.square_root()?.inverse()?;
