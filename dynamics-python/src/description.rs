@@ -117,15 +117,14 @@ impl Description {
                 || function.name().to_owned(),
                 |frame| function.name_of_frame(frame),
             );
-            let mut known = self.functions();
-            known.find(|(_, of)| of.name() == name).map(|(at, _)| at)
+            self.place(&name).ok()
         });
         match (pose, jacobian) {
             (Some(pose), Some(jacobian)) => Ok([pose, jacobian]),
             _ => {
                 let [pose, jacobian] = RuntimeRobot::place_functions(frame);
                 Err(PyValueError::new_err(format!(
-                    "{} needs functions that were not asked for: functions=[\"default\", \"{pose}\", \"{jacobian}\"]",
+                    "{} needs functions that are not requested: functions=[\"default\", \"{pose}\", \"{jacobian}\"]",
                     frame.map_or_else(|| "the tip".to_owned(), |frame| format!("frame `{frame}`")),
                 )))
             }

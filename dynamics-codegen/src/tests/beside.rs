@@ -112,7 +112,7 @@ fn mistakes_in_cells_beside_a_file_are_told() {
         ),
         (
             "[joints.elbow]\nmass = 1",
-            "`mass` of a joint is said by its file",
+            "`mass` of a joint comes from its file",
         ),
         (
             "[joints.elbow]\nsprng = { stiffness = 1 }",

@@ -8,7 +8,7 @@
 //! `Normal::is_reached` at the very positions that are returned, whole turns taken off.
 
 use super::places::Places;
-use super::search::Problem;
+use super::problem::Problem;
 use crate::size::Size;
 
 /// The share of the error in the damping (T. Sugihara, *Solvability-unconcerned inverse kinematics by the

@@ -9,6 +9,7 @@ mod joints;
 mod normal;
 mod places;
 mod posture;
+mod problem;
 mod search;
 mod settle;
 #[cfg(feature = "std")]

@@ -2,7 +2,7 @@
 
 use super::descent::End;
 use super::places::Places;
-use super::search::Problem;
+use super::problem::Problem;
 use crate::size::{JointVector as _, Size};
 
 /// The damping that pulls, as a share of the greatest diagonal entry of J'J.

@@ -3,31 +3,12 @@
 use super::InverseKinematics;
 use super::descent::{Descent, End};
 use super::ending::{NotReached, Reached, Reason, Residual};
-use super::normal::Normal;
 use super::places::Places;
+use super::problem::Problem;
 use super::target::Target;
 use crate::float::first_non_finite;
 use crate::random::SplitMix64;
 use crate::size::{JointVector as _, Size};
-
-/// A search for joint positions at which frames reach these targets.
-pub(super) struct Problem<'s, D: Size, P> {
-    pub(super) solver: &'s InverseKinematics<D, P>,
-    targets: &'s [Target],
-}
-
-impl<D: Size, P: Places<D>> Problem<'_, D, P> {
-    #[inline(always)]
-    pub(super) fn normal_at(&self, q: &D::Vector) -> Normal<D> {
-        let InverseKinematics {
-            places,
-            joints,
-            tolerance,
-            ..
-        } = self.solver;
-        Normal::at(places, self.targets, joints, tolerance, q)
-    }
-}
 
 impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
     /// Joint positions at which the only frame, or the tip, reaches a target: a [`Target`], or a pose as a

@@ -2,7 +2,7 @@
 
 use super::descent::{Descent, End, LEAST_DAMPING};
 use super::places::Places;
-use super::search::Problem;
+use super::problem::Problem;
 use crate::size::Size;
 
 const MOST_STEPS: usize = 500;

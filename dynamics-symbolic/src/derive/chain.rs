@@ -77,7 +77,7 @@ struct GivenLink<R> {
     d: R,
     /// The turn about the joint's axis.
     turn: Turn<R>,
-    /// Inertial parameters in the joint's own frame, without those that are neglected.
+    /// Inertial parameters in the joint's own frame, without those that are neglected; none of a part of the base.
     body: Body<R>,
     /// The reflected inertia of its motor, without a part that is neglected.
     reflected: R,
@@ -167,12 +167,7 @@ impl<'g> Link<Expr<'g>> {
         };
         let none = Turn::none(zero, graph.one());
         let turns = own.turns.0.iter().map(|(_, turn)| *turn);
-        let body = if symbols.arm().is_of_base(i) {
-            body
-        } else {
-            let moved = body.moved(Vector3::new(zero, zero, own.origin[2] - shift));
-            own.turns.leave_body(moved)
-        };
+        let moved = body.moved(Vector3::new(zero, zero, own.origin[2] - shift));
         let link = Link {
             joint: Joint {
                 zero,
@@ -187,7 +182,7 @@ impl<'g> Link<Expr<'g>> {
             is_of_base: joint.is_of_base(),
             shift: shift - own.origin[2],
             behind: turns.fold(none, Turn::plus),
-            body,
+            body: own.turns.leave_body(moved),
             reflected,
         };
         (link, shift)

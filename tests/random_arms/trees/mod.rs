@@ -33,7 +33,7 @@ const FILES: [&str; 9] = [
 ];
 
 fn from_file(name: &str) -> Robot {
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data");
     let path: PathBuf = data.join(name);
     let options = ReadOptions::new().entries("allow = [\"unphysical_inertia\"]");
     let options = match path.extension().and_then(|end| end.to_str()) {
