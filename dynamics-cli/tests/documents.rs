@@ -3,6 +3,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
 
 /// The project's folder.
 fn root() -> PathBuf {
@@ -35,12 +36,13 @@ fn blocks(document: &str) -> Vec<(&str, Vec<&str>)> {
     blocks
 }
 
-/// A folder with the files that the guide shows: blocks of TOML that have a name, and the robot of the examples.
-fn folder(documents: &[String]) -> PathBuf {
+/// A folder with the files that the guide shows: blocks of TOML that have a name, and the robot of the examples. It is
+/// filled once, because tests that run side by side read the files.
+static FOLDER: LazyLock<PathBuf> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("documents");
     std::fs::create_dir_all(&folder).expect("a folder");
-    for document in documents {
-        for (language, lines) in blocks(document) {
+    for document in documents() {
+        for (language, lines) in blocks(&document) {
             if let Some(name) = language.strip_prefix("toml,") {
                 std::fs::write(folder.join(name), lines.join("\n")).expect("a file");
             }
@@ -51,7 +53,7 @@ fn folder(documents: &[String]) -> PathBuf {
     // A document's `arm.toml` is any arm.
     std::fs::copy(folder.join("two_link.toml"), folder.join("arm.toml")).expect("the guide's arm");
     folder
-}
+});
 
 /// Makes the calls of the command in a document. Returns how many there are.
 #[track_caller]
@@ -80,10 +82,9 @@ fn succeed(command: &mut Command) {
 #[test]
 fn calls_in_documents_succeed() {
     let documents = documents();
-    let folder = folder(&documents);
     let calls: usize = documents
         .iter()
-        .map(|document| call(document, &folder))
+        .map(|document| call(document, &FOLDER))
         .sum();
     assert!(calls >= 10, "{calls} calls were found");
 }
@@ -91,10 +92,9 @@ fn calls_in_documents_succeed() {
 /// Lines of generated code that a document shows, in blocks that name their file, are lines of it.
 #[test]
 fn generated_lines_in_documents_are_generated() {
-    let documents = documents();
-    let folder = folder(&documents);
+    let folder = &*FOLDER;
     let mut shown = 0;
-    for document in &documents {
+    for document in &documents() {
         for (language, lines) in blocks(document) {
             let Some(file) = language.strip_prefix("text,") else {
                 continue;
@@ -104,7 +104,7 @@ fn generated_lines_in_documents_are_generated() {
             let out = folder.join("shown");
             let mut generate = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
             generate.args(["generate", &format!("{name}.toml"), "--lang", language]);
-            succeed(generate.arg("--out").arg(&out).current_dir(&folder));
+            succeed(generate.arg("--out").arg(&out).current_dir(folder));
             let text = std::fs::read_to_string(out.join(file)).expect("a file that was generated");
             // Documentation has its formulas behind slashes.
             let bare = |line: &str| line.trim().trim_start_matches("/// ").to_owned();
@@ -126,7 +126,7 @@ fn generated_lines_in_documents_are_generated() {
 #[test]
 #[ignore = "needs a C compiler: .ci/run runs it"]
 fn the_programs_in_c_run() {
-    let folder = folder(&documents()).join("c_program");
+    let folder = FOLDER.join("c_program");
     std::fs::create_dir_all(&folder).expect("a folder");
     let arm = "two_link.toml";
     std::fs::copy(folder.join("..").join(arm), folder.join(arm)).expect("the arm");
@@ -161,7 +161,7 @@ fn the_programs_in_c_run() {
 #[ignore = "needs numpy, Octave and a C compiler: .ci/run runs it"]
 fn programs_in_other_languages_run() {
     let documents = documents();
-    let folder = folder(&documents).join("programs");
+    let folder = FOLDER.join("programs");
     std::fs::create_dir_all(&folder).expect("a folder");
     for table in ["two_link.toml", "any_rod.toml"] {
         std::fs::copy(folder.join("..").join(table), folder.join(table)).expect("the arm");
