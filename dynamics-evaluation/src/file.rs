@@ -18,8 +18,8 @@ use crate::{BuildError, RuntimeRobot};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FileError {
-    /// The file could not be read, with the system's reason.
-    Unreadable(PathBuf, String),
+    /// The file could not be read: the reason, and the number of the system's error, where it is one.
+    Unreadable(PathBuf, String, Option<i32>),
     /// The name of the file tells no format.
     UnknownFormat(PathBuf),
     /// The file says something else than a robot: all mistakes in it, from the top to the end.
@@ -60,7 +60,7 @@ impl fmt::Display for FileMistake {
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            FileError::Unreadable(file, reason) => {
+            FileError::Unreadable(file, reason, _) => {
                 write!(f, "{}:1:1: cannot be read: {reason}", file.display())
             }
             FileError::UnknownFormat(file) => write!(
@@ -321,7 +321,7 @@ fn text_named(path: &Path, file: &FileName) -> Result<(PathBuf, String), FileErr
     }
     match read_text(&urdf) {
         Ok(text) => Ok((urdf, text)),
-        Err(FileError::Unreadable(_, reason)) => {
+        Err(FileError::Unreadable(_, reason, _)) => {
             Err(refused(format!("`{}` cannot be read: {reason}", file.path)))
         }
         Err(error) => Err(error),
@@ -368,8 +368,9 @@ fn without_neglected(mut model: Model) -> Result<Model, Error> {
 /// [`FileError::Unreadable`], and a mistake where the bytes are no text.
 #[doc(hidden)]
 pub fn read_text(path: &Path) -> Result<String, FileError> {
-    let unreadable = |reason| FileError::Unreadable(path.to_owned(), reason);
-    let bytes = bytes(path, MOST_BYTES).map_err(|error| unreadable(error.to_string()))?;
+    let bytes = bytes(path, MOST_BYTES).map_err(|error| {
+        FileError::Unreadable(path.to_owned(), error.to_string(), error.raw_os_error())
+    })?;
     text(bytes).map_err(|error| FileError::Mistakes(vec![mistake(&[(path, usize::MAX)], error)]))
 }
 

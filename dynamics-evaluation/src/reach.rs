@@ -23,12 +23,24 @@ pub struct RuntimePlace<'a, K = ()> {
     base: PhantomData<K>,
 }
 
+/// The functions that find a place: its pose, and its Jacobian.
+const OF_A_PLACE: [Function; 2] = [Function::ForwardKinematics, Function::Jacobian];
+
 impl RuntimeRobot {
     /// The names of the functions that [`place`](RuntimeRobot::place) needs: `forward_kinematics` and `jacobian` of the tip, or
     /// those of a frame, such as `jacobian(hand)`.
     pub fn place_functions(frame: Option<&str>) -> [String; 2] {
         let of_frame = frame.map_or_else(String::new, |frame| format!("({frame})"));
-        ["forward_kinematics", "jacobian"].map(|name| format!("{name}{of_frame}"))
+        OF_A_PLACE.map(|function| format!("{}{of_frame}", function.name()))
+    }
+
+    /// The names of these functions as methods: `jacobian_hand`.
+    #[doc(hidden)]
+    pub fn place_methods(frame: Option<&str>) -> [String; 2] {
+        OF_A_PLACE.map(|function| match frame {
+            None => function.name().to_owned(),
+            Some(frame) => function.name_of_frame(frame),
+        })
     }
 
     /// The tip, or the frame of that name, whose joint positions are to be found.
@@ -93,15 +105,12 @@ impl RuntimeRobot {
     }
 
     fn place_of<K>(&self, frame: Option<&str>) -> Result<RuntimePlace<'_, K>, EvaluationError> {
-        let function = |function: Function| match frame {
-            None => self.function(function.name()),
-            Some(frame) => self.function(&function.name_of_frame(frame)),
-        };
+        let [pose, jacobian] = RuntimeRobot::place_methods(frame);
         Ok(RuntimePlace {
             arm: self,
             table: self.table(),
-            pose: function(Function::ForwardKinematics)?,
-            jacobian: function(Function::Jacobian)?,
+            pose: self.function(&pose)?,
+            jacobian: self.function(&jacobian)?,
             base: PhantomData,
         })
     }

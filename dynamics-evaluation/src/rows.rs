@@ -1,6 +1,6 @@
 //! Values with matrices by rows, one state after the other, as arrays of numpy lie in memory.
 
-use dynamics_symbolic::function::{Shape, Size, Sizes};
+use dynamics_symbolic::function::{Request, Shape, Size, Sizes};
 use fearless_simd::Level;
 
 use crate::compiled::check_length;
@@ -16,6 +16,18 @@ pub enum Arrangement {
 }
 
 impl Arrangement {
+    /// The arrangement of what is requested, of a robot of these sizes.
+    #[doc(hidden)]
+    pub fn of(request: &Request, sizes: Sizes) -> Self {
+        let mut parts = request
+            .functions()
+            .map(|part| Arrangement::new(part.shape(), sizes));
+        match parts.next() {
+            Some(only) if !request.is_tuple() => only,
+            first => Arrangement::Tuple(first.into_iter().chain(parts).collect()),
+        }
+    }
+
     fn new(shape: &Shape, sizes: Sizes) -> Self {
         match shape {
             Shape::Number => Arrangement::Array(Vec::new()),
@@ -52,13 +64,7 @@ impl RuntimeRobot {
     /// [`EvaluationError::NotDerived`] where it was not requested.
     pub fn arrangement(&self, function: &str) -> Result<Arrangement, EvaluationError> {
         let function = self.function(function)?;
-        let sizes = function.layout.sizes;
-        let parts = function.request.functions();
-        let mut parts = parts.map(|part| Arrangement::new(part.shape(), sizes));
-        Ok(match parts.next() {
-            Some(only) if !function.request.is_tuple() => only,
-            first => Arrangement::Tuple(first.into_iter().chain(parts).collect()),
-        })
+        Ok(Arrangement::of(&function.request, function.layout.sizes))
     }
 
     /// The entries of the value of a function at a state, in its [`arrangement`](RuntimeRobot::arrangement): the numbers of

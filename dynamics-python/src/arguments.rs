@@ -19,7 +19,7 @@ const BASE: &str = "base";
 
 /// The name of an argument of a robot whose base moves or stands: the velocities of a base are no derivatives of
 /// positions.
-pub(crate) fn name_of(name: &'static str, moves: bool) -> &'static str {
+fn name_of(name: &'static str, moves: bool) -> &'static str {
     match name {
         "qd" if moves => "v",
         "qdd" if moves => "a",
@@ -43,6 +43,10 @@ impl Argument {
 
     pub(crate) fn is_pose(&self) -> bool {
         self.name == BASE
+    }
+
+    pub(crate) fn shape(&self) -> String {
+        shape(&self.axes)
     }
 }
 
@@ -79,7 +83,7 @@ impl<'a, 'py> Given<'a, 'py> {
                 "`{}` has the shape {}: expected {}",
                 argument.name,
                 tuple(shape),
-                expected(&argument.axes)
+                argument.shape()
             )));
         };
         Ok(Given {
@@ -196,8 +200,14 @@ pub(crate) fn tuple(shape: &[usize]) -> String {
     }
 }
 
+/// A size that is not known: the number P of base parameters.
+pub(crate) const UNKNOWN: usize = usize::MAX;
+
 /// A shape of any leading axes.
-fn expected(axes: &[usize]) -> String {
-    let sizes: Vec<_> = axes.iter().map(usize::to_string).collect();
-    format!("(..., {})", sizes.join(", "))
+pub(crate) fn shape(axes: &[usize]) -> String {
+    let sizes = axes.iter().map(|size| match *size {
+        UNKNOWN => ", P".to_owned(),
+        size => format!(", {size}"),
+    });
+    format!("(...{})", sizes.collect::<String>())
 }

@@ -112,15 +112,9 @@ impl Description {
             };
             return Err(PyValueError::new_err(format!("no frame `{name}`: {hint}")));
         }
-        let [pose, jacobian] = [Function::ForwardKinematics, Function::Jacobian].map(|function| {
-            let name = frame.map_or_else(
-                || function.name().to_owned(),
-                |frame| function.name_of_frame(frame),
-            );
-            self.place(&name).ok()
-        });
-        match (pose, jacobian) {
-            (Some(pose), Some(jacobian)) => Ok([pose, jacobian]),
+        let methods = RuntimeRobot::place_methods(frame);
+        match methods.each_ref().map(|name| self.place(name)) {
+            [Ok(pose), Ok(jacobian)] => Ok([pose, jacobian]),
             _ => {
                 let [pose, jacobian] = RuntimeRobot::place_functions(frame);
                 Err(PyValueError::new_err(format!(

@@ -16,9 +16,14 @@ fn raised<'py>(py: Python<'py>, name: &str, arguments: impl pyo3::call::PyCallAr
     }
 }
 
-/// `TableError`, with all mistakes; `OSError` of a file that cannot be read.
+/// `TableError`, with all mistakes; `FileNotFoundError` or another `OSError` of a file that cannot be read.
 pub(crate) fn of_file(py: Python<'_>, error: &FileError) -> PyErr {
     match error {
+        // Python takes the class that the number says: the first one, or of Windows the last one.
+        FileError::Unreadable(file, reason, Some(number)) => {
+            let reason = reason.split(" (os error").next().map(str::to_owned);
+            PyOSError::new_err((*number, reason, file.display().to_string(), *number))
+        }
         FileError::Unreadable(..) => PyOSError::new_err(error.to_string()),
         FileError::Mistakes(mistakes) => {
             let mistakes = mistakes.iter().map(|mistake| {

@@ -3,15 +3,18 @@
 use std::sync::{Arc, OnceLock};
 
 use dynamics_evaluation::{Arrangement, RuntimeRobot};
+use dynamics_symbolic::Request;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::arguments::{Argument, name_of};
+use crate::arguments::Argument;
 use crate::call::{self, MOST_ARGUMENTS, SHORT};
 use crate::description::{Derived, Description};
+use crate::documentation;
 
-/// A function of a robot. It is derived at its first call, and kept.
+// A function of a robot. It is derived at its first call, and kept. A documentation of the class, which the stub has,
+// would take the place of the functions' own.
 #[pyclass(frozen, module = "robot_dynamics")]
 pub(crate) struct Function {
     description: Arc<Description>,
@@ -39,6 +42,12 @@ impl Function {
             fields: Arc::clone(fields),
             ready: OnceLock::new(),
         }
+    }
+
+    /// The request as the robot answers it.
+    fn request(&self) -> Request {
+        let request = self.description.request(self.place);
+        self.description.robot.request(request.clone())
     }
 
     pub(crate) fn ready(&self, py: Python<'_>) -> PyResult<&Ready> {
@@ -143,14 +152,23 @@ impl Function {
         self.description.request(self.place).name()
     }
 
+    /// The function with its arguments, their shapes and units, and the settings of a call.
+    #[getter]
+    fn __doc__(&self) -> String {
+        documentation::documentation(&self.description.robot, &self.request())
+    }
+
+    /// The signature that `inspect` and editors ask for.
+    #[getter]
+    fn __signature__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        documentation::signature(py, &self.description.robot, &self.request())
+    }
+
     /// The names of the arguments.
     #[getter]
     fn arguments(&self) -> Vec<&'static str> {
-        let robot = &self.description.robot;
-        let request = robot.request(self.description.request(self.place).clone());
-        let moves = robot.freedoms().has_base();
-        let names = request.arguments().into_iter().map(|of| of.name());
-        names.map(|name| name_of(name, moves)).collect()
+        let arguments = documentation::arguments(&self.description.robot, &self.request());
+        arguments.iter().map(|of| of.name).collect()
     }
 
     fn __repr__(&self) -> String {

@@ -6,6 +6,7 @@
 mod arguments;
 mod call;
 mod description;
+mod documentation;
 mod errors;
 mod force;
 mod function;

@@ -261,8 +261,13 @@ def test_settings_that_make_no_sense(cart: rd.Robot) -> None:
     ]:
         with pytest.raises(ValueError, match=message):
             cart.simulate([0.0], **settings)
-    with pytest.raises(TypeError, match="unknown settings"):
-        cart.simulate([0.0], steps=3)
+    for setting, message in [
+        ("steps", "unknown keyword `steps`: did you mean `step`"),
+        ("torqe", "unknown keyword `torqe`: did you mean `torque`"),
+        ("mass", "unknown keyword `mass`: expected one of q, qd, torque, .*held_tool_wrench"),
+    ]:
+        with pytest.raises(TypeError, match=message):
+            cart.simulate([0.0], **{setting: 3})
 
 
 def test_a_base_that_moves() -> None:

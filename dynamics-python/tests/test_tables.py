@@ -1,7 +1,9 @@
 """Robots of files, of texts and of keywords, and the mistakes in them."""
 
 import copy
+import errno
 import pickle
+import re
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +11,8 @@ import pytest
 
 import robot_dynamics as rd
 from conftest import DATA, panda
+from robot_dynamics._native import Arm
+from robot_dynamics._robot import KEYWORDS
 
 FILES = DATA / "files"
 
@@ -165,11 +169,47 @@ def test_mistakes_of_files_and_of_entries(tmp_path: Path) -> None:
     with pytest.raises(rd.TableError) as raised:
         panda(allow=["nothing"])
     assert raised.value.file is None and "nothing" in str(raised.value)
-    with pytest.raises(OSError):
-        rd.Robot.from_file(tmp_path / "none.urdf")
     (tmp_path / "arm.txt").write_text("")
     with pytest.raises(rd.TableError, match="format"):
         rd.Robot.from_file(tmp_path / "arm.txt")
+
+
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError) as raised:
+        rd.Robot.from_file(tmp_path / "none.urdf")
+    assert raised.value.filename == str(tmp_path / "none.urdf") and raised.value.errno == errno.ENOENT
+    (tmp_path / "letters").write_text("")
+    with pytest.raises(NotADirectoryError):
+        rd.Robot.from_file(tmp_path / "letters" / "arm.urdf")
+    # The system has no number for what a robot alone asks of its files.
+    with pytest.raises(OSError, match="it is a folder, expected a file") as raised:
+        rd.Robot.from_file(tmp_path)
+    assert str(tmp_path) in str(raised.value)
+
+
+def test_keywords_that_are_not_known() -> None:
+    for keyword, message in [
+        ("gravty", "unknown keyword `gravty`: did you mean `gravity`?"),
+        ("frame", "unknown keyword `frame`: did you mean `frames`?"),
+        ("speed", "unknown keyword `speed`: expected one of convention, gravity, base, .*, round_angles, fields$"),
+    ]:
+        for robot in (
+            lambda **entries: rd.Robot.from_table(**TWO_LINK, **entries),
+            lambda **entries: rd.Robot.from_toml("", **entries),
+            panda,
+        ):
+            with pytest.raises(TypeError, match=message.replace("?", "\\?")):
+                robot(**{keyword: 1})
+
+
+def test_keywords_are_the_keys_of_files() -> None:
+    """A file has a `frame` for each of them, and `tests`, which are written in Rust alone."""
+    with pytest.raises(rd.TableError) as raised:
+        Arm(DATA / "urdf" / "panda.urdf", (DATA / "urdf" / "panda.urdf").read_text(), "zzzzzz = 1")
+    (message,) = [one.text for one in raised.value.mistakes if "zzzzzz" in one.text]
+    keys = set(re.findall(r"\w+", message.partition("expected ")[2])) - {"or", "one", "of"}
+    beside = {"frames", "joints", "functions", "chain", "ignore", "round_angles", "fields"}
+    assert set(KEYWORDS) == keys - {"frame", "tests"} | beside
 
 
 def test_robots_are_copied_and_pickled() -> None:

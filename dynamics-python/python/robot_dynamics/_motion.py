@@ -10,13 +10,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._keywords import require_known
 
 Law = Callable[..., ArrayLike]
 """Torques as a function `law(t, q, qd)`, or `law(t, base, q, v)` where the base moves."""
 
 Floats = NDArray[np.float64]
 
+ARGUMENTS = ("q", "qd", "torque", "duration", "samples", "method", "base", "tool_wrench", "wrench_at")
+"""The arguments that `Robot.simulate` names."""
+
 SETTINGS: dict[str, Any] = {
+    "held_tool_wrench": None,
     "step": None,
     "tolerance": None,
     "max_step": None,
@@ -115,9 +120,11 @@ def simulate(
     settings: dict[str, Any],
 ) -> Trajectory:
     """The motion of a robot from rest, or from velocities."""
+    require_known(settings, [*ARGUMENTS, *SETTINGS])
+    settings = {**SETTINGS, **settings}
     torque, wrench = settings.pop("torque"), settings.pop("tool_wrench")
-    held = settings.pop("held_tool_wrench", None)
-    if held is not None and (wrench is not None or settings.get("control_period") is None):
+    held = settings.pop("held_tool_wrench")
+    if held is not None and (wrench is not None or settings["control_period"] is None):
         raise ValueError("`held_tool_wrench` takes the place of `tool_wrench`, and needs a `control_period`")
     at_frames = settings.pop("wrench_at") or {}
     if not isinstance(at_frames, Mapping):
@@ -125,16 +132,12 @@ def simulate(
     wrenches = [_wrench(frame, law, f'wrench_at["{frame}"]') for frame, law in at_frames.items()]
     if wrench is not None:
         wrenches.insert(0, _wrench(None, wrench, "tool_wrench"))
-    unknown = sorted(set(settings) - set(SETTINGS) - {"duration", "samples", "method"})
-    if unknown:
-        raise TypeError(f"unknown settings {unknown}: expected some of {', '.join(SETTINGS)}")
     moves = arm.dof - len(arm.joint_names)
     if base is not None and not moves:
         raise ValueError("`base` is of a robot whose base moves: this one stands")
     law = torque if callable(torque) else None
     constant = None if callable(torque) else torque
     plan = {
-        **SETTINGS,
         **settings,
         "base": None if base is None else _entries_of_pose(base),
         "q": _vector("q", q, len(arm.joint_names)),

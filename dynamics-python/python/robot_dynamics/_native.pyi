@@ -1,4 +1,5 @@
 from collections.abc import Callable
+from inspect import Signature
 from os import PathLike
 from typing import Any, final
 
@@ -10,6 +11,15 @@ __all__ = ["Arm", "Function", "text_of"]
 def text_of(path: str | PathLike[str]) -> str: ...
 @final
 class Function:
+    """A function of a robot. It is derived at its first call, and kept.
+
+    Its own documentation has the arguments with shapes and units: `help(arm.inverse_dynamics)`. Settings of a call:
+
+    out: an array of numpy, which takes the value
+    threads: how many threads share the states, 1 where nothing is said
+    on_singular: "raise" raises `SingularMassMatrix` where M(q) is singular, "nan" gives NaN at these states
+    """
+
     def __call__(
         self,
         *arguments: ArrayLike,
@@ -23,6 +33,8 @@ class Function:
     def arguments(self) -> list[str]: ...
     @property
     def __name__(self) -> str: ...
+    @property
+    def __signature__(self) -> Signature: ...
 
 @final
 class Arm:

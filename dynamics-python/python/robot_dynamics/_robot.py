@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _toml
+from ._keywords import require_known
 from ._motion import Law, Trajectory, simulate
 from ._native import Function
 from ._questions import Formulas, Operations, Report
@@ -20,6 +21,12 @@ from ._reach import reach
 
 _OPTIONS = ("functions", "chain", "ignore", "round_angles", "fields")
 """Keywords that are no entries of a table."""
+
+KEYWORDS = (
+    *("convention", "gravity", "base", "joint", "joints", "couple", "tool", "frames", "lock", "neglect", "allow", "let"),
+    *_OPTIONS,
+)
+"""All keywords: entries of tables as files have them, where each frame is a `frame` of its own, and the options."""
 
 _TEXT = "TOML"
 """The name of a text in messages."""
@@ -41,18 +48,45 @@ class Robot:
     All mistakes of a file are in one `TableError`.
     """
 
-    christoffel: Function
     coriolis_matrix: Function
+    """`coriolis_matrix(q, qd)`: Coriolis matrix C(q, qd), N x N, from the Christoffel symbols of the first kind: C qd = V,
+    and dM/dt - 2 C is skew-symmetric.
+    """
     coriolis_vector: Function
+    """`coriolis_vector(q, qd)`: Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity,
+    springs, friction and acceleration.
+    """
     forward_dynamics: Function
+    """`forward_dynamics(q, qd, tau)`: Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) +
+    F(qd) = tau, rad/s^2 or m/s^2; K is of springs, F of friction.
+    """
     forward_kinematics: Function
+    """`forward_kinematics(q)`: Forward kinematics: the homogeneous transform of the tip in the base frame, m."""
     friction_vector: Function
+    """`friction_vector(qd)`: Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with
+    sign(0) = 0: C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v,
+    where the table has one, else C.
+    """
     gravity_vector: Function
+    """`gravity_vector(q)`: Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics
+    at rest without springs.
+    """
     inverse_dynamics: Function
+    """`inverse_dynamics(q, qd, qdd)`: Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one
+    program; K is of springs, F of friction.
+    """
     jacobian: Function
+    """`jacobian(q)`: Geometric Jacobian of the tip's origin, 6 x N, rows vx vy vz wx wy wz, in the base frame."""
     kinetic_energy: Function
+    """`kinetic_energy(q, qd)`: Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J."""
     mass_matrix: Function
+    """`mass_matrix(q)`: Mass matrix M(q), N x N, both triangles, reflected motor inertias included (kg m^2, kg m or kg).
+    Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).
+    """
     potential_energy: Function
+    """`potential_energy(q)`: Potential energy U(q) = -sum m g.c, zero at the origin of the base frame, and that of springs,
+    1/2 stiffness (q - rest)^2, J.
+    """
 
     def __init__(self, source: _Origin, fields: Mapping[str, float]) -> None:
         self._source = source
@@ -67,7 +101,10 @@ class Robot:
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str], **entries: Any) -> Robot:
-        """The robot of a file: a table in TOML or in JSON, or a URDF file."""
+        """The robot of a file: a table in TOML or in JSON, or a URDF file.
+
+        `FileNotFoundError`, or another `OSError`, of a file that cannot be read.
+        """
         path = os.fspath(path)
         return cls._read(path, _native.text_of(path), entries)
 
@@ -84,12 +121,14 @@ class Robot:
 
         The convention is `"standard"` or `"modified"` (Denavit and Hartenberg's, or Craig's).
         """
+        require_known(entries, KEYWORDS)
         options = {name: entries.pop(name) for name in _OPTIONS if name in entries}
         table = {"convention": convention, "joint": joint, **entries}
         return cls._read(_TEXT, _toml.document(_in_files(table)), options)
 
     @classmethod
     def _read(cls, path: str, text: str, entries: dict[str, Any]) -> Robot:
+        require_known(entries, KEYWORDS)
         source = _Source(path, text, entries)
         return cls(source, source.values)
 

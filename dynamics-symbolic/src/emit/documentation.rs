@@ -134,8 +134,17 @@ pub(super) fn unresisted<'r>(
     unresisted.map(|(row, _)| row.name.as_str()).collect()
 }
 
-/// The units of the arguments.
+/// The arguments with their units.
 fn units(robot: &Robot, request: &Request) -> String {
+    let meanings = meanings(robot, request);
+    let unit =
+        |(argument, meaning): &(Argument, String)| format!("`{}`: {meaning}", argument.name());
+    let units: Vec<_> = meanings.iter().map(unit).collect();
+    format!(" {}.", units.join("; "))
+}
+
+/// The meaning of each argument with its unit, but of those that the description of the function tells.
+pub fn meanings(robot: &Robot, request: &Request) -> Vec<(Argument, String)> {
     let is = |joint_type| robot.joints().all(|row| row.joint_type == joint_type);
     let (position, force) = match (is(JointType::Revolute), is(JointType::Prismatic)) {
         (true, _) => ("rad", "N m"),
@@ -157,10 +166,9 @@ fn units(robot: &Robot, request: &Request) -> String {
         } else {
             meaning.replace("the tip", "each frame")
         };
-        Some(format!("`{}`: {meaning}", argument.name()))
+        Some((*argument, meaning))
     };
-    let units: Vec<_> = request.arguments().iter().filter_map(unit).collect();
-    format!(" {}.", units.join("; "))
+    request.arguments().iter().filter_map(unit).collect()
 }
 
 /// The values that are zero or constant, and the variables that the others depend on.

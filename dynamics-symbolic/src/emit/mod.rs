@@ -16,7 +16,7 @@ mod polynomial;
 mod series;
 mod signature;
 
-pub use documentation::quantities;
+pub use documentation::{meanings, quantities};
 pub use inverse::{inverse_kinematics, stub_of_inverse};
 pub use languages::{
     CNumbers, CSource, CasadiSource, c_project, c_source, c_source_in, casadi_requests,
