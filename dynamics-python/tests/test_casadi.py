@@ -20,7 +20,7 @@ FUNCTIONS = ["inverse_dynamics", "forward_dynamics", "mass_matrix", "gravity_vec
 ARGUMENTS = {"inverse_dynamics": ["q", "qd", "qdd"], "forward_dynamics": ["q", "qd", "tau"]}
 RESULTS = {"inverse_dynamics": "tau", "forward_dynamics": "qdd"}
 
-External = Callable[[str], Any]
+External = Callable[..., Any]
 
 
 def compiled(robot: rd.Robot, functions: list[str], folder: Path) -> Path:
@@ -34,7 +34,7 @@ def compiled(robot: rd.Robot, functions: list[str], folder: Path) -> Path:
 @pytest.fixture(scope="module")
 def external(arm: rd.Robot, tmp_path_factory: pytest.TempPathFactory) -> External:
     library = compiled(arm, FUNCTIONS, tmp_path_factory.mktemp("casadi"))
-    return lambda name: ca.external(name, str(library))
+    return lambda name, **options: ca.external(name, str(library), options)
 
 
 def graph(arm: rd.Robot, name: str) -> Any:
@@ -85,6 +85,30 @@ def test_second_derivatives(arm: rd.Robot, external: External) -> None:
     for state in states(arm):
         for block, other in zip(found(*state, *places), expected(*state, *places), strict=True):
             assert_near(block, other, 1e-13)
+
+
+def test_reverse_mode(arm: rd.Robot, external: External) -> None:
+    """Gradients and Hessians are of one file, not of CasADi's products of matrices."""
+    found, expected = (function("inverse_dynamics").reverse(1) for function in (external, lambda name: graph(arm, name)))
+    for functions in (found, expected), (found.jacobian(), expected.jacobian()):
+        assert functions[0].name() == functions[1].name() and functions[0].is_a("External")
+        for names in ("name_in", "name_out"):
+            assert getattr(functions[0], names)() == getattr(functions[1], names)()
+        places = [0] * (functions[0].n_in() - 5)
+        for weights, state in zip(np.random.default_rng(5).uniform(-1, 1, (20, arm.dof)), states(arm)):
+            given = (*state, 0, weights, *places)
+            for block, other in zip(functions[0](*given), functions[1](*given), strict=True):
+                assert_near(block, other, 1e-13)
+
+
+def test_an_option_keeps_whole_jacobians(arm: rd.Robot, external: External) -> None:
+    """As the chapter says: with it Jacobians are no rows of the reverse mode, and gradients are of it."""
+    tau = external("inverse_dynamics", jac_penalty=1.5 / arm.dof)
+    x = ca.MX.sym("x", 3 * arm.dof)
+    value = tau(*ca.vertsplit(x, arm.dof))
+    for derivative, reverses in (ca.jacobian(value, x), 0), (ca.gradient(ca.sum1(value), x), 1):
+        steps = ca.Function("derivative", [x], [derivative]).str(True)
+        assert steps.count("adj1_inverse_dynamics") == reverses and steps.count("jac_inverse_dynamics") == 1 - reverses
 
 
 def hessian(function: Any, dof: int) -> Any:

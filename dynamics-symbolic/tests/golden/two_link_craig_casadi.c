@@ -2,7 +2,7 @@
  * Equations of motion of `two_link_craig`, written by robot-dynamics.
  *
  * For `casadi.external`. Each function is proven equal to the textbook Lagrangian. SI units, radians.
- * Entries that are zero always are no part of an output. Derivatives `jac_..` and `jac_jac_..` are exact.
+ * Entries that are zero always are no part of an output. Derivatives `jac_..`, `jac_jac_..` and `adj1_..` are exact.
  *
  * The input `arm` has the symbolic parameters, in this order: m1, m2, l1, l2, g.
  * Derivatives by them are not known: they are NaN.
@@ -324,6 +324,12 @@ static const long long int robot_dynamics_pattern_13[8] = {4, 2, 0, 2, 3, 2, 3, 
 static const long long int robot_dynamics_pattern_14[5] = {4, 2, 0, 0, 0};
 static const long long int robot_dynamics_pattern_15[8] = {4, 2, 0, 0, 3, 0, 1, 2};
 static const long long int robot_dynamics_pattern_16[9] = {4, 2, 0, 2, 4, 1, 2, 0, 2};
+static const long long int robot_dynamics_pattern_17[4] = {5, 1, 0, 0};
+static const long long int robot_dynamics_pattern_18[3] = {5, 5, 1};
+static const long long int robot_dynamics_pattern_19[3] = {5, 2, 1};
+static const long long int robot_dynamics_pattern_20[5] = {5, 2, 0, 0, 0};
+static const long long int robot_dynamics_pattern_21[7] = {2, 2, 0, 1, 2, 1, 1};
+static const long long int robot_dynamics_pattern_22[7] = {2, 2, 0, 0, 2, 0, 1};
 
 #ifdef __cplusplus
 extern "C" {
@@ -872,6 +878,284 @@ CASADI_SYMBOL_EXPORT int jac_jac_inverse_dynamics_work(long long int *sz_arg, lo
     if (sz_res) *sz_res = 20;
     if (sz_iw) *sz_iw = 0;
     if (sz_w) *sz_w = 0;
+    return 0;
+}
+
+/**
+ * First derivatives of `inverse_dynamics`, transposed, times weights of its values.
+ *
+ * (arm[5], q[2], qd[2], qdd[2], adj_tau[2]) -> (adj_arm[5], adj_q[2], adj_qd[2], adj_qdd[2])
+ */
+CASADI_SYMBOL_EXPORT int adj1_inverse_dynamics(const double **arg, double **res, long long int *iw, double *w, int mem)
+{
+    double *jac_tau_q = w + 0;
+    double *jac_tau_qd = w + 4;
+    double *jac_tau_qdd = w + 7;
+    double *first[] = {0, jac_tau_q, jac_tau_qd, jac_tau_qdd};
+    if (jac_inverse_dynamics(arg, first, iw, w, mem)) return 1;
+    const double *adj_tau = arg[5] ? arg[5] : robot_dynamics_zeros;
+    (void)res;
+    if (res[0]) robot_dynamics_unknown(res[0], 5);
+    if (res[1]) {
+        res[1][0] = jac_tau_q[0] * adj_tau[0] + jac_tau_q[1] * adj_tau[1];
+        res[1][1] = jac_tau_q[2] * adj_tau[0] + jac_tau_q[3] * adj_tau[1];
+    }
+    if (res[2]) {
+        res[2][0] = jac_tau_qd[0] * adj_tau[0] + jac_tau_qd[1] * adj_tau[1];
+        res[2][1] = jac_tau_qd[2] * adj_tau[0];
+    }
+    if (res[3]) {
+        res[3][0] = jac_tau_qdd[0] * adj_tau[0] + jac_tau_qdd[1] * adj_tau[1];
+        res[3][1] = jac_tau_qdd[2] * adj_tau[0] + jac_tau_qdd[3] * adj_tau[1];
+    }
+    return 0;
+}
+
+CASADI_SYMBOL_EXPORT long long int adj1_inverse_dynamics_n_in(void) { return 6; }
+
+CASADI_SYMBOL_EXPORT long long int adj1_inverse_dynamics_n_out(void) { return 4; }
+
+CASADI_SYMBOL_EXPORT const char *adj1_inverse_dynamics_name_in(long long int i)
+{
+    switch (i) {
+    case 0: return "arm";
+    case 1: return "q";
+    case 2: return "qd";
+    case 3: return "qdd";
+    case 4: return "out_tau";
+    case 5: return "adj_tau";
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT const char *adj1_inverse_dynamics_name_out(long long int i)
+{
+    switch (i) {
+    case 0: return "adj_arm";
+    case 1: return "adj_q";
+    case 2: return "adj_qd";
+    case 3: return "adj_qdd";
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT const long long int *adj1_inverse_dynamics_sparsity_in(long long int i)
+{
+    switch (i) {
+    case 0: return robot_dynamics_pattern_0;
+    case 1: return robot_dynamics_pattern_1;
+    case 2: return robot_dynamics_pattern_1;
+    case 3: return robot_dynamics_pattern_1;
+    case 4: return robot_dynamics_pattern_2;
+    case 5: return robot_dynamics_pattern_1;
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT const long long int *adj1_inverse_dynamics_sparsity_out(long long int i)
+{
+    switch (i) {
+    case 0: return robot_dynamics_pattern_0;
+    case 1: return robot_dynamics_pattern_1;
+    case 2: return robot_dynamics_pattern_1;
+    case 3: return robot_dynamics_pattern_1;
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT int adj1_inverse_dynamics_work(long long int *sz_arg, long long int *sz_res, long long int *sz_iw, long long int *sz_w)
+{
+    if (sz_arg) *sz_arg = 6;
+    if (sz_res) *sz_res = 4;
+    if (sz_iw) *sz_iw = 0;
+    if (sz_w) *sz_w = 11;
+    return 0;
+}
+
+/**
+ * First derivatives of `adj1_inverse_dynamics`.
+ *
+ * (arm[5], q[2], qd[2], qdd[2], adj_tau[2]) -> (jac_adj_arm_arm[5 x 5], jac_adj_arm_q[5 x 2], jac_adj_arm_qd[5 x 2], jac_adj_arm_qdd[5 x 2], jac_adj_arm_out_tau[5 x 2], jac_adj_arm_adj_tau[5 x 2], jac_adj_q_arm[2 x 5], jac_adj_q_q[2 x 2], jac_adj_q_qd[2 x 2], jac_adj_q_qdd[2 x 2], jac_adj_q_out_tau[2 x 2], jac_adj_q_adj_tau[2 x 2], jac_adj_qd_arm[2 x 5], jac_adj_qd_q[2 x 2], jac_adj_qd_qd[2 x 2], jac_adj_qd_qdd[2 x 2], jac_adj_qd_out_tau[2 x 2], jac_adj_qd_adj_tau[2 x 2], jac_adj_qdd_arm[2 x 5], jac_adj_qdd_q[2 x 2], jac_adj_qdd_qd[2 x 2], jac_adj_qdd_qdd[2 x 2], jac_adj_qdd_out_tau[2 x 2], jac_adj_qdd_adj_tau[2 x 2])
+ */
+CASADI_SYMBOL_EXPORT int jac_adj1_inverse_dynamics(const double **arg, double **res, long long int *iw, double *w, int mem)
+{
+    double *jac_tau_q = w + 0;
+    double *jac_tau_qd = w + 4;
+    double *jac_tau_qdd = w + 7;
+    double *first[] = {0, jac_tau_q, jac_tau_qd, jac_tau_qdd};
+    if (jac_inverse_dynamics(arg, first, iw, w, mem)) return 1;
+    double *jac_jac_tau_q_q = w + 11;
+    double *jac_jac_tau_q_qd = w + 19;
+    double *jac_jac_tau_q_qdd = w + 22;
+    double *jac_jac_tau_qd_q = w + 25;
+    double *jac_jac_tau_qd_qd = w + 28;
+    double *jac_jac_tau_qdd_q = w + 32;
+    double *second[] = {0, 0, 0, 0, 0, 0, jac_jac_tau_q_q, jac_jac_tau_q_qd, jac_jac_tau_q_qdd, 0, 0, jac_jac_tau_qd_q, jac_jac_tau_qd_qd, 0, 0, 0, jac_jac_tau_qdd_q, 0, 0, 0};
+    if (jac_jac_inverse_dynamics(arg, second, iw, w, mem)) return 1;
+    const double *adj_tau = arg[5] ? arg[5] : robot_dynamics_zeros;
+    (void)res;
+    if (res[0]) robot_dynamics_unknown(res[0], 25);
+    if (res[1]) robot_dynamics_unknown(res[1], 10);
+    if (res[2]) robot_dynamics_unknown(res[2], 10);
+    if (res[3]) robot_dynamics_unknown(res[3], 10);
+    if (res[5]) robot_dynamics_unknown(res[5], 10);
+    if (res[6]) robot_dynamics_unknown(res[6], 10);
+    if (res[7]) {
+        res[7][0] = jac_jac_tau_q_q[0] * adj_tau[0] + jac_jac_tau_q_q[1] * adj_tau[1];
+        res[7][1] = jac_jac_tau_q_q[2] * adj_tau[0] + jac_jac_tau_q_q[3] * adj_tau[1];
+        res[7][2] = jac_jac_tau_q_q[4] * adj_tau[0] + jac_jac_tau_q_q[5] * adj_tau[1];
+        res[7][3] = jac_jac_tau_q_q[6] * adj_tau[0] + jac_jac_tau_q_q[7] * adj_tau[1];
+    }
+    if (res[8]) {
+        res[8][0] = jac_jac_tau_q_qd[0] * adj_tau[0] + jac_jac_tau_q_qd[1] * adj_tau[1];
+        res[8][1] = jac_jac_tau_q_qd[2] * adj_tau[0];
+    }
+    if (res[9]) {
+        res[9][0] = jac_jac_tau_q_qdd[0] * adj_tau[0] + jac_jac_tau_q_qdd[1] * adj_tau[1];
+        res[9][1] = jac_jac_tau_q_qdd[2] * adj_tau[0];
+    }
+    if (res[11]) {
+        res[11][0] = jac_tau_q[0];
+        res[11][1] = jac_tau_q[2];
+        res[11][2] = jac_tau_q[1];
+        res[11][3] = jac_tau_q[3];
+    }
+    if (res[12]) robot_dynamics_unknown(res[12], 10);
+    if (res[13]) {
+        res[13][0] = jac_jac_tau_qd_q[0] * adj_tau[0] + jac_jac_tau_qd_q[1] * adj_tau[1];
+        res[13][1] = jac_jac_tau_qd_q[2] * adj_tau[0];
+    }
+    if (res[14]) {
+        res[14][0] = jac_jac_tau_qd_qd[0] * adj_tau[1];
+        res[14][1] = jac_jac_tau_qd_qd[1] * adj_tau[0];
+        res[14][2] = jac_jac_tau_qd_qd[2] * adj_tau[0];
+        res[14][3] = jac_jac_tau_qd_qd[3] * adj_tau[0];
+    }
+    if (res[17]) {
+        res[17][0] = jac_tau_qd[0];
+        res[17][1] = jac_tau_qd[2];
+        res[17][2] = jac_tau_qd[1];
+    }
+    if (res[18]) robot_dynamics_unknown(res[18], 10);
+    if (res[19]) {
+        res[19][0] = jac_jac_tau_qdd_q[0] * adj_tau[0] + jac_jac_tau_qdd_q[1] * adj_tau[1];
+        res[19][1] = jac_jac_tau_qdd_q[2] * adj_tau[0];
+    }
+    if (res[23]) {
+        res[23][0] = jac_tau_qdd[0];
+        res[23][1] = jac_tau_qdd[2];
+        res[23][2] = jac_tau_qdd[1];
+        res[23][3] = jac_tau_qdd[3];
+    }
+    return 0;
+}
+
+CASADI_SYMBOL_EXPORT long long int jac_adj1_inverse_dynamics_n_in(void) { return 10; }
+
+CASADI_SYMBOL_EXPORT long long int jac_adj1_inverse_dynamics_n_out(void) { return 24; }
+
+CASADI_SYMBOL_EXPORT const char *jac_adj1_inverse_dynamics_name_in(long long int i)
+{
+    switch (i) {
+    case 0: return "arm";
+    case 1: return "q";
+    case 2: return "qd";
+    case 3: return "qdd";
+    case 4: return "out_tau";
+    case 5: return "adj_tau";
+    case 6: return "out_adj_arm";
+    case 7: return "out_adj_q";
+    case 8: return "out_adj_qd";
+    case 9: return "out_adj_qdd";
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT const char *jac_adj1_inverse_dynamics_name_out(long long int i)
+{
+    switch (i) {
+    case 0: return "jac_adj_arm_arm";
+    case 1: return "jac_adj_arm_q";
+    case 2: return "jac_adj_arm_qd";
+    case 3: return "jac_adj_arm_qdd";
+    case 4: return "jac_adj_arm_out_tau";
+    case 5: return "jac_adj_arm_adj_tau";
+    case 6: return "jac_adj_q_arm";
+    case 7: return "jac_adj_q_q";
+    case 8: return "jac_adj_q_qd";
+    case 9: return "jac_adj_q_qdd";
+    case 10: return "jac_adj_q_out_tau";
+    case 11: return "jac_adj_q_adj_tau";
+    case 12: return "jac_adj_qd_arm";
+    case 13: return "jac_adj_qd_q";
+    case 14: return "jac_adj_qd_qd";
+    case 15: return "jac_adj_qd_qdd";
+    case 16: return "jac_adj_qd_out_tau";
+    case 17: return "jac_adj_qd_adj_tau";
+    case 18: return "jac_adj_qdd_arm";
+    case 19: return "jac_adj_qdd_q";
+    case 20: return "jac_adj_qdd_qd";
+    case 21: return "jac_adj_qdd_qdd";
+    case 22: return "jac_adj_qdd_out_tau";
+    case 23: return "jac_adj_qdd_adj_tau";
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT const long long int *jac_adj1_inverse_dynamics_sparsity_in(long long int i)
+{
+    switch (i) {
+    case 0: return robot_dynamics_pattern_0;
+    case 1: return robot_dynamics_pattern_1;
+    case 2: return robot_dynamics_pattern_1;
+    case 3: return robot_dynamics_pattern_1;
+    case 4: return robot_dynamics_pattern_2;
+    case 5: return robot_dynamics_pattern_1;
+    case 6: return robot_dynamics_pattern_17;
+    case 7: return robot_dynamics_pattern_2;
+    case 8: return robot_dynamics_pattern_2;
+    case 9: return robot_dynamics_pattern_2;
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT const long long int *jac_adj1_inverse_dynamics_sparsity_out(long long int i)
+{
+    switch (i) {
+    case 0: return robot_dynamics_pattern_18;
+    case 1: return robot_dynamics_pattern_19;
+    case 2: return robot_dynamics_pattern_19;
+    case 3: return robot_dynamics_pattern_19;
+    case 4: return robot_dynamics_pattern_20;
+    case 5: return robot_dynamics_pattern_19;
+    case 6: return robot_dynamics_pattern_3;
+    case 7: return robot_dynamics_pattern_4;
+    case 8: return robot_dynamics_pattern_21;
+    case 9: return robot_dynamics_pattern_21;
+    case 10: return robot_dynamics_pattern_7;
+    case 11: return robot_dynamics_pattern_4;
+    case 12: return robot_dynamics_pattern_3;
+    case 13: return robot_dynamics_pattern_22;
+    case 14: return robot_dynamics_pattern_4;
+    case 15: return robot_dynamics_pattern_7;
+    case 16: return robot_dynamics_pattern_7;
+    case 17: return robot_dynamics_pattern_5;
+    case 18: return robot_dynamics_pattern_3;
+    case 19: return robot_dynamics_pattern_22;
+    case 20: return robot_dynamics_pattern_7;
+    case 21: return robot_dynamics_pattern_7;
+    case 22: return robot_dynamics_pattern_7;
+    case 23: return robot_dynamics_pattern_4;
+    default: return 0;
+    }
+}
+
+CASADI_SYMBOL_EXPORT int jac_adj1_inverse_dynamics_work(long long int *sz_arg, long long int *sz_res, long long int *sz_iw, long long int *sz_w)
+{
+    if (sz_arg) *sz_arg = 10;
+    if (sz_res) *sz_res = 24;
+    if (sz_iw) *sz_iw = 0;
+    if (sz_w) *sz_w = 35;
     return 0;
 }
 

@@ -79,6 +79,26 @@ impl Blocks {
         inputs
     }
 
+    /// The inputs of first derivatives, and a weight for each entry of an output.
+    pub(super) fn inputs_of_adjoint(&self) -> Vec<Input> {
+        let mut inputs = self.inputs_of_first();
+        let weights = self.outputs.iter().map(|(name, size)| Input {
+            name: weights_of(name),
+            size: *size,
+            is_empty: false,
+        });
+        inputs.extend(weights);
+        inputs
+    }
+
+    /// The same, and a place for each of its outputs.
+    pub(super) fn inputs_of_derived_adjoint(&self) -> Vec<Input> {
+        let mut inputs = self.inputs_of_adjoint();
+        let outputs = self.inputs.iter();
+        inputs.extend(outputs.map(|of| place_of(&weights_of(&of.name), (of.entries, 1))));
+        inputs
+    }
+
     /// A block of first derivatives for each output and input: the place of the output, the input, the name, and the
     /// size of the output.
     fn blocks(&self) -> impl Iterator<Item = (usize, &Variable, String, Size)> {
@@ -152,10 +172,86 @@ impl Blocks {
         outputs
     }
 
+    /// The derivatives by each input, weighted: of blocks of first derivatives of a vector. CasADi expects them to have the
+    /// pattern of the input, zeros too.
+    pub(super) fn adjoint(&self, first: &[Output]) -> Vec<Output> {
+        let inputs = self.inputs.iter().zip(first);
+        let outputs = inputs.map(|(input, block)| {
+            let (name, size) = (weights_of(&input.name), (input.entries, 1));
+            if block.is_unknown() {
+                return Output::unknown(name, size);
+            }
+            let weighted = self.weighted(block);
+            Output::new(name, size, |entry, _| {
+                weighted(entry).or_else(|| Some("0.0".to_owned()))
+            })
+        });
+        outputs.collect()
+    }
+
+    /// The derivatives of these by each input, by the places of outputs, and by the weights. `second` has the blocks of second
+    /// derivatives.
+    pub(super) fn derived_adjoint(&self, first: &[Output], second: &[Output]) -> Vec<Output> {
+        let mut second = second.iter();
+        let mut outputs = Vec::new();
+        for (input, block) in self.inputs.iter().zip(first) {
+            let derivative = |by: &str| format!("jac_{}_{by}", weights_of(&input.name));
+            let height = input.entries;
+            for (other, block) in self.inputs.iter().zip(&mut second) {
+                let (name, size) = (derivative(&other.name), (height, other.entries));
+                outputs.push(if block.is_unknown() {
+                    Output::unknown(name, size)
+                } else {
+                    let weighted = self.weighted(block);
+                    Output::new(name, size, |row, column| weighted(column * height + row))
+                });
+            }
+            let places = block.places();
+            for (output, (rows, columns)) in &self.outputs {
+                second.next();
+                let size = (height, rows * columns);
+                outputs.push(Output::new(
+                    derivative(&format!("out_{output}")),
+                    size,
+                    |_, _| None,
+                ));
+                let name = derivative(&weights_of(output));
+                outputs.push(if block.is_unknown() {
+                    Output::unknown(name, size)
+                } else {
+                    Output::new(name, size, |row, column| {
+                        places[row * rows + column].clone()
+                    })
+                });
+            }
+        }
+        outputs
+    }
+
+    /// The sums of products of weights and derivatives, each of so many that follow one another in a block.
+    fn weighted(&self, block: &Output) -> impl Fn(usize) -> Option<String> {
+        let (name, (forces, _)) = &self.outputs[0];
+        let (weights, forces, places) = (weights_of(name), *forces, block.places());
+        move |sum| {
+            let terms = places[sum * forces..][..forces].iter().enumerate();
+            let terms = terms.filter_map(|(force, place)| {
+                let place = place.as_ref()?;
+                Some(format!("{place} * {weights}[{force}]"))
+            });
+            let terms: Vec<_> = terms.collect();
+            (!terms.is_empty()).then(|| terms.join(" + "))
+        }
+    }
+
     /// The degree of freedom of an entry: positions are those of the joints alone.
     fn freedom(&self, input: &Variable, entry: usize) -> usize {
         self.freedoms - input.entries + entry
     }
+}
+
+/// The name of the weights of an output, and of the weighted derivatives by an input.
+fn weights_of(name: &str) -> String {
+    format!("adj_{name}")
 }
 
 /// The input in place of an output, which is never read.

@@ -81,6 +81,30 @@ impl Output {
         Output { name, size, values }
     }
 
+    /// The values by columns; none of a matrix of which nothing is known.
+    pub(super) fn entries(&self) -> impl Iterator<Item = &Option<String>> {
+        let entries = match &self.values {
+            Values::Unknown => &[][..],
+            Values::Entries(entries) => entries,
+        };
+        entries.iter()
+    }
+
+    /// The same by the name of the matrix, in which only values that are there have a place.
+    pub(super) fn places(&self) -> Vec<Option<String>> {
+        let mut count = 0;
+        let places = self.entries().map(|entry| {
+            entry.as_ref()?;
+            count += 1;
+            Some(format!("{}[{}]", self.name, count - 1))
+        });
+        places.collect()
+    }
+
+    pub(super) fn is_unknown(&self) -> bool {
+        matches!(self.values, Values::Unknown)
+    }
+
     fn pattern(&self) -> Vec<usize> {
         match &self.values {
             Values::Unknown => pattern(self.size, |_, _| true),
@@ -105,11 +129,12 @@ fn pattern((rows, columns): Size, is_there: impl Fn(usize, usize) -> bool) -> Ve
     [vec![rows, columns], starts, places].concat()
 }
 
-/// The interface of a function of that name.
+/// The interface of a function of that name, which needs room for so many numbers.
 pub(super) fn interface(
     name: &str,
     inputs: &[Input],
     outputs: &[Output],
+    room: usize,
     patterns: &mut Patterns,
 ) -> String {
     let mut pattern =
@@ -132,7 +157,7 @@ pub(super) fn interface(
         asked(text, "name_out", names_out),
         asked(numbers, "sparsity_in", patterns_in),
         asked(numbers, "sparsity_out", patterns_out),
-        work(name, count_in, count_out),
+        work(name, count_in, count_out, room),
     ]
     .concat()
 }
@@ -150,13 +175,13 @@ fn choice(result: &str, name: &str, answers: Vec<String>) -> String {
     )
 }
 
-/// The room that a function needs: none but the pointers to inputs and outputs.
-fn work(name: &str, count_in: usize, count_out: usize) -> String {
+/// The room that a function needs, beside pointers to inputs and outputs.
+fn work(name: &str, count_in: usize, count_out: usize, room: usize) -> String {
     let lines = [
         format!("if (sz_arg) *sz_arg = {count_in};"),
         format!("if (sz_res) *sz_res = {count_out};"),
         "if (sz_iw) *sz_iw = 0;".to_owned(),
-        "if (sz_w) *sz_w = 0;".to_owned(),
+        format!("if (sz_w) *sz_w = {room};"),
         "return 0;".to_owned(),
     ];
     let int = "long long int *";

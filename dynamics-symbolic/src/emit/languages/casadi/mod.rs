@@ -1,14 +1,16 @@
 //! CasADi: a C file of the functions that `casadi.external` looks for, with their derivatives.
 //!
 //! CasADi differentiates an external function `f` by `jac_f`, whose inputs are those of `f` and a place for each output,
-//! and whose outputs are a block for each output and input. Second derivatives are `jac_jac_f` by the same rule.
+//! and whose outputs are a block for each output and input. Second derivatives are `jac_jac_f` by the same rule. Where there
+//! are some, `adj1_f` is the reverse mode and `jac_adj1_f` its derivatives, of which CasADi makes Hessians.
 //!
 //! `derivatives` says which programs have the derivatives of a function, `blocks` puts their values where CasADi
-//! expects them, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
+//! expects them, `adjoint` multiplies them by weights, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
 //! constant zero are no part of a pattern. A block of derivatives that no program has, by symbolic parameters or by
 //! the pose of a base, is full of NaN and not left out: CasADi would take what is left out as zero. `casadi_requests`
 //! names the programs that must be derived besides.
 
+mod adjoint;
 mod blocks;
 mod derivatives;
 mod interface;
@@ -21,6 +23,7 @@ use super::{argument_sizes, free_name, indented, plain, snake_case};
 use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
+use adjoint::Adjoint;
 use blocks::Blocks;
 use derivatives::derivatives;
 use interface::{Input, Output, Patterns, Values, interface};
@@ -148,19 +151,62 @@ impl File<'_> {
         let Some(derivatives) = derivatives(request) else {
             return Some(text);
         };
-        if let Some(first) = program(&derivatives.first()) {
-            let outputs = blocks.first(&self.body(first).entries(&first.0));
-            let comment = [format!("First derivatives of `{name}`.")];
-            let jac = format!("jac_{name}");
-            text += &self.function(&jac, &comment, first, &blocks.inputs_of_first(), &outputs);
-        }
-        if let Some(second) = derivatives.second().as_ref().and_then(program) {
-            let outputs = blocks.second(&self.body(second).entries(&second.0));
-            let comment = [format!("Second derivatives of `{name}`.")];
-            let jac = format!("jac_jac_{name}");
-            text += &self.function(&jac, &comment, second, &blocks.inputs_of_second(), &outputs);
-        }
+        let Some(first) = program(&derivatives.first()) else {
+            return Some(text);
+        };
+        let of_first = blocks.first(&self.body(first).entries(&first.0));
+        let comment = [format!("First derivatives of `{name}`.")];
+        let jac = format!("jac_{name}");
+        text += &self.function(&jac, &comment, first, &blocks.inputs_of_first(), &of_first);
+        let Some(second) = derivatives.second().as_ref().and_then(program) else {
+            return Some(text);
+        };
+        let of_second = blocks.second(&self.body(second).entries(&second.0));
+        let comment = [format!("Second derivatives of `{name}`.")];
+        let jac = format!("jac_jac_{name}");
+        text += &self.function(
+            &jac,
+            &comment,
+            second,
+            &blocks.inputs_of_second(),
+            &of_second,
+        );
+        text += &self.adjoint(
+            &format!("adj1_{name}"),
+            format!("First derivatives of `{name}`, transposed, times weights of its values."),
+            adjoint::adjoint(&name, &blocks, &of_first),
+        );
+        text += &self.adjoint(
+            &format!("jac_adj1_{name}"),
+            format!("First derivatives of `adj1_{name}`."),
+            adjoint::derivatives(&name, &blocks, &of_first, &of_second),
+        );
         Some(text)
+    }
+
+    /// A function of that name that calls others.
+    fn adjoint(&mut self, name: &str, documentation: String, adjoint: Adjoint) -> String {
+        let Adjoint {
+            inputs,
+            outputs,
+            mut statements,
+            room,
+        } = adjoint;
+        statements.extend(self.weights(&inputs));
+        statements.push("(void)res;".to_owned());
+        self.defined(name, &[documentation], statements, &inputs, &outputs, room)
+    }
+
+    /// The statements by which the weights are found among the inputs.
+    fn weights(&mut self, inputs: &[Input]) -> Vec<String> {
+        let weights = inputs.iter().enumerate();
+        let weights = weights.filter(|(_, input)| input.name.starts_with("adj_"));
+        let mut statements = Vec::new();
+        for (place, Input { name, size, .. }) in weights {
+            self.longest = self.longest.max(size.0 * size.1);
+            statements.push(format!("const double *{name} = {};", read(place)));
+        }
+        statements
     }
 
     fn body<'a>(&'a self, (_, proven): Of<'a>) -> Body<'a> {
@@ -180,6 +226,19 @@ impl File<'_> {
         let statements = self.body(program).statements(request);
         let mut lines = self.reads(program, inputs, &statements);
         lines.extend(statements);
+        self.defined(name, documentation, lines, inputs, outputs, 0)
+    }
+
+    /// A function of that name with these lines before its outputs are written, and room for so many numbers.
+    fn defined(
+        &mut self,
+        name: &str,
+        documentation: &[String],
+        mut lines: Vec<String>,
+        inputs: &[Input],
+        outputs: &[Output],
+        room: usize,
+    ) -> String {
         for (place, output) in outputs.iter().enumerate() {
             lines.extend(written(place, output));
         }
@@ -191,7 +250,7 @@ impl File<'_> {
             comment(&documentation),
             indented(&lines, 4)
         );
-        body + &interface(name, inputs, outputs, &mut self.patterns)
+        body + &interface(name, inputs, outputs, room, &mut self.patterns)
     }
 
     /// The statements by which what a program reads is found among the inputs; zeros where an input is not there.
@@ -203,12 +262,9 @@ impl File<'_> {
             .map(|(argument, size)| (argument.name(), size))
             .collect();
         let is_read = |read: &str| statements.iter().any(|line| reads_name(line, read));
-        let zeros = "robot_dynamics_zeros";
         let pointer = |name: &str| {
             let place = inputs.iter().position(|input| input.name == name);
-            place.map_or(zeros.to_owned(), |place| {
-                format!("arg[{place}] ? arg[{place}] : {zeros}")
-            })
+            place.map_or(ZEROS.to_owned(), read)
         };
         let mut lines = Vec::new();
         if is_read(&format!("{FIELDS}->")) {
@@ -240,9 +296,9 @@ impl File<'_> {
         } else {
             ""
         };
-        let zeros = if functions.contains("robot_dynamics_zeros") {
+        let zeros = if functions.contains(ZEROS) {
             format!(
-                "\n/* What is read where an input is not there. */\nstatic const double robot_dynamics_zeros[{}] = {{0}};\n",
+                "\n/* What is read where an input is not there. */\nstatic const double {ZEROS}[{}] = {{0}};\n",
                 self.longest
             )
         } else {
@@ -273,7 +329,7 @@ impl File<'_> {
     fn title(&self) -> String {
         let conventions = [
             "For `casadi.external`. Each function is proven equal to the textbook Lagrangian. SI units, radians.",
-            "Entries that are zero always are no part of an output. Derivatives `jac_..` and `jac_jac_..` are exact.",
+            "Entries that are zero always are no part of an output. Derivatives `jac_..`, `jac_jac_..` and `adj1_..` are exact.",
         ];
         let mut lines = title_lines(self.robot, conventions).to_vec();
         if !self.robot.fields.is_empty() {
@@ -332,6 +388,14 @@ fn signature(inputs: &[Input], outputs: &[Output]) -> String {
         .map(|output| sized(&output.name, output.size));
     let outputs: Vec<_> = outputs.collect();
     format!("({}) -> ({})", inputs.join(", "), outputs.join(", "))
+}
+
+/// The numbers that are read where an input is not there.
+const ZEROS: &str = "robot_dynamics_zeros";
+
+/// The pointer to an input.
+fn read(place: usize) -> String {
+    format!("arg[{place}] ? arg[{place}] : {ZEROS}")
 }
 
 /// The statements that write an output where it is requested.
