@@ -882,7 +882,7 @@ CASADI_SYMBOL_EXPORT int jac_jac_inverse_dynamics_work(long long int *sz_arg, lo
 }
 
 /**
- * First derivatives of `inverse_dynamics`, transposed, times weights of its values.
+ * First derivatives of `inverse_dynamics`, transposed, times `adj_..`.
  *
  * (arm[5], q[2], qd[2], qdd[2], adj_tau[2]) -> (adj_arm[5], adj_q[2], adj_qd[2], adj_qdd[2])
  */
@@ -891,8 +891,8 @@ CASADI_SYMBOL_EXPORT int adj1_inverse_dynamics(const double **arg, double **res,
     double *jac_tau_q = w + 0;
     double *jac_tau_qd = w + 4;
     double *jac_tau_qdd = w + 7;
-    double *first[] = {0, jac_tau_q, jac_tau_qd, jac_tau_qdd};
-    if (jac_inverse_dynamics(arg, first, iw, w, mem)) return 1;
+    double *jac_inverse_dynamics_places[] = {0, jac_tau_q, jac_tau_qd, jac_tau_qdd};
+    if (jac_inverse_dynamics(arg, jac_inverse_dynamics_places, iw, w, mem)) return 1;
     const double *adj_tau = arg[5] ? arg[5] : robot_dynamics_zeros;
     (void)res;
     if (res[0]) robot_dynamics_unknown(res[0], 5);
@@ -982,16 +982,16 @@ CASADI_SYMBOL_EXPORT int jac_adj1_inverse_dynamics(const double **arg, double **
     double *jac_tau_q = w + 0;
     double *jac_tau_qd = w + 4;
     double *jac_tau_qdd = w + 7;
-    double *first[] = {0, jac_tau_q, jac_tau_qd, jac_tau_qdd};
-    if (jac_inverse_dynamics(arg, first, iw, w, mem)) return 1;
+    double *jac_inverse_dynamics_places[] = {0, jac_tau_q, jac_tau_qd, jac_tau_qdd};
+    if (jac_inverse_dynamics(arg, jac_inverse_dynamics_places, iw, w, mem)) return 1;
     double *jac_jac_tau_q_q = w + 11;
     double *jac_jac_tau_q_qd = w + 19;
     double *jac_jac_tau_q_qdd = w + 22;
     double *jac_jac_tau_qd_q = w + 25;
     double *jac_jac_tau_qd_qd = w + 28;
     double *jac_jac_tau_qdd_q = w + 32;
-    double *second[] = {0, 0, 0, 0, 0, 0, jac_jac_tau_q_q, jac_jac_tau_q_qd, jac_jac_tau_q_qdd, 0, 0, jac_jac_tau_qd_q, jac_jac_tau_qd_qd, 0, 0, 0, jac_jac_tau_qdd_q, 0, 0, 0};
-    if (jac_jac_inverse_dynamics(arg, second, iw, w, mem)) return 1;
+    double *jac_jac_inverse_dynamics_places[] = {0, 0, 0, 0, 0, 0, jac_jac_tau_q_q, jac_jac_tau_q_qd, jac_jac_tau_q_qdd, 0, 0, jac_jac_tau_qd_q, jac_jac_tau_qd_qd, 0, 0, 0, jac_jac_tau_qdd_q, 0, 0, 0};
+    if (jac_jac_inverse_dynamics(arg, jac_jac_inverse_dynamics_places, iw, w, mem)) return 1;
     const double *adj_tau = arg[5] ? arg[5] : robot_dynamics_zeros;
     (void)res;
     if (res[0]) robot_dynamics_unknown(res[0], 25);

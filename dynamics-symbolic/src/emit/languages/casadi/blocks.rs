@@ -172,8 +172,8 @@ impl Blocks {
         outputs
     }
 
-    /// The derivatives by each input, weighted: of blocks of first derivatives of a vector. CasADi expects them to have the
-    /// pattern of the input, zeros too.
+    /// The derivatives by each input, weighted: adj_x = (d tau / d x)^T adj_tau. CasADi expects them to have the pattern of the
+    /// input, zeros too.
     pub(super) fn adjoint(&self, first: &[Output]) -> Vec<Output> {
         let inputs = self.inputs.iter().zip(first);
         let outputs = inputs.map(|(input, block)| {
@@ -189,8 +189,8 @@ impl Blocks {
         outputs.collect()
     }
 
-    /// The derivatives of these by each input, by the places of outputs, and by the weights. `second` has the blocks of second
-    /// derivatives.
+    /// The derivatives of these by each input y, the sums of adj_tau_i d^2 tau_i / (d x d y), by the places of outputs, and by the
+    /// weights. `second` has the blocks of second derivatives.
     pub(super) fn derived_adjoint(&self, first: &[Output], second: &[Output]) -> Vec<Output> {
         let mut second = second.iter();
         let mut outputs = Vec::new();

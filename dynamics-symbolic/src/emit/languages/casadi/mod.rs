@@ -5,13 +5,13 @@
 //! are some, `adj1_f` is the reverse mode and `jac_adj1_f` its derivatives, of which CasADi makes Hessians.
 //!
 //! `derivatives` says which programs have the derivatives of a function, `blocks` puts their values where CasADi
-//! expects them, `adjoint` multiplies them by weights, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
+//! expects them and sums them with weights, `calls` says where these sums read them, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
 //! constant zero are no part of a pattern. A block of derivatives that no program has, by symbolic parameters or by
 //! the pose of a base, is full of NaN and not left out: CasADi would take what is left out as zero. `casadi_requests`
 //! names the programs that must be derived besides.
 
-mod adjoint;
 mod blocks;
+mod calls;
 mod derivatives;
 mod interface;
 
@@ -23,8 +23,8 @@ use super::{argument_sizes, free_name, indented, plain, snake_case};
 use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
-use adjoint::Adjoint;
 use blocks::Blocks;
+use calls::Calls;
 use derivatives::derivatives;
 use interface::{Input, Output, Patterns, Values, interface};
 
@@ -171,30 +171,44 @@ impl File<'_> {
             &blocks.inputs_of_second(),
             &of_second,
         );
-        text += &self.adjoint(
-            &format!("adj1_{name}"),
-            format!("First derivatives of `{name}`, transposed, times weights of its values."),
-            adjoint::adjoint(&name, &blocks, &of_first),
-        );
-        text += &self.adjoint(
-            &format!("jac_adj1_{name}"),
-            format!("First derivatives of `adj1_{name}`."),
-            adjoint::derivatives(&name, &blocks, &of_first, &of_second),
-        );
+        text += &self.adjoint(&name, &blocks, &of_first, &of_second);
         Some(text)
     }
 
+    /// The reverse mode of a function with these blocks of first and second derivatives, and its derivatives.
+    fn adjoint(
+        &mut self,
+        of: &str,
+        blocks: &Blocks,
+        first: &[Output],
+        second: &[Output],
+    ) -> String {
+        let calls = || Calls::default().add(&format!("jac_{of}"), first);
+        let name = format!("adj1_{of}");
+        let comment = format!("First derivatives of `{of}`, transposed, times `adj_..`.");
+        let (inputs, outputs) = (blocks.inputs_of_adjoint(), blocks.adjoint(first));
+        let adjoint = self.calling(&name, comment, calls(), &inputs, &outputs);
+        let calls = calls().add(&format!("jac_jac_{of}"), second);
+        let comment = format!("First derivatives of `{name}`.");
+        let inputs = blocks.inputs_of_derived_adjoint();
+        let outputs = blocks.derived_adjoint(first, second);
+        let name = format!("jac_{name}");
+        adjoint + &self.calling(&name, comment, calls, &inputs, &outputs)
+    }
+
     /// A function of that name that calls others.
-    fn adjoint(&mut self, name: &str, documentation: String, adjoint: Adjoint) -> String {
-        let Adjoint {
-            inputs,
-            outputs,
-            mut statements,
-            room,
-        } = adjoint;
-        statements.extend(self.weights(&inputs));
-        statements.push("(void)res;".to_owned());
-        self.defined(name, &[documentation], statements, &inputs, &outputs, room)
+    fn calling(
+        &mut self,
+        name: &str,
+        documentation: String,
+        calls: Calls,
+        inputs: &[Input],
+        outputs: &[Output],
+    ) -> String {
+        let mut lines = calls.statements;
+        lines.extend(self.weights(inputs));
+        lines.push("(void)res;".to_owned());
+        self.defined(name, &[documentation], lines, inputs, outputs, calls.room)
     }
 
     /// The statements by which the weights are found among the inputs.
