@@ -8,7 +8,9 @@ use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::mechanism::{self, Origin, Tree};
 use crate::robot::{Interpretation, JointType};
-use crate::spatial::{Acceleration, Axis, Body, Force, Joint, Keep, Motion, Turn, leave_about};
+use crate::spatial::{
+    Acceleration, Along, Axis, Body, Force, Joint, Keep, Motion, Spread, Turn, Writing, leave_about,
+};
 use core::ops::Add;
 
 /// A link in its proximal frame.
@@ -21,6 +23,8 @@ pub struct Link<R> {
     pub stands: bool,
     /// Whether it carries a base that moves: then the link keeps all parameters.
     pub is_of_base: bool,
+    /// How its equations are written.
+    pub writing: Writing,
     /// Where the origin is on the axis, from that of the joint's own frame.
     pub shift: R,
     /// Turn about z from this frame to the joint's own, which turns with the link.
@@ -180,6 +184,7 @@ impl<'g> Link<Expr<'g>> {
             },
             stands: joint.stands(),
             is_of_base: joint.is_of_base(),
+            writing: Writing::PLAIN,
             shift: shift - own.origin[2],
             behind: turns.fold(none, Turn::plus),
             body: own.turns.leave_body(moved),
@@ -214,8 +219,10 @@ impl<R: Ring> Chain<R> {
         qdd: &[R],
     ) -> Vec<Acceleration<R>> {
         let base = Acceleration::of_base(self.zero, gravity);
-        self.tree
-            .outward(base, |i, before| before.enter(self.joint(i), qd[i], qdd[i]))
+        self.tree.outward(base, |i, before| {
+            let Link { writing, joint, .. } = &self.links[i];
+            writing.accelerate(before, joint, [qd[i], qdd[i]])
+        })
     }
 
     /// The component of a force on link i along every joint that carries the link; zero for the others.
@@ -243,7 +250,7 @@ impl<R: Ring> Chain<R> {
     /// A revolute joint: the part that is invariant under rotation about its
     /// axis. A prismatic joint: the whole inertia tensor, for both links turn alike. A joint that
     /// stands still: everything.
-    pub fn group_parameters(&mut self, keep: &[Keep]) {
+    pub fn group_parameters(&mut self, half: R, keep: &[Keep]) {
         let (zero, links) = (self.zero, &mut self.links);
         let none = Body::splat(zero);
         self.base = self.tree.inward(none, Body::joined, |i, outer| {
@@ -254,7 +261,10 @@ impl<R: Ring> Chain<R> {
                 _ if link.is_of_base => (none, whole),
                 _ if link.stands => (joint.leave_body(whole), none),
                 JointType::Revolute => {
-                    let (invariant, rest) = whole.split_revolute(zero, keep[i]);
+                    if keep[i] == Keep::Lamina {
+                        link.writing.spread = Spread::Lamina;
+                    }
+                    let (invariant, rest) = whole.split_revolute([zero, half], keep[i]);
                     (joint.twist.leave_body(invariant).moved(joint.offset), rest)
                 }
                 JointType::Prismatic => {
@@ -301,9 +311,34 @@ impl Chain<Expr<'_>> {
             let turn = core::mem::replace(&mut joint.turn, none);
             link.behind = turn.plus(link.behind);
             link.body = link.body.left(Axis::Z, turn);
+            if link.writing.spread == Spread::Lamina {
+                link.writing.spread = Spread::TurningLamina;
+            }
             turn
         });
     }
+
+    /// Lets links for which `turns` holds turn U times the axis of their joint in place of their angular acceleration, if
+    /// they turn about an axis of the frame before.
+    pub fn turn_columns(&mut self, turns: &[bool]) {
+        let z = Vector3::new(self.zero, self.zero, self.one);
+        for (link, turns) in self.links.iter_mut().zip(turns) {
+            if *turns && link.joint.joint_type == JointType::Revolute {
+                link.writing.along = along(link.joint.leave(z), self.one);
+            }
+        }
+    }
+}
+
+/// The coordinate axis along which a unit vector is, if it is along one.
+fn along<'g>(v: Vector3<Expr<'g>>, one: Expr<'g>) -> Option<Along> {
+    let components = v.0.iter().enumerate();
+    let mut others = components.filter(|(_, x)| !x.is_zero());
+    let (axis, x) = others.next()?;
+    others.next().is_none().then(|| Along {
+        axis,
+        is_opposite: *x != one,
+    })
 }
 
 /// See [`Chain::strength`]. Seen from a base that is turned, a component may be a number that happens
@@ -345,6 +380,7 @@ mod tests {
             },
             stands: false,
             is_of_base: false,
+            writing: Writing::PLAIN,
             shift: Number::ZERO,
             behind: Turn::none(Number::ZERO, Number::ONE),
             body: Body::splat(Number::ZERO),

@@ -228,7 +228,7 @@ impl<R: Ring> Composite<R> {
         Composite {
             body,
             momentum: self.momentum.joined(own),
-            force: self.force + acceleration.force(&link.body),
+            force: self.force + link.writing.force(acceleration, &link.body),
         }
     }
 

@@ -18,6 +18,7 @@ use std::collections::HashMap;
 use super::chain::{Chain, Given};
 use super::functions::{Part, outputs};
 use super::symbols::Symbols;
+use crate::exact::Rational;
 use crate::expr::{Edge, Expr, Graph, Level, Operation};
 use crate::function::{Function, Search};
 use crate::mechanism::{Mechanism, Origin, Tree};
@@ -32,6 +33,8 @@ pub struct Gauge {
     pub stays: Vec<bool>,
     /// The moment of inertia that is kept.
     pub keep: Vec<Keep>,
+    /// Whether U times the joint's axis is turned in place of the angular acceleration: see [`Chain::turn_columns`].
+    pub turns_columns: Vec<bool>,
     /// Whether inertial parameters move inwards to the base parameters: see
     /// [`Chain::group_parameters`].
     pub grouped: bool,
@@ -41,7 +44,7 @@ pub struct Gauge {
 
 /// How many nodes of trial graphs one search may make for each function and each tip of the tree: the search of an arm
 /// ends within a fraction of a second where the engine runs unoptimised.
-const MOST_NODES: usize = 100_000;
+const MOST_NODES: usize = 150_000;
 
 impl Gauge {
     /// Origins at the next common normal, frames that turn with their links.
@@ -50,6 +53,7 @@ impl Gauge {
             origins: vec![Origin::AfterOffset; dof],
             stays: vec![false; dof],
             keep: vec![Keep::Xx; dof],
+            turns_columns: vec![false; dof],
             grouped: true,
             pivot: None,
         }
@@ -74,9 +78,13 @@ impl Gauge {
     fn chain_of<'g>(&self, symbols: &Symbols<'g>, given: &Given<Expr<'g>>) -> Chain<Expr<'g>> {
         let mut chain = Chain::new(symbols, given, &self.origins);
         if self.grouped {
-            chain.group_parameters(&self.keep);
+            let half = symbols
+                .graph()
+                .rational(&Rational::from_parts(1.into(), 2_u8.into()));
+            chain.group_parameters(half, &self.keep);
         }
         chain.stay_behind(&self.stays);
+        chain.turn_columns(&self.turns_columns);
         chain.pivot = self.pivot;
         chain
     }
@@ -101,49 +109,69 @@ impl Gauge {
             // Joints of the base stand: nothing about them can be chosen.
             let moves = |i: &usize| !arm.joints[*i].is_of_base();
             let joints: Vec<_> = group.iter().copied().filter(moves).collect();
-            gauge.descend(&arm.only(&group), &parts, &joints);
+            gauge.search_group(&arm.only(&group), &parts, &joints);
         }
         gauge
     }
 
-    /// Reverses choices of a group of joints for as long as the work of the operations falls.
-    fn descend(&mut self, arm: &Mechanism, parts: &[Part], joints: &[usize]) {
-        let tips = arm.tree.tips().filter(|tip| joints.contains(tip)).count();
-        let most = MOST_NODES * parts.len() * tips;
+    /// The shorter of the gauges that descents from two starts find for a group of joints. From the second one, links as
+    /// laminae and columns of U turned, functions that read accelerations of links are the shortest as a rule.
+    fn search_group(&mut self, arm: &Mechanism, parts: &[Part], joints: &[usize]) {
         let graph = Graph::new();
         let mut trials = Trials::new(&graph, arm, parts);
-        let mut cost = trials.cost(self);
-        let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
-        let pivots = if parts.iter().any(has_pivot) {
-            joints.len()
-        } else {
-            0
+        let columns = self.after(&columns(joints));
+        let mut laminar = columns.clone();
+        for &i in joints {
+            laminar.keep[i] = Keep::Lamina;
+        }
+        let [plain, columns, lamina] = [&*self, &columns, &laminar].map(|g| trials.cost(g));
+        if columns == plain && lamina >= plain {
+            self.descend(&mut trials, joints, &[Keep::Xx, Keep::Yy]);
+            return;
+        }
+        let keeps = [Keep::Xx, Keep::Yy, Keep::Lamina];
+        let (of_laminar, has_ended) = laminar.descend(&mut trials, joints, &keeps);
+        let is_shorter = has_ended && {
+            let (cost, _) = self.descend(&mut trials, joints, &keeps);
+            cost < of_laminar
         };
+        if !is_shorter {
+            *self = laminar;
+        }
+    }
+
+    /// Reverses choices of a group of joints for as long as the work of the operations falls: the work in the end, and
+    /// whether there was time for all steps.
+    fn descend(
+        &mut self,
+        trials: &mut Trials<'_>,
+        joints: &[usize],
+        keeps: &[Keep],
+    ) -> (usize, bool) {
+        let tree = &trials.symbols.arm().tree;
+        let tips = tree.tips().filter(|tip| joints.contains(tip)).count();
+        let most = trials.nodes + MOST_NODES * trials.parts.len() * tips;
+        let mut steps = steps(tree, joints, keeps);
+        let has_pivot = |part: &Part| part.function == Function::WrenchTorques;
+        if trials.parts.iter().any(has_pivot) {
+            let pivots = joints.iter().map(|&joint| vec![Choice::Pivot(joint)]);
+            steps.splice(0..0, pivots);
+        }
+        let mut cost = trials.cost(self);
         loop {
             let before = cost;
-            for &pivot in &joints[..pivots] {
-                let known = self.pivot.replace(pivot);
-                let trial = trials.cost(self);
-                if trial < cost {
-                    cost = trial;
-                } else {
-                    self.pivot = known;
-                }
-            }
-            for step in steps(&arm.tree, joints) {
+            for step in &steps {
                 if trials.nodes > most {
-                    return;
+                    return (cost, false);
                 }
-                self.reverse(&step);
-                let trial = trials.cost(self);
-                if trial < cost {
-                    cost = trial;
-                } else {
-                    self.reverse(&step);
+                let trial = self.after(step);
+                let of_trial = trials.cost(&trial);
+                if of_trial < cost {
+                    (*self, cost) = (trial, of_trial);
                 }
             }
             if cost == before {
-                return;
+                return (cost, true);
             }
         }
     }
@@ -159,24 +187,24 @@ impl Gauge {
         outputs_of(symbols, &chain, parts)
     }
 
-    fn reverse(&mut self, step: &[Choice]) {
+    /// The gauge with some choices made the other way.
+    fn after(&self, step: &[Choice]) -> Self {
+        let mut gauge = self.clone();
         for choice in step {
             match *choice {
                 Choice::Origin(i) => {
-                    self.origins[i] = match self.origins[i] {
+                    gauge.origins[i] = match gauge.origins[i] {
                         Origin::AfterOffset => Origin::BeforeOffset,
                         Origin::BeforeOffset => Origin::AfterOffset,
                     }
                 }
-                Choice::Stay(i) => self.stays[i] = !self.stays[i],
-                Choice::Keep(i) => {
-                    self.keep[i] = match self.keep[i] {
-                        Keep::Xx => Keep::Yy,
-                        Keep::Yy => Keep::Xx,
-                    }
-                }
+                Choice::Stay(i) => gauge.stays[i] = !gauge.stays[i],
+                Choice::Keep(i, keep) => gauge.keep[i] = keep,
+                Choice::Column(i) => gauge.turns_columns[i] = !gauge.turns_columns[i],
+                Choice::Pivot(i) => gauge.pivot = Some(i),
             }
         }
+        gauge
     }
 }
 
@@ -266,18 +294,25 @@ fn searched_by(part: &Part) -> Option<Part> {
     }
 }
 
-/// A choice that can be reversed.
+/// A choice made another way.
 #[derive(Clone, Copy, Debug)]
 enum Choice {
     Origin(usize),
     Stay(usize),
-    Keep(usize),
+    Keep(usize, Keep),
+    Column(usize),
+    Pivot(usize),
+}
+
+/// The step that turns columns of U at all joints, or none of them any more: nothing is gained joint by joint.
+fn columns(joints: &[usize]) -> Vec<Choice> {
+    joints.iter().copied().map(Choice::Column).collect()
 }
 
 /// The steps of one round of the descent, the most promising first; neighbours are a joint and the one that carries
 /// it. Where all origins move at once, a long chain takes the step for which its nodes would not suffice one by one.
-fn steps(tree: &Tree, joints: &[usize]) -> Vec<Vec<Choice>> {
-    use Choice::{Keep, Origin, Stay};
+fn steps(tree: &Tree, joints: &[usize], keeps: &[Keep]) -> Vec<Vec<Choice>> {
+    use Choice::{Origin, Stay};
     let outward = || joints.iter().copied();
     let single = outward()
         .rev()
@@ -291,11 +326,12 @@ fn steps(tree: &Tree, joints: &[usize]) -> Vec<Vec<Choice>> {
         ]
     });
     let mixed = outward().map(|i| vec![Stay(i), Origin(i)]);
-    let keep = outward().map(|i| vec![Keep(i)]);
+    let keep = |i| keeps.iter().map(move |keep| vec![Choice::Keep(i, *keep)]);
     let all = core::iter::once(outward().map(Origin).collect());
     all.chain(single)
         .chain(pairs)
         .chain(mixed)
-        .chain(keep)
+        .chain(outward().flat_map(keep))
+        .chain([columns(joints)])
         .collect()
 }

@@ -15,7 +15,9 @@ use crate::linear::{Symmetric3, Vector3};
 use crate::mechanism::BaseRate;
 use crate::operators::impl_operators;
 use crate::robot::{Interpretation, JointType};
-use crate::spatial::{Acceleration, Axis, Body, Force, Turn, Turns, enter_about, leave_about};
+use crate::spatial::{
+    Acceleration, Axis, Body, Force, Turn, Turns, Writing, enter_about, leave_about,
+};
 use core::ops::Add;
 
 /// A value and its first two derivatives by time.
@@ -104,6 +106,7 @@ struct Moving<'g> {
     twist: Turns<Expr<'g>>,
     turn: Turning<'g>,
     position: Vector<'g>,
+    writing: Writing,
     body: Body<Jet<'g>>,
     reflected: Expr<'g>,
 }
@@ -126,12 +129,15 @@ impl<'g> Moving<'g> {
         qd: Jet<'g>,
         qdd: Jet<'g>,
     ) -> Acceleration<Jet<'g>> {
-        let carried = Acceleration {
-            w: self.enter(previous.w),
-            wd: self.enter(previous.wd),
-            a: self.enter(previous.a + previous.u().apply(self.position)),
+        let (u, w) = (previous.u(), self.enter(previous.w));
+        let a = self.enter(previous.a + u.apply(self.position));
+        let Some(along) = self.writing.along else {
+            let wd = self.enter(previous.wd);
+            return Acceleration { w, wd, a }.with_joint(self.joint_type, qd, qdd);
         };
-        carried.with_joint(self.joint_type, qd, qdd)
+        let column = self.enter(along.signed(u.column(along.axis)));
+        let zd = along.signed(previous.wd[along.axis]) + qdd;
+        Acceleration::of_column(column, w.plus_z(qd), zd, a)
     }
 
     fn hand_on(&self, force: Force<Jet<'g>>) -> Force<Jet<'g>> {
@@ -262,6 +268,7 @@ fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Movin
             turn: turning(joint.turn),
             position: offset + before.leave(slide(chain, link, along)),
             body: body(chain, link, &frame),
+            writing: link.writing,
             reflected: link.reflected,
         });
         frame
@@ -320,7 +327,7 @@ fn forces<'g>(chain: &Chain<Expr<'g>>, links: &[Moving<'g>], course: &Course<'g>
     let mut own = Vec::with_capacity(links.len());
     chain.tree.outward(base, |i, before| {
         let acceleration = links[i].accelerate(before, course.qd[i], course.qdd[i]);
-        own.push(acceleration.force(&links[i].body));
+        own.push(links[i].writing.force(&acceleration, &links[i].body));
         acceleration
     });
     let mut forces = vec![zero; links.len()];

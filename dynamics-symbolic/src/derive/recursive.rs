@@ -13,7 +13,7 @@ pub(super) fn inverse_dynamics<R: Ring>(
 ) -> Vec<R> {
     let accelerations = chain.accelerations(gravity, qd, qdd);
     let links = chain.links.iter().zip(&accelerations);
-    let forces = links.map(|(link, acceleration)| acceleration.force(&link.body));
+    let forces = links.map(|(link, acceleration)| link.writing.force(acceleration, &link.body));
     inward(chain, &forces.collect::<Vec<_>>(), qdd)
 }
 

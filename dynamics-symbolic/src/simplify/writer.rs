@@ -30,9 +30,13 @@ impl<'g> Writer<'g> {
         edge
     }
 
+    /// Whether a constant is 1 or -1.
+    pub(super) fn is_unit(&self, constant: Edge) -> bool {
+        constant.node() == self.graph.one().edge().node()
+    }
+
     pub(super) fn scaled(&mut self, coefficient: Edge, edge: Edge) -> Edge {
-        let one = self.graph.one().edge();
-        if coefficient.node() == one.node() {
+        if self.is_unit(coefficient) {
             return edge.negate_if(coefficient.is_negative());
         }
         self.mul(coefficient, edge)

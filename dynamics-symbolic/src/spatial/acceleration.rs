@@ -9,7 +9,7 @@
 //!   f = m a + U h,   n = J wd + w x (J w) + h x a.
 
 use super::{Body, Force, Joint};
-use crate::linear::{Matrix3, Ring, Vector3};
+use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
 use crate::robot::JointType;
 
 /// How a link turns and accelerates: all that its equations of motion read.
@@ -88,41 +88,50 @@ impl<R: Ring> Acceleration<R> {
 
     /// The force that a body needs to be accelerated so.
     pub fn force(&self, body: &Body<R>) -> Force<R> {
-        let a = self.a;
-        let f = a * body.mass + self.u().apply(body.moment);
-        let n = self.euler(body) + body.moment.cross(a);
-        Force { n, f }
+        self.force_by(body, self.moments(&body.inertia), self.squares())
     }
 
-    /// J wd + w x (J w), written so that the products of w are those of U.
-    fn euler(&self, body: &Body<R>) -> Vector3<R> {
-        let j = &body.inertia;
+    /// y^2 - z^2, z^2 - x^2 and x^2 - y^2.
+    pub(super) fn squares(&self) -> [R; 3] {
+        let [xx, yy, zz] = self.w.0.map(|x| x * x);
+        [yy - zz, zz - xx, xx - yy]
+    }
+
+    /// The part of J wd + w x (J w) that the moments of inertia make up.
+    fn moments(&self, j: &Symmetric3<R>) -> Vector3<R> {
         let ([x, y, z], [xd, yd, zd]) = (self.w.0, self.wd.0);
-        let (xx, yy, zz) = (x * x, y * y, z * z);
         Vector3::new(
-            j.xx * xd
-                + (j.zz - j.yy) * (y * z)
-                + j.xy * (yd - x * z)
-                + j.xz * (zd + x * y)
-                + j.yz * (yy - zz),
-            j.yy * yd
-                + (j.xx - j.zz) * (x * z)
-                + j.yz * (zd - x * y)
-                + j.xy * (xd + y * z)
-                + j.xz * (zz - xx),
-            j.zz * zd
-                + (j.yy - j.xx) * (x * y)
-                + j.xz * (xd - y * z)
-                + j.yz * (yd + x * z)
-                + j.xy * (xx - yy),
+            j.xx * xd + (j.zz - j.yy) * (y * z),
+            j.yy * yd + (j.xx - j.zz) * (x * z),
+            j.zz * zd + (j.yy - j.xx) * (x * y),
         )
+    }
+
+    /// The force, from the part of J wd + w x (J w) that the moments of inertia make up, and from the differences of
+    /// squares. The part of the products of inertia is written so that the products of w are those of U.
+    pub(super) fn force_by(
+        &self,
+        body: &Body<R>,
+        moments: Vector3<R>,
+        [y_z, z_x, x_y]: [R; 3],
+    ) -> Force<R> {
+        let (j, a) = (&body.inertia, self.a);
+        let ([x, y, z], [xd, yd, zd], n) = (self.w.0, self.wd.0, moments);
+        let euler = Vector3::new(
+            n[0] + j.xy * (yd - x * z) + j.xz * (zd + x * y) + j.yz * y_z,
+            n[1] + j.yz * (zd - x * y) + j.xy * (xd + y * z) + j.xz * z_x,
+            n[2] + j.xz * (xd - y * z) + j.yz * (yd + x * z) + j.xy * x_y,
+        );
+        Force {
+            n: euler + body.moment.cross(a),
+            f: a * body.mass + self.u().apply(body.moment),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::Symmetric3;
 
     const W: Vector3<i64> = Vector3([2, -3, 5]);
     const WD: Vector3<i64> = Vector3([7, 11, -13]);

@@ -116,11 +116,12 @@ impl<R: Ring> Body<R> {
     }
 
     /// The part that is invariant under rotation about z, and the rest without
-    /// mass and h_z, and without J_yy or J_xx (Gautier and Khalil 1990).
-    pub fn split_revolute(self, zero: R, keep: Keep) -> (Self, Self) {
+    /// mass and h_z, and without J_yy or J_xx (Gautier and Khalil 1990), or as a lamina.
+    pub fn split_revolute(self, [zero, half]: [R; 2], keep: Keep) -> (Self, Self) {
         let moving = match keep {
             Keep::Xx => self.inertia.yy,
             Keep::Yy => self.inertia.xx,
+            Keep::Lamina => half * (self.inertia.xx + self.inertia.yy - self.inertia.zz),
         };
         let mut invariant = Body::splat(zero);
         invariant.mass = self.mass;
@@ -136,13 +137,15 @@ impl<R: Ring> Body<R> {
     }
 }
 
-/// Which of J_xx and J_yy remains on a link behind a revolute joint; only their difference matters.
+/// What remains of J_xx and J_yy on a link behind a revolute joint; only their difference matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Keep {
     /// J_xx - J_yy, as J_xx.
     Xx,
     /// J_yy - J_xx, as J_yy.
     Yy,
+    /// Both, with J_zz as their sum: the link is a lamina.
+    Lamina,
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ mod joint;
 mod place;
 mod turn;
 mod vectors;
+mod writing;
 
 pub use acceleration::Acceleration;
 pub use body::{Body, Central, Keep};
@@ -18,3 +19,4 @@ pub use joint::Joint;
 pub use place::{Place, Turns};
 pub use turn::{Axis, Turn, enter_about, leave_about, tensor_leave_about};
 pub use vectors::{Force, Motion};
+pub use writing::{Along, Spread, Writing};

@@ -1135,7 +1135,7 @@ impl Arm {
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2; `jerk`: rates of the accelerations, rad per s^3; `snap`: rates of `jerk`, rad per s^4.
     ///
-    /// Operations: 60 multiplications, 40 additions, sines and cosines of 2 angles.
+    /// Operations: 57 multiplications, 40 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline(never)]
@@ -2984,7 +2984,7 @@ for Arm {
     type Error = ::core::convert::Infallible;
     const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd", "jerk", "snap"];
     const RESULT: &'static str = "inverse_dynamics_rates";
-    const WORK: u32 = 180;
+    const WORK: u32 = 177;
     const IN_LANES: bool = true;
     #[inline(always)]
     fn at<T: ::robot_dynamics::Scalar>(
@@ -3037,12 +3037,12 @@ for Arm {
             let t_18 = t_17 * t_17;
             let t_19 = qdd_1 + qdd_2;
             let t_20 = t_17 * t_19;
-            let t_21 = s_2 * t_20;
-            let t_22 = c_2.mul_add(t_11, real(8.0) * jerk_1);
-            let t_23 = real(-49.05).mul_add(t_1, t_22);
-            let t_24 = t_3.mul_add(t_19, t_8 * t_18);
-            let t_25 = real(-2.0).mul_add(t_21, t_23);
-            let t_26 = t_25 - t_24;
+            let t_21 = real(2.0) * t_20;
+            let t_22 = (-s_2).mul_add(t_21, real(8.0) * jerk_1);
+            let t_23 = real(-49.05).mul_add(t_1, c_2 * t_11);
+            let t_24 = (-t_8).mul_add(t_18, t_22);
+            let t_25 = (-t_3).mul_add(t_19, t_23);
+            let t_26 = t_24 + t_25;
             let t_27 = t_26 + t_16;
             let t_28 = qd_1.mul_add(t_5, s_1 * qdd_1);
             let t_29 = real(0.2038735983690112).mul_add(snap_1, -t_28);
@@ -3051,34 +3051,29 @@ for Arm {
             let t_32 = (-c_1).mul_add(qdd_1, real(0.4077471967380224) * t_31);
             let t_33 = qd_1.mul_add(t_1, t_32);
             let t_34 = (-c_2).mul_add(qdd_2, qd_2 * t_3);
-            let t_35 = t_8 * t_7;
-            let t_36 = t_3 * t_2;
-            let t_37 = snap_1 + snap_2;
-            let t_38 = (-t_4).mul_add(t_30, real(0.06795786612300374) * t_37);
-            let t_39 = (-t_10).mul_add(t_34, s_2 * t_33);
-            let t_40 = real(-2.0).mul_add(t_35, t_38);
-            let t_41 = real(-2.0).mul_add(t_36, c_2 * t_29);
-            let t_42 = t_39 + t_40;
-            let t_43 = t_41 + t_42;
-            let t_44 = real(4.905) * t_43;
-            let t_45 = t_8 * t_20;
-            let t_46 = t_17.mul_add(t_11, t_19 * t_19);
-            let t_47 = s_2 * t_46;
-            let t_48 = t_3 * t_11;
-            let t_49 = c_2.mul_add(t_37, real(8.0) * snap_1);
-            let t_50 = real(-2.0).mul_add(t_47, t_49);
-            let t_51 = real(-4.0).mul_add(t_45, t_50);
-            let t_52 = real(49.05).mul_add(t_28, real(2.0) * t_48);
-            let t_53 = (-t_19).mul_add(t_30, t_18 * t_34);
-            let t_54 = t_51 - t_52;
-            let t_55 = t_53 + t_54;
-            let t_56 = t_55 + t_44;
+            let t_35 = snap_1 + snap_2;
+            let t_36 = t_3.mul_add(t_2, t_8 * t_7);
+            let t_37 = (-t_4).mul_add(t_30, real(0.06795786612300374) * t_35);
+            let t_38 = (-t_10).mul_add(t_34, s_2 * t_33);
+            let t_39 = c_2.mul_add(t_29, t_37);
+            let t_40 = real(-2.0).mul_add(t_36, t_38);
+            let t_41 = t_39 + t_40;
+            let t_42 = real(4.905) * t_41;
+            let t_43 = t_17.mul_add(t_11, t_19 * t_19);
+            let t_44 = t_3.mul_add(t_11, s_2 * t_43);
+            let t_45 = t_8.mul_add(t_21, t_44);
+            let t_46 = c_2.mul_add(t_35, real(8.0) * snap_1);
+            let t_47 = real(-49.05).mul_add(t_28, t_46);
+            let t_48 = (-t_19).mul_add(t_30, t_18 * t_34);
+            let t_49 = real(-2.0).mul_add(t_45, t_47);
+            let t_50 = t_48 + t_49;
+            let t_51 = t_50 + t_42;
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([[t_27, t_16]]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[t_56, t_44]]),
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_51, t_42]]),
                 ),
             )
         })

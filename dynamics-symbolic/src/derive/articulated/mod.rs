@@ -106,7 +106,7 @@ fn velocity_terms<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Vec<VelocityT
         let turning = Acceleration::turning(chain.zero, w);
         terms.push(VelocityTerms {
             acceleration: Motion { w: wd, v: a },
-            force: turning.force(&chain.links[i].body),
+            force: chain.links[i].writing.force(&turning, &chain.links[i].body),
         });
         turning
     });

@@ -5,6 +5,7 @@ use super::multiple::{Multiple, Scale};
 use super::terms::{TermId, is_linear};
 use crate::expr::{Edge, NodeId, Operation};
 use crate::simplify::Writer;
+use std::collections::VecDeque;
 
 impl<'g> Scaling<'_, 'g> {
     /// The definitions of the rewritten network, and the nodes whose definitions are held: the
@@ -34,18 +35,33 @@ impl<'g> Scaling<'_, 'g> {
         (!is_absorbed).then(|| writer.rewritten(id, operation))
     }
 
+    /// The multiple of a sum that is computed. Terms with the same coefficient are added before they are multiplied:
+    /// c x + c y is written as c (x + y).
     fn write_sum(&self, writer: &mut Writer<'g>, sum: usize) -> Edge {
         let mut total: Option<Edge> = None;
-        for (index, term) in self.sums[sum].terms.iter().enumerate() {
-            let coefficient: Multiple<'g> = self.coefficient(TermId { sum, term: index });
-            let coefficient = coefficient.over(self.sums[sum].multiple).exact.edge();
-            let term = match term.node {
+        let mut left: VecDeque<_> = self.scaled_terms(writer, sum).into();
+        while let Some((coefficient, node)) = left.pop_front() {
+            let term = match node {
                 None => coefficient,
-                Some(node) => writer.scaled(coefficient, writer.stored(node)),
+                Some(node) => {
+                    let inner = add_alike(writer, (coefficient, node), &mut left);
+                    writer.scaled(coefficient, inner)
+                }
             };
             total = Some(total.map_or(term, |total| writer.add(total, term)));
         }
         total.expect("a sum is not zero: a term remains")
+    }
+
+    /// The terms of the multiple of a sum: constants, and the nodes that they multiply.
+    fn scaled_terms(&self, writer: &Writer<'g>, sum: usize) -> Vec<(Edge, Option<Edge>)> {
+        let terms = self.sums[sum].terms.iter().enumerate();
+        let scaled = terms.map(|(index, term)| {
+            let coefficient: Multiple<'g> = self.coefficient(TermId { sum, term: index });
+            let coefficient = coefficient.over(self.sums[sum].multiple).exact.edge();
+            (coefficient, term.node.map(|node| writer.stored(node)))
+        });
+        scaled.collect()
     }
 
     /// Undoes the multiple of an output.
@@ -58,4 +74,25 @@ impl<'g> Scaling<'_, 'g> {
             writer.scaled(multiple.exact.edge(), writer.stored(output));
         }
     }
+}
+
+/// Adds to the node of one term those of the terms with the same coefficient that are left, which must not be 1.
+fn add_alike(
+    writer: &mut Writer<'_>,
+    (coefficient, first): (Edge, Edge),
+    left: &mut VecDeque<(Edge, Option<Edge>)>,
+) -> Edge {
+    let mut total = first;
+    if writer.is_unit(coefficient) {
+        return total;
+    }
+    left.retain(|&(other, node)| match node {
+        Some(node) if other.node() == coefficient.node() => {
+            let is_against = other.is_negative() != coefficient.is_negative();
+            total = writer.add(total, node.negate_if(is_against));
+            false
+        }
+        _ => true,
+    });
+    total
 }
