@@ -61,17 +61,17 @@ impl<T: Real> Found<T> {
 }
 
 /// The turn with this cosine and sine times `length`, the square of a distance from the axis; zero if that vanishes beside
-/// `size`, the square of the whole distance.
+/// `size`, the square of the whole distance. First as they are, and then on the unit circle, for joints behind it.
 #[inline]
-pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Found<T> {
+pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> [Found<T>; 2] {
     let squares = cosine * cosine + sine * sine;
     let least = roundings(T::from_f64(1.0));
     if length <= least * least * size || squares <= T::from_f64(0.0) {
-        return Found::any();
+        return [Found::any(); 2];
     }
     let is_singular = length <= T::APART * T::APART * size;
     let scale = T::from_f64(1.0) / squares.sqrt();
-    Found::turn(sine * scale, cosine * scale, is_singular)
+    [T::from_f64(1.0), scale].map(|by| Found::turn(sine * by, cosine * by, is_singular))
 }
 
 /// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`. The

@@ -5,7 +5,7 @@ use super::body::Writer;
 use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints};
 use crate::function::{Argument, inverse_method};
-use crate::inverse::{ELBOW, Plan, Step, Target};
+use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
 use crate::program::Operand;
 use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -246,13 +246,20 @@ impl Method<'_> {
                 let (one, any) = (ident("is_singular"), ident("is_any"));
                 quote!(#lines let ([#x, #y, #z], #any) = #value; let #one = #one || #any; #rest)
             }
-            Step::Joint(joint, _) => {
+            Step::Joint(joint, rule) => {
                 let found = self.found(joint);
-                let bound = self.bound(joint, &found);
-                if current.solutions() == 1 {
-                    quote!(#lines let #found = &#value; #bound #rest)
+                let unit = if rule == Rule::Turn {
+                    ident("unit")
                 } else {
-                    quote!(#lines for #found in #value.as_slice() { #bound #rest })
+                    found.clone()
+                };
+                let bound = self.bound(joint, &unit);
+                match rule {
+                    Rule::Turn => quote!(#lines let [#found, #unit] = #value; #bound #rest),
+                    Rule::Slide => quote!(#lines let #found = #value; #bound #rest),
+                    Rule::Turns | Rule::Slides => {
+                        quote!(#lines for &#found in #value.as_slice() { #bound #rest })
+                    }
                 }
             }
         }
@@ -287,6 +294,6 @@ impl Method<'_> {
     fn solution(&self) -> TokenStream {
         let (solutions, is_singular) = (ident("solutions"), ident("is_singular"));
         let joints = (0..self.plan.joints).map(|joint| self.found(joint));
-        quote!(#solutions.push([#(*#joints),*], #is_singular);)
+        quote!(#solutions.push([#(#joints),*], #is_singular);)
     }
 }
