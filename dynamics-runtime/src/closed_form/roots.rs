@@ -1,6 +1,6 @@
 //! The equations in one joint.
 
-use nalgebra::Matrix4;
+use nalgebra::{Matrix4, Vector3};
 
 use super::Real;
 
@@ -16,19 +16,7 @@ pub struct Found<T> {
 }
 
 /// At most two solutions.
-#[derive(Clone, Copy, Debug)]
-pub struct Roots<T> {
-    both: [Found<T>; 2],
-    count: usize,
-}
-
-impl<T> Roots<T> {
-    /// The solutions.
-    #[inline]
-    pub fn as_slice(&self) -> &[Found<T>] {
-        &self.both[..self.count]
-    }
-}
+pub type Roots<T> = core::iter::Take<core::array::IntoIter<Found<T>, 2>>;
 
 /// Numbers below this part of those that they are differences of may be nothing but rounding.
 const ROUNDINGS: f64 = 16.0;
@@ -85,7 +73,7 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
         // Both sides vanish, or none does.
         let count = usize::from(c * c <= least * least * size && size.is_finite());
         let both = [Found::any(); 2];
-        return Roots { both, count };
+        return both.into_iter().take(count);
     }
     if discriminant > least * least * square {
         let is_singular = T::from_f64(4.0) * discriminant <= T::APART * T::APART * square;
@@ -95,7 +83,7 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
             Found::turn(s, c, is_singular)
         };
         let both = [turn(root), turn(-root)];
-        return Roots { both, count: 2 };
+        return both.into_iter().take(2);
     }
     // The turn between the two.
     let is_one = discriminant >= -roundings(size) && size.is_finite();
@@ -105,10 +93,8 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     } else {
         radius
     };
-    Roots {
-        both: [Found::turn(b / scale, a / scale, true); 2],
-        count: usize::from(is_one),
-    }
+    let both = [Found::turn(b / scale, a / scale, true); 2];
+    both.into_iter().take(usize::from(is_one))
 }
 
 /// A position that was found by itself.
@@ -130,10 +116,9 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<T> {
     let twice = root + root;
     let is_singular = twice * twice <= T::APART * T::APART * size;
     let slide = |position| Found::slide(position, is_singular);
-    Roots {
-        both: [slide(b + root), slide(b - root)],
-        count: usize::from(is_some) + usize::from(is_some && is_two),
-    }
+    let both = [slide(b + root), slide(b - root)];
+    both.into_iter()
+        .take(usize::from(is_some) + usize::from(is_some && is_two))
 }
 
 /// Whether a vector vanishes beside distances with the sum of squares `size`.
@@ -153,7 +138,7 @@ pub fn direction<T: Real>(
     other_y: T,
     other_z: T,
     size: T,
-) -> ([T; 3], bool) {
+) -> (Vector3<T>, bool) {
     let square = x * x + y * y + z * z;
     let least = roundings(T::from_f64(1.0));
     let [x, y, z] = if square > least * least * size {
@@ -163,7 +148,7 @@ pub fn direction<T: Real>(
     };
     let scale = T::from_f64(1.0) / (x * x + y * y + z * z).sqrt();
     let is_any = square <= T::APART * T::APART * size;
-    ([x * scale, y * scale, z * scale], is_any)
+    (Vector3::new(x * scale, y * scale, z * scale), is_any)
 }
 
 /// Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third.
