@@ -1,10 +1,10 @@
 //! The equations in one joint.
 
-use nalgebra::{Matrix4, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use super::Real;
 
-/// The position of a joint: the sine and the cosine of an angle, or a displacement.
+/// The position of a joint: the sine and the cosine of an angle, up to a common positive factor, or a displacement.
 #[derive(Clone, Copy, Debug)]
 pub struct Found<T> {
     /// The sine, or the displacement itself.
@@ -28,7 +28,7 @@ fn roundings<T: Real>(size: T) -> T {
 
 impl<T: Real> Found<T> {
     #[inline]
-    fn turn(sine: T, cosine: T, is_singular: bool) -> Self {
+    fn new(sine: T, cosine: T, is_singular: bool) -> Self {
         Found {
             sine,
             cosine,
@@ -39,12 +39,7 @@ impl<T: Real> Found<T> {
     /// No turn, if any will do.
     #[inline]
     fn any() -> Self {
-        Found::turn(T::from_f64(0.0), T::from_f64(1.0), true)
-    }
-
-    #[inline]
-    fn slide(position: T, is_singular: bool) -> Self {
-        Found::turn(position, T::from_f64(0.0), is_singular)
+        Found::new(T::from_f64(0.0), T::from_f64(1.0), true)
     }
 }
 
@@ -59,7 +54,7 @@ pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> [Found<T>; 2] {
     }
     let is_singular = length <= T::APART * T::APART * size;
     let scale = T::from_f64(1.0) / squares.sqrt();
-    [T::from_f64(1.0), scale].map(|by| Found::turn(sine * by, cosine * by, is_singular))
+    [T::from_f64(1.0), scale].map(|by| Found::new(sine * by, cosine * by, is_singular))
 }
 
 /// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`. The
@@ -80,7 +75,7 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
         let (root, scale) = (discriminant.sqrt(), T::from_f64(1.0) / square);
         let turn = |root: T| {
             let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
-            Found::turn(s, c, is_singular)
+            Found::new(s, c, is_singular)
         };
         let both = [turn(root), turn(-root)];
         return both.into_iter().take(2);
@@ -93,14 +88,14 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     } else {
         radius
     };
-    let both = [Found::turn(b / scale, a / scale, true); 2];
+    let both = [Found::new(b / scale, a / scale, true); 2];
     both.into_iter().take(usize::from(is_one))
 }
 
 /// A position that was found by itself.
 #[inline]
 pub fn slide<T: Real>(position: T) -> Found<T> {
-    Found::slide(position, false)
+    Found::new(position, T::from_f64(0.0), false)
 }
 
 /// d = b + root and b - root of the discriminant, a difference of numbers as large as `size`.
@@ -115,7 +110,7 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<T> {
     };
     let twice = root + root;
     let is_singular = twice * twice <= T::APART * T::APART * size;
-    let slide = |position| Found::slide(position, is_singular);
+    let slide = |position| Found::new(position, T::from_f64(0.0), is_singular);
     let both = [slide(b + root), slide(b - root)];
     both.into_iter()
         .take(usize::from(is_some) + usize::from(is_some && is_two))
@@ -151,10 +146,10 @@ pub fn direction<T: Real>(
     (Vector3::new(x * scale, y * scale, z * scale), is_any)
 }
 
-/// Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third.
+/// Whether a matrix is a rotation: two columns of length one at right angles, and their vector product the third.
 #[inline]
-pub fn is_rotation<T: Real>(pose: &Matrix4<T>) -> bool {
-    let [[a, b, c, _], [d, e, f, _], [g, h, i, _], _] = pose.data.0;
+pub fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
+    let [[a, b, c], [d, e, f], [g, h, i]] = matrix.data.0;
     let one = T::from_f64(1.0);
     let misses = [
         a * a + b * b + c * c - one,

@@ -34,7 +34,11 @@ pub fn inverse_kinematics(
     let steps = method.from(0);
     let steps = match plan.target {
         Target::Position => steps,
-        _ => quote!(if #path::closed_form::is_rotation(#pose) { #steps }),
+        _ => quote! {
+            if #path::closed_form::is_rotation(&#pose.fixed_view::<3, 3>(0, 0).into_owned()) {
+                #steps
+            }
+        },
     };
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
