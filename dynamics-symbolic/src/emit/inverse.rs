@@ -238,14 +238,14 @@ impl Method<'_> {
         match current {
             Step::Condition => quote!(#lines if #value { #rest }),
             Step::Direction(_) => {
-                let [direction, one, any] = ["direction", "is_singular", "is_any"].map(ident);
+                let [direction, one, any] = ["found_direction", "is_singular", "is_any"].map(ident);
                 let bound = self.bound(current, &direction);
                 quote!(#lines let (#direction, #any) = #value; #bound let #one = #one || #any; #rest)
             }
             Step::Joint(joint, Rule::Turn) => {
-                let (found, unit) = (self.found(joint), ident("unit"));
-                let bound = self.bound(current, &unit);
-                quote!(#lines let [#found, #unit] = #value; #bound #rest)
+                let (found, on_circle) = (self.found(joint), ident("on_circle"));
+                let bound = self.bound(current, &on_circle);
+                quote!(#lines let [#found, #on_circle] = #value; #bound #rest)
             }
             Step::Joint(joint, rule) => {
                 let found = self.found(joint);
