@@ -34,6 +34,7 @@ fn name(arm: &'static str) -> &'static str {
         "RrrPlanar" => "plane arm, position and angle",
         "Cylindrical" => "cylindrical arm, position",
         "TwoLink" => "two links, position",
+        "EqualHalves" => "seven joints, halves of equal length",
         other => other,
     }
 }

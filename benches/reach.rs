@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::hint::black_box;
 
 use measured_arms::Panda;
-use measuring::table::Table;
+use measuring::table::{Table, digits};
 use measuring::{median, thread_seconds};
 use robot_dynamics::NewtonEuler;
 use robot_dynamics::inverse_kinematics::{InverseKinematics, Reason, Tip};
@@ -125,7 +125,7 @@ fn main() {
             .collect();
         table.row([
             format!("{} {name}", grouped(poses.len())),
-            format!("{mean:.2}"),
+            digits(mean),
             ends.join(", "),
             wrong.to_string(),
         ]);

@@ -42,10 +42,14 @@ pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
     };
     let z = over / if under == 0.0 { 1.0 } else { under };
     let square = z * z;
-    let mut polynomial = ARC_TANGENT[0];
-    for coefficient in &ARC_TANGENT[1..] {
-        polynomial = polynomial * square + coefficient;
+    // Even and odd powers, one beside the other.
+    let fourth = square * square;
+    let [mut even, mut odd] = [ARC_TANGENT[0], ARC_TANGENT[1]];
+    for k in 1..5 {
+        even = even * fourth + ARC_TANGENT[2 * k];
+        odd = odd * fourth + ARC_TANGENT[2 * k + 1];
     }
+    let polynomial = even * fourth + ARC_TANGENT[10] + odd * square;
     let angle = z - z * (square * polynomial);
     let angle = if is_far { FRAC_PI_4 + angle } else { angle };
     let angle = if is_steep { FRAC_PI_2 - angle } else { angle };
@@ -53,25 +57,25 @@ pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
     if sine < 0.0 { -angle } else { angle }
 }
 
-/// Replaces sines by the angles that they and the cosines belong to.
-pub(super) fn angles(sines: &mut [f64], cosines: &[f64]) {
+/// Replaces cosines by the angles that they and the sines belong to.
+pub(super) fn angles(sines: &[f64], cosines: &mut [f64]) {
     f64::vectorized(
         #[inline(always)]
         || {
-            for (sine, cosine) in sines.iter_mut().zip(cosines) {
-                *sine = angle(*sine, *cosine);
+            for (sine, cosine) in sines.iter().zip(cosines) {
+                *cosine = angle(*sine, *cosine);
             }
         },
     );
 }
 
 /// The same in single precision.
-pub(super) fn angles_f32(sines: &mut [f32], cosines: &[f32]) {
+pub(super) fn angles_f32(sines: &[f32], cosines: &mut [f32]) {
     f64::vectorized(
         #[inline(always)]
         || {
-            for (sine, cosine) in sines.iter_mut().zip(cosines) {
-                *sine = angle((*sine).into(), (*cosine).into()) as f32;
+            for (sine, cosine) in sines.iter().zip(cosines) {
+                *cosine = angle((*sine).into(), (*cosine).into()) as f32;
             }
         },
     );

@@ -12,9 +12,9 @@ pub trait Real: Scalar + PartialOrd + sealed::Sealed {
     /// The columns of a rotation are unit vectors at right angles to this: 1e-6, in single precision 1e-3.
     const ROTATION: Self;
 
-    /// Replaces sines by the angles from -pi to pi that they and the cosines belong to.
+    /// Replaces cosines by the angles from -pi to pi that they and the sines belong to.
     #[doc(hidden)]
-    fn angles(sines: &mut [Self], cosines: &[Self]);
+    fn angles(sines: &[Self], cosines: &mut [Self]);
 
     /// Whether the number is finite.
     fn is_finite(self) -> bool;
@@ -33,7 +33,7 @@ macro_rules! impl_real {
             const REACHED: Self = $reached;
             const ROTATION: Self = $rotation;
 
-            fn angles(sines: &mut [Self], cosines: &[Self]) {
+            fn angles(sines: &[Self], cosines: &mut [Self]) {
                 $angles(sines, cosines);
             }
 

@@ -1,10 +1,10 @@
 //! The equations in one joint.
 
-use nalgebra::Matrix4;
+use nalgebra::{Matrix3, Vector3};
 
 use super::Real;
 
-/// The position of a joint: the sine and the cosine of an angle, or a displacement.
+/// The position of a joint: the sine and the cosine of an angle, up to a common positive factor, or a displacement.
 #[derive(Clone, Copy, Debug)]
 pub struct Found<T> {
     /// The sine, or the displacement itself.
@@ -16,19 +16,7 @@ pub struct Found<T> {
 }
 
 /// At most two solutions.
-#[derive(Clone, Copy, Debug)]
-pub struct Roots<T> {
-    both: [Found<T>; 2],
-    count: usize,
-}
-
-impl<T> Roots<T> {
-    /// The solutions.
-    #[inline]
-    pub fn as_slice(&self) -> &[Found<T>] {
-        &self.both[..self.count]
-    }
-}
+pub type Roots<T> = core::iter::Take<core::array::IntoIter<Found<T>, 2>>;
 
 /// Numbers below this part of those that they are differences of may be nothing but rounding.
 const ROUNDINGS: f64 = 16.0;
@@ -40,7 +28,7 @@ fn roundings<T: Real>(size: T) -> T {
 
 impl<T: Real> Found<T> {
     #[inline]
-    fn turn(sine: T, cosine: T, is_singular: bool) -> Self {
+    fn new(sine: T, cosine: T, is_singular: bool) -> Self {
         Found {
             sine,
             cosine,
@@ -51,27 +39,22 @@ impl<T: Real> Found<T> {
     /// No turn, if any will do.
     #[inline]
     fn any() -> Self {
-        Found::turn(T::from_f64(0.0), T::from_f64(1.0), true)
-    }
-
-    #[inline]
-    fn slide(position: T, is_singular: bool) -> Self {
-        Found::turn(position, T::from_f64(0.0), is_singular)
+        Found::new(T::from_f64(0.0), T::from_f64(1.0), true)
     }
 }
 
 /// The turn with this cosine and sine times `length`, the square of a distance from the axis; zero if that vanishes beside
-/// `size`, the square of the whole distance.
+/// `size`, the square of the whole distance. First as they are, and then on the unit circle, for joints behind it.
 #[inline]
-pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> Found<T> {
+pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> [Found<T>; 2] {
     let squares = cosine * cosine + sine * sine;
     let least = roundings(T::from_f64(1.0));
     if length <= least * least * size || squares <= T::from_f64(0.0) {
-        return Found::any();
+        return [Found::any(); 2];
     }
     let is_singular = length <= T::APART * T::APART * size;
     let scale = T::from_f64(1.0) / squares.sqrt();
-    Found::turn(sine * scale, cosine * scale, is_singular)
+    [T::from_f64(1.0), scale].map(|by| Found::new(sine * by, cosine * by, is_singular))
 }
 
 /// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`. The
@@ -85,17 +68,17 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
         // Both sides vanish, or none does.
         let count = usize::from(c * c <= least * least * size && size.is_finite());
         let both = [Found::any(); 2];
-        return Roots { both, count };
+        return both.into_iter().take(count);
     }
     if discriminant > least * least * square {
         let is_singular = T::from_f64(4.0) * discriminant <= T::APART * T::APART * square;
         let (root, scale) = (discriminant.sqrt(), T::from_f64(1.0) / square);
         let turn = |root: T| {
             let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
-            Found::turn(s, c, is_singular)
+            Found::new(s, c, is_singular)
         };
         let both = [turn(root), turn(-root)];
-        return Roots { both, count: 2 };
+        return both.into_iter().take(2);
     }
     // The turn between the two.
     let is_one = discriminant >= -roundings(size) && size.is_finite();
@@ -105,16 +88,14 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     } else {
         radius
     };
-    Roots {
-        both: [Found::turn(b / scale, a / scale, true); 2],
-        count: usize::from(is_one),
-    }
+    let both = [Found::new(b / scale, a / scale, true); 2];
+    both.into_iter().take(usize::from(is_one))
 }
 
 /// A position that was found by itself.
 #[inline]
 pub fn slide<T: Real>(position: T) -> Found<T> {
-    Found::slide(position, false)
+    Found::new(position, T::from_f64(0.0), false)
 }
 
 /// d = b + root and b - root of the discriminant, a difference of numbers as large as `size`.
@@ -129,11 +110,10 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<T> {
     };
     let twice = root + root;
     let is_singular = twice * twice <= T::APART * T::APART * size;
-    let slide = |position| Found::slide(position, is_singular);
-    Roots {
-        both: [slide(b + root), slide(b - root)],
-        count: usize::from(is_some) + usize::from(is_some && is_two),
-    }
+    let slide = |position| Found::new(position, T::from_f64(0.0), is_singular);
+    let both = [slide(b + root), slide(b - root)];
+    both.into_iter()
+        .take(usize::from(is_some) + usize::from(is_some && is_two))
 }
 
 /// Whether a vector vanishes beside distances with the sum of squares `size`.
@@ -153,7 +133,7 @@ pub fn direction<T: Real>(
     other_y: T,
     other_z: T,
     size: T,
-) -> ([T; 3], bool) {
+) -> (Vector3<T>, bool) {
     let square = x * x + y * y + z * z;
     let least = roundings(T::from_f64(1.0));
     let [x, y, z] = if square > least * least * size {
@@ -163,13 +143,13 @@ pub fn direction<T: Real>(
     };
     let scale = T::from_f64(1.0) / (x * x + y * y + z * z).sqrt();
     let is_any = square <= T::APART * T::APART * size;
-    ([x * scale, y * scale, z * scale], is_any)
+    (Vector3::new(x * scale, y * scale, z * scale), is_any)
 }
 
-/// Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third.
+/// Whether a matrix is a rotation: two columns of length one at right angles, and their vector product the third.
 #[inline]
-pub fn is_rotation<T: Real>(pose: &Matrix4<T>) -> bool {
-    let [[a, b, c, _], [d, e, f, _], [g, h, i, _], _] = pose.data.0;
+pub fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
+    let [[a, b, c], [d, e, f], [g, h, i]] = matrix.data.0;
     let one = T::from_f64(1.0);
     let misses = [
         a * a + b * b + c * c - one,

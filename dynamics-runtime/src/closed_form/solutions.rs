@@ -7,6 +7,9 @@ use super::{Found, Real};
 /// The most solutions of an arm that has a closed form.
 const MOST: usize = 8;
 
+/// Angles are computed by so many, which no processor's vectors are longer than: none is left over to be computed alone.
+const TOGETHER: usize = 8;
+
 /// Joint positions that lead to a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<T: Real, const N: usize> {
@@ -61,10 +64,12 @@ impl<T: Real, const N: usize> Default for Branches<T, N> {
 }
 
 impl<T: Real, const N: usize> Branches<T, N> {
-    /// Adds one.
+    /// Adds one, unless a number in it is not finite.
     #[inline]
     pub fn push(&mut self, joints: [Found<T>; N], is_singular: bool) {
-        if self.count < MOST {
+        let add = |sum: T, joint: &Found<T>| sum + joint.sine + joint.cosine;
+        let sum = joints.iter().fold(T::from_f64(0.0), add);
+        if self.count < MOST && sum.is_finite() {
             let (sines, cosines) = (&mut self.sines[self.count], &mut self.cosines[self.count]);
             self.are_singular[self.count] = is_singular;
             for (i, joint) in joints.iter().enumerate() {
@@ -75,23 +80,26 @@ impl<T: Real, const N: usize> Branches<T, N> {
         }
     }
 
-    /// The solutions of an arm of whose joints these turn.
-    pub fn solutions(mut self, turns: [bool; N]) -> Solutions<T, N> {
-        let found = self.sines;
-        let all = self.count * N;
-        let sines = &mut self.sines.as_flattened_mut()[..all];
-        T::angles(sines, &self.cosines.as_flattened()[..all]);
-        let mut solutions = Solutions::new(turns);
-        for branch in 0..self.count {
-            let mut q = self.sines[branch];
-            for i in 0..N {
-                if !turns[i] {
-                    q[i] = found[branch][i];
-                }
+    /// The solutions of an arm of whose joints these turn. Cosines become the positions.
+    pub fn solutions(&mut self, turns: [bool; N]) -> Solutions<T, N> {
+        let some = (self.count * N).next_multiple_of(TOGETHER);
+        let cosines = &mut self.cosines.as_flattened_mut()[..some];
+        T::angles(&self.sines.as_flattened()[..some], cosines);
+        for i in (0..N).filter(|&i| !turns[i]) {
+            for branch in 0..MOST {
+                self.cosines[branch][i] = self.sines[branch][i];
             }
-            solutions.push(q, self.are_singular[branch]);
         }
-        solutions
+        let solution = |branch: usize| Solution {
+            q: self.cosines[branch].into(),
+            is_singular: self.are_singular[branch],
+        };
+        Solutions {
+            all: core::array::from_fn(solution),
+            count: self.count,
+            turns,
+            limits: [None; N],
+        }
     }
 }
 
@@ -112,10 +120,10 @@ impl<T: Real, const N: usize> Solutions<T, N> {
         }
     }
 
-    /// Adds a solution, unless it is not finite.
+    /// Adds a solution.
     #[inline]
     fn push(&mut self, q: [T; N], is_singular: bool) {
-        if self.count < MOST && q.iter().all(|q| q.is_finite()) {
+        if self.count < MOST {
             self.all[self.count] = Solution {
                 q: q.into(),
                 is_singular,
@@ -307,6 +315,23 @@ mod tests {
 
     #[test]
     fn numbers_that_are_not_finite_are_no_solutions() {
-        assert!(solutions(&[[f64::NAN, 0.0], [0.0, f64::INFINITY]]).is_empty());
+        let mut branches = Branches::default();
+        let joints = [
+            [f64::NAN, 1.0],
+            [1.0, f64::INFINITY],
+            [f64::NEG_INFINITY, 0.0],
+        ];
+        for [sine, cosine] in joints {
+            let joint = |sine, cosine| Found {
+                sine,
+                cosine,
+                is_singular: false,
+            };
+            branches.push([joint(sine, cosine), joint(0.5, 0.0)], false);
+            branches.push([joint(0.0, 1.0), joint(sine, 0.0)], false);
+        }
+        // A displacement of 1 is one.
+        let found = branches.solutions([true, false]);
+        assert_eq!(positions(&found), [[0.0, 1.0]]);
     }
 }

@@ -4,8 +4,8 @@ use nalgebra::Vector3;
 
 use super::joints::Joints;
 use super::places::Places;
+use super::problem::Problem;
 use super::target::{Missing, Target};
-use super::tolerance::Tolerance;
 use crate::size::Size;
 
 /// The sum over targets of half of their squared errors, and its derivatives.
@@ -24,30 +24,27 @@ pub(super) struct Normal<D: Size> {
     pub(super) is_reached: bool,
 }
 
-impl<D: Size> Normal<D> {
+impl<D: Size, P: Places<D>> Problem<'_, D, P> {
     #[inline(always)]
-    pub(super) fn at<P: Places<D>>(
-        places: &P,
-        targets: &[Target],
-        joints: &Joints<D>,
-        tolerance: &Tolerance,
-        q: &D::Vector,
-    ) -> Self {
+    pub(super) fn normal_at(&self, q: &D::Vector) -> Normal<D> {
+        let (solver, joints) = (self.solver, &self.solver.joints);
         let mut all = Normal {
             error: 0.0,
             descent: joints.size.vector(),
             matrix: joints.size.matrix(),
             is_reached: true,
         };
-        for (index, target) in targets.iter().enumerate() {
-            let (pose, jacobian) = places.place(index, q);
+        for (index, target) in self.targets.iter().enumerate() {
+            let (pose, jacobian) = solver.places.place(index, q);
             let missing = target.error(&pose);
-            all.is_reached &= tolerance.holds(&missing);
+            all.is_reached &= solver.tolerance.holds(&missing);
             all.add(joints, target, &missing, &jacobian);
         }
         all
     }
+}
 
+impl<D: Size> Normal<D> {
     /// The greatest diagonal entry of J'J.
     #[inline(always)]
     pub(super) fn greatest(&self) -> f64 {

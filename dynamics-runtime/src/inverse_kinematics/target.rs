@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix4, Vector3};
 
+use crate::closed_form::is_rotation;
 use crate::float::Float as _;
 
 /// Where a frame is to be: its position, its rotation, both, or one of its directions.
@@ -134,12 +135,6 @@ pub(super) struct Missing {
 /// The origin of a frame.
 fn origin(pose: &Matrix4<f64>) -> Vector3<f64> {
     pose.fixed_view::<3, 1>(0, 3).into_owned()
-}
-
-/// Orthogonal columns of length 1 to 1e-6, right-handed.
-fn is_rotation(rotation: &Matrix3<f64>) -> bool {
-    let deviation = (rotation.tr_mul(rotation) - Matrix3::identity()).amax();
-    deviation < 1e-6 && rotation.determinant() > 0.0
 }
 
 /// 2 sin(angle / 2) along the axis of a rotation: twice the vector of its unit quaternion. Its square, 3 - tr R, is smooth

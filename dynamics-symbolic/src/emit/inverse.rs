@@ -5,7 +5,7 @@ use super::body::Writer;
 use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints};
 use crate::function::{Argument, inverse_method};
-use crate::inverse::{ELBOW, Plan, Step, Target};
+use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
 use crate::program::Operand;
 use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -34,7 +34,11 @@ pub fn inverse_kinematics(
     let steps = method.from(0);
     let steps = match plan.target {
         Target::Position => steps,
-        _ => quote!(if #path::closed_form::is_rotation(#pose) { #steps }),
+        _ => quote! {
+            if #path::closed_form::is_rotation(&#pose.fixed_view::<3, 3>(0, 0).into_owned()) {
+                #steps
+            }
+        },
     };
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
@@ -168,18 +172,10 @@ struct Method<'a> {
 /// For each instruction the number of steps whose joints it depends on.
 pub(super) fn stages(plan: &Plan) -> Vec<usize> {
     let program = &plan.program;
-    let behind = |is_solved: &dyn Fn(&Step) -> bool| {
-        let step = plan.steps.iter().position(is_solved);
+    let of_input = |symbol: &Symbol| {
+        let mut steps = plan.steps.iter();
+        let step = steps.position(|step| step.part(symbol).is_some());
         step.map_or(0, |step| step + 1)
-    };
-    let of_input = |input: &Symbol| match input.argument() {
-        Some((Argument::Position, k)) => {
-            behind(&|step| matches!(step, Step::Joint(joint, _) if *joint == k))
-        }
-        Some((Argument::Pose, k)) => behind(
-            &|step| matches!(step, Step::Direction(place) if (*place..*place + 3).contains(&k)),
-        ),
-        _ => 0,
     };
     let inputs: Vec<usize> = program.inputs.iter().map(of_input).collect();
     let mut stages: Vec<usize> = Vec::with_capacity(program.instructions.len());
@@ -241,18 +237,23 @@ impl Method<'_> {
         let rest = self.from(step + 1);
         match current {
             Step::Condition => quote!(#lines if #value { #rest }),
-            Step::Direction(place) => {
-                let [x, y, z] = [place, place + 1, place + 2].map(|place| self.number(place));
-                let (one, any) = (ident("is_singular"), ident("is_any"));
-                quote!(#lines let ([#x, #y, #z], #any) = #value; let #one = #one || #any; #rest)
+            Step::Direction(_) => {
+                let [direction, one, any] = ["found_direction", "is_singular", "is_any"].map(ident);
+                let bound = self.bound(current, &direction);
+                quote!(#lines let (#direction, #any) = #value; #bound let #one = #one || #any; #rest)
             }
-            Step::Joint(joint, _) => {
+            Step::Joint(joint, Rule::Turn) => {
+                let (found, on_circle) = (self.found(joint), ident("on_circle"));
+                let bound = self.bound(current, &on_circle);
+                quote!(#lines let [#found, #on_circle] = #value; #bound #rest)
+            }
+            Step::Joint(joint, rule) => {
                 let found = self.found(joint);
-                let bound = self.bound(joint, &found);
-                if current.solutions() == 1 {
-                    quote!(#lines let #found = &#value; #bound #rest)
+                let bound = self.bound(current, &found);
+                if rule == Rule::Slide {
+                    quote!(#lines let #found = #value; #bound #rest)
                 } else {
-                    quote!(#lines for #found in #value.as_slice() { #bound #rest })
+                    quote!(#lines for #found in #value { #bound #rest })
                 }
             }
         }
@@ -268,17 +269,13 @@ impl Method<'_> {
         ident(&format!("joint_{}", joint + 1))
     }
 
-    /// Sine and cosine, or the position, of a joint that was found, where they are read.
-    fn bound(&self, joint: usize, found: &Ident) -> TokenStream {
+    /// Parts of the solution of a step, where they are read.
+    fn bound(&self, step: Step, of: &Ident) -> TokenStream {
         let inputs = self.plan.program.inputs.iter();
         let read = inputs.filter_map(|symbol| {
-            let part = match symbol {
-                Symbol::Sine(i) | Symbol::Position(i) if *i == joint => quote!(sine),
-                Symbol::Cosine(i) if *i == joint => quote!(cosine),
-                _ => return None,
-            };
+            let part = Ident::new(step.part(symbol)?, proc_macro2::Span::call_site());
             let name = ident(&input_name(self.robot, symbol, &[]));
-            Some(quote!(let #name = #found.#part;))
+            Some(quote!(let #name = #of.#part;))
         });
         read.collect()
     }
@@ -287,6 +284,6 @@ impl Method<'_> {
     fn solution(&self) -> TokenStream {
         let (solutions, is_singular) = (ident("solutions"), ident("is_singular"));
         let joints = (0..self.plan.joints).map(|joint| self.found(joint));
-        quote!(#solutions.push([#(*#joints),*], #is_singular);)
+        quote!(#solutions.push([#(#joints),*], #is_singular);)
     }
 }

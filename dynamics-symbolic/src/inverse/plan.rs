@@ -1,6 +1,8 @@
 //! The way from the pose of a frame to the positions of the joints.
 
+use crate::function::Argument;
 use crate::program::{Program, Proven};
+use crate::robot::Symbol;
 
 /// One joint after the other, each from an equation in which it is the only unknown.
 #[derive(Clone, Debug)]
@@ -76,6 +78,20 @@ impl Step {
         match self {
             Step::Joint(_, Rule::Turns | Rule::Slides) => 2,
             Step::Joint(_, Rule::Turn | Rule::Slide) | Step::Direction(_) | Step::Condition => 1,
+        }
+    }
+
+    /// The part of its solution that a symbol of the program stands for; `None` of another step's.
+    pub(crate) fn part(self, symbol: &Symbol) -> Option<&'static str> {
+        match (self, symbol) {
+            (Step::Joint(joint, _), Symbol::Sine(i) | Symbol::Position(i)) if *i == joint => {
+                Some("sine")
+            }
+            (Step::Joint(joint, _), Symbol::Cosine(i)) if *i == joint => Some("cosine"),
+            (Step::Direction(place), Symbol::Entry(Argument::Pose, k)) => {
+                ["x", "y", "z"].get(k.checked_sub(place)?).copied()
+            }
+            _ => None,
         }
     }
 

@@ -42,7 +42,7 @@ pub(super) fn shoulder<'g>(
     let (Points::One(s), Points::One(p)) = (view.points(SHOULDER), view.points(WRIST)) else {
         return None;
     };
-    found.push(distance(view, 3)?);
+    let elbow = distance(view, 3)?;
     // In the frame before the first joint.
     let wrist = view.way(4, 6).inverse().point(p);
     let line = view.target.point(wrist) - s;
@@ -53,6 +53,8 @@ pub(super) fn shoulder<'g>(
     let [(third, _), (_, fourth)] = [moving.nth(2)?, moving.next()?];
     let link = Link3::new(view, fourth, s, p)?;
     let rotation = rotation(symbols, view, line, &link, found);
+    // The first two directions, in the world, read no joint.
+    found.insert(2, elbow);
     let origin = s - rotation.apply(link.shoulder);
     let (first, ..) = between(chain, &BTreeSet::new());
     let behind_third = first.then(&Path(vec![Move::Fixed(rotation, origin)]));
@@ -109,18 +111,20 @@ fn rotation<'g>(
         let step = Step::Direction(place);
         let coefficients = [&v.0[..], &other.0[..], &[size]].concat();
         found.push(Equation { step, coefficients });
-        let numbers = [place, place + 1, place + 2].map(|place| symbols.behind_target(place));
+        let numbers = [0, 1, 2].map(|k| match v[k].is_zero() && other[k].is_zero() {
+            true => v[k],
+            false => symbols.behind_target(place + k),
+        });
         place += 3;
         Vector3(numbers)
     };
     let across = |v: Vector<'g>, line: Vector<'g>| v - line * v.dot(line);
     let ([x, _, z], one) = (view.axes(), view.graph.one());
     let size = link.elbow.dot(link.elbow);
-    let bent = link.axis.cross(link.elbow);
-    let [line, of_link] =
-        [(line, z), (link.line, bent)].map(|(v, other)| direction(v, other, size));
+    let line = direction(line, z, size);
     // Once more at right angles: of a vector that is nearly along the line this part is small, and its rounding is not.
     let start = across(direction(across(z, line), across(x, line), one), line);
+    let of_link = direction(link.line, link.axis.cross(link.elbow), size);
     let beside = link.axis.cross(of_link);
     let near = across(
         direction(across(link.elbow, of_link), beside, size),

@@ -2,10 +2,11 @@
 
 use std::io::{self, Read, Write};
 
-use nalgebra::{Const, Dyn, Matrix3};
+use nalgebra::{Const, Dyn};
 
 use super::{FloatingTrajectory, SizedFloatingTrajectory};
 use crate::Pose;
+use crate::closed_form::is_rotation;
 use crate::simulation::SizedModel;
 use crate::simulation::csv::{CsvError, CsvMistake, QUANTITIES, Rows, text_of, write_rows};
 use crate::size::{JointVector as _, Size};
@@ -187,12 +188,6 @@ fn read<D: Size, V: Size>(
         return Err(Rows::new("").mistake(0, CsvMistake::TooFew));
     }
     Ok(read)
-}
-
-/// Whether a matrix is a rotation, as far as six digits tell.
-fn is_rotation(matrix: &Matrix3<f64>) -> bool {
-    let error = matrix.tr_mul(matrix) - Matrix3::identity();
-    error.amax() < 1e-6 && matrix.determinant() > 0.0
 }
 
 /// How many quantities a header has: places and velocities at least, and accelerations where names of joints are given.

@@ -13,6 +13,7 @@ use super::recorder::Recorder;
 use super::torque::{Laws, SampledLaws, TorqueLaw};
 use super::{Continuous, ContinuousWrench, Sampled, Setting, Simulation, ToolWrench, WrenchAt};
 use crate::Pose;
+use crate::closed_form::is_rotation;
 use crate::equations_of_motion::FloatingEquations;
 use crate::integrate::Phase;
 use crate::size::Size;
@@ -23,15 +24,6 @@ pub use trajectory::{FloatingSample, FloatingTrajectory, SizedFloatingTrajectory
 
 /// The result of a simulation on a base that moves.
 type Outcome<D, V> = Result<SizedFloatingTrajectory<D, V>, Box<SizedFloatingError<D, V>>>;
-
-/// How far from orthogonal the axes of a base at the start may be.
-const MOST_SKEW: f64 = 1e-6;
-
-/// Whether the columns of a matrix are orthogonal unit vectors, right-handed; not if one is not a number.
-fn is_rotation(axes: &Matrix3<f64>) -> bool {
-    let skew = axes.tr_mul(axes) - Matrix3::identity();
-    skew.iter().all(|entry| entry.abs() <= MOST_SKEW) && axes.determinant() > 0.0
-}
 
 /// On a base that moves, laws are given its pose too, and the six numbers of the base come first among velocities,
 /// accelerations and forces.

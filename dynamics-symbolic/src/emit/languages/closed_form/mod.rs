@@ -129,16 +129,14 @@ impl Writer<'_> {
             Step::Direction(place) => {
                 let name = format!("direction_{}", place + 1);
                 push(vec![format!("{} {name} = {call};", self.words.direction)]);
-                for (k, part) in ["x", "y", "z"].into_iter().enumerate() {
-                    push(vec![self.declared(&self.number(place + k), &name, part)]);
-                }
+                push(self.bound(current, &name));
                 let mark = format!("{name}.{}", self.words.is_singular);
                 let singular = [singular, &[mark]].concat();
                 return self.from(step + 1, &singular, depth, text);
             }
             Step::Joint(number, _) => {
                 let name = joint(number);
-                let bound = self.bound(number, &name);
+                let bound = self.bound(current, &name);
                 if current.solutions() == 1 {
                     push(vec![format!("{} {name} = {call};", self.words.joint)]);
                     push(bound);
@@ -152,21 +150,15 @@ impl Writer<'_> {
         text.push(format!("{indent}}}"));
     }
 
-    /// The statement that gives a part of a joint or of a direction a name.
-    fn declared(&self, name: &str, of: &str, part: &str) -> String {
-        (self.words.language.declare)(name, &format!("{of}.{part}"))
-    }
-
-    /// Sine and cosine, or the position, of a joint that was found, where they are read.
-    fn bound(&self, number: usize, name: &str) -> Vec<String> {
+    /// Parts of the solution of a step, where they are read.
+    fn bound(&self, step: Step, of: &str) -> Vec<String> {
         let inputs = self.plan.program.inputs.iter().enumerate();
         let read = inputs.filter_map(|(index, symbol)| {
-            let part = match symbol {
-                Symbol::Sine(i) | Symbol::Position(i) if *i == number => "sine",
-                Symbol::Cosine(i) if *i == number => "cosine",
-                _ => return None,
-            };
-            Some(self.declared(self.body.input_name(index), name, part))
+            let value = format!("{of}.{}", step.part(symbol)?);
+            Some((self.words.language.declare)(
+                self.body.input_name(index),
+                &value,
+            ))
         });
         read.collect()
     }
