@@ -7,8 +7,9 @@
 //! vectors of motion and force. For parallel axes these frames are all alike and the angles add up: s23 and c23 come
 //! from this, by four multiplications and two additions. Which frames stay is decided by counting, joint by joint and
 //! in neighbouring pairs. On the arms on which all choices were tried the descent found the best one. It also chooses
-//! where a frame's origin sits on its axis, which of J_xx and J_yy is kept, and about which point the moment of a
-//! wrench is computed: outwards as far as axes pass through the point, inwards to the base.
+//! where a frame's origin sits on its axis, which of J_xx and J_yy is kept or whether the link is a lamina, whether
+//! columns of U are turned ([`crate::spatial::Writing`]), and about which point the moment of a wrench is computed:
+//! outwards as far as axes pass through the point, inwards to the base.
 //!
 //! Searches have budgets (nodes of trial graphs, look-ups of values): long programs are searched less thoroughly. A
 //! step that moves all origins at once is what a long chain can afford.
@@ -114,8 +115,9 @@ impl Gauge {
         gauge
     }
 
-    /// The shorter of the gauges that descents from two starts find for a group of joints. From the second one, links as
-    /// laminae and columns of U turned, functions that read accelerations of links are the shortest as a rule.
+    /// The shorter of the gauges that descents from two starts find for a group of joints. From the first one, links as
+    /// laminae and columns of U turned, functions that read accelerations of links are the shortest as a rule. The
+    /// second one is plain; it is left out where the first descent ran out of nodes.
     fn search_group(&mut self, arm: &Mechanism, parts: &[Part], joints: &[usize]) {
         let graph = Graph::new();
         let mut trials = Trials::new(&graph, arm, parts);

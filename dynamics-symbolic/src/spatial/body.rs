@@ -137,7 +137,7 @@ impl<R: Ring> Body<R> {
     }
 }
 
-/// What remains of J_xx and J_yy on a link behind a revolute joint; only their difference matters.
+/// The part of J_xx and J_yy that remains on a link behind a revolute joint; only their difference matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Keep {
     /// J_xx - J_yy, as J_xx.

@@ -358,8 +358,8 @@ fn two_arms_on_one_base_are_twice_one_arm() {
         for &function in functions {
             let [mul, add, div] = counts(&one, function).map(|alone| 2 * alone);
             let both = counts(&two, function);
-            // Of equally short ways to write a sum the search takes the first, which leads one PUMA to one
-            // multiplication more.
+            // The search takes the first of equally short ways to write a sum, which leads one PUMA to one more
+            // multiplication.
             let is_led_astray = name == "puma560" && function == Function::InverseDynamics;
             let expected = [mul + u32::from(is_led_astray), add, div];
             assert_eq!(both, expected, "{name} {function:?}");

@@ -513,13 +513,13 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoRods {
         let qd_1 = qd.data.0[0][0];
         let qd_2 = qd.data.0[0][1];
         let t_1 = real(0.25) * s_2;
-        let t_2 = qd_1 + qd_2;
-        let t_3 = t_2 * t_2;
-        let t_4 = qd_1 * qd_1;
-        let t_5 = t_1 * t_4;
-        let t_6 = (-t_1).mul_add(t_3, t_5);
+        let t_2 = qd_1 * qd_1;
+        let t_3 = t_1 * t_2;
+        let t_4 = qd_1 + qd_2;
+        let t_5 = t_4 * t_4;
+        let t_6 = (-t_1).mul_add(t_5, t_3);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_6, t_5]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_6, t_3]]),
         )
     }
 }
@@ -591,21 +591,21 @@ impl ::robot_dynamics::InverseDynamics<2> for TwoRods {
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
         let qdd_2 = qdd.data.0[0][1];
-        let t_1 = real(0.25) * c_2;
-        let t_2 = qdd_1 + qdd_2;
-        let t_3 = real(0.25) * s_2;
-        let t_4 = qd_1 + qd_2;
-        let t_5 = t_4 * t_4;
-        let t_6 = real(9.81).mul_add(s_1, qdd_1);
-        let t_7 = real(9.81).mul_add(c_1, qd_1 * qd_1);
-        let t_8 = t_1.mul_add(t_6, real(0.0625) * t_2);
-        let t_9 = t_3.mul_add(t_7, t_8);
+        let t_1 = qdd_1 + qdd_2;
+        let t_2 = real(0.25) * c_2;
+        let t_3 = real(9.81).mul_add(s_1, qdd_1);
+        let t_4 = real(0.25) * s_2;
+        let t_5 = real(9.81).mul_add(c_1, qd_1 * qd_1);
+        let t_6 = t_2.mul_add(t_3, real(0.0625) * t_1);
+        let t_7 = t_4.mul_add(t_5, t_6);
+        let t_8 = qd_1 + qd_2;
+        let t_9 = t_8 * t_8;
         let t_10 = real(19.62).mul_add(s_1, real(1.5) * qdd_1);
-        let t_11 = (-t_3).mul_add(t_5, t_10);
-        let t_12 = t_1.mul_add(t_2, t_11);
-        let t_13 = t_9 + t_12;
+        let t_11 = (-t_4).mul_add(t_9, t_10);
+        let t_12 = t_2.mul_add(t_1, t_11);
+        let t_13 = t_7 + t_12;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_9]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_7]]),
         )
     }
 }
@@ -649,21 +649,21 @@ impl ::robot_dynamics::ForwardDynamics<2> for TwoRods {
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
         let tau_2 = tau.data.0[0][1];
-        let t_1 = real(0.25) * s_2;
-        let t_2 = qd_1 + qd_2;
-        let t_3 = t_2 * t_2;
-        let t_4 = real(0.25) * c_2;
-        let t_5 = real(9.81) * s_1;
-        let t_6 = real(9.81).mul_add(c_1, qd_1 * qd_1);
-        let t_7 = t_1.mul_add(t_6, t_4 * t_5);
-        let t_8 = t_7 - tau_2;
-        let t_9 = real(0.0625) + t_4;
+        let t_1 = real(0.25) * c_2;
+        let t_2 = real(9.81) * s_1;
+        let t_3 = real(0.25) * s_2;
+        let t_4 = real(9.81).mul_add(c_1, qd_1 * qd_1);
+        let t_5 = t_3.mul_add(t_4, t_1 * t_2);
+        let t_6 = qd_1 + qd_2;
+        let t_7 = t_6 * t_6;
+        let t_8 = t_5 - tau_2;
+        let t_9 = real(0.0625) + t_1;
         let t_10 = real(16.0) * t_9;
         let t_11 = real(-19.62).mul_add(s_1, tau_1);
-        let t_12 = t_1.mul_add(t_3, t_11);
-        let t_13 = t_12 - t_7;
+        let t_12 = t_3.mul_add(t_7, t_11);
+        let t_13 = t_12 - t_5;
         let t_14 = t_8.mul_add(t_10, t_13);
-        let t_15 = t_4 + t_4;
+        let t_15 = t_1 + t_1;
         let t_16 = real(1.5625) + t_15;
         let t_17 = (-t_9).mul_add(t_10, t_16);
         let t_18 = real(1.0) / t_17;
