@@ -30,13 +30,12 @@ impl<'g> Writer<'g> {
         edge
     }
 
-    /// Whether a constant is 1 or -1.
-    pub(super) fn is_unit(&self, constant: Edge) -> bool {
-        constant.node() == self.graph.one().edge().node()
+    pub(super) fn one(&self) -> Edge {
+        self.graph.one().edge()
     }
 
     pub(super) fn scaled(&mut self, coefficient: Edge, edge: Edge) -> Edge {
-        if self.is_unit(coefficient) {
+        if coefficient.node() == self.one().node() {
             return edge.negate_if(coefficient.is_negative());
         }
         self.mul(coefficient, edge)
@@ -46,7 +45,7 @@ impl<'g> Writer<'g> {
         self.keep(self.graph.arena().write_sum(a, b))
     }
 
-    fn mul(&mut self, a: Edge, b: Edge) -> Edge {
+    pub(super) fn mul(&mut self, a: Edge, b: Edge) -> Edge {
         self.keep(self.graph.arena().write_product(a, b))
     }
 

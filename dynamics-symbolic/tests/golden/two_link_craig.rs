@@ -216,14 +216,14 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
         let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
         let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let t_1 = p_m2 + p_m1;
-        let t_2 = p_l1 * t_1;
-        let t_3 = p_m2 * p_l2;
-        let t_4 = c_2 * t_3;
+        let t_1 = p_m2 * p_l2;
+        let t_2 = c_2 * t_1;
+        let t_3 = p_l1 * t_2;
+        let t_4 = p_m1 + p_m2;
         let t_5 = p_l1 * t_4;
-        let t_6 = p_l2 * t_3;
-        let t_7 = t_6 + t_5;
-        let t_8 = p_l1.mul_add(t_2, t_5);
+        let t_6 = p_l2 * t_1;
+        let t_7 = t_6 + t_3;
+        let t_8 = p_l1.mul_add(t_5, t_3);
         let t_9 = t_7 + t_8;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_9, t_7], [t_7, t_6]]),
@@ -298,7 +298,7 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
         let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
         let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
         let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
-        let t_1 = p_m2 + p_m1;
+        let t_1 = p_m1 + p_m2;
         let t_2 = p_l1 * t_1;
         let t_3 = p_m2 * p_l2;
         let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
@@ -345,25 +345,25 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         let qd_2 = qd.data.0[0][1];
         let qdd_1 = qdd.data.0[0][0];
         let qdd_2 = qdd.data.0[0][1];
-        let t_1 = p_g.mul_add(c_1, p_l1 * qdd_1);
-        let t_2 = p_m2 + p_m1;
-        let t_3 = p_l1 * t_2;
-        let t_4 = p_m2 * p_l2;
-        let t_5 = p_l2 * t_4;
-        let t_6 = qdd_1 + qdd_2;
-        let t_7 = c_2 * t_4;
-        let t_8 = s_2 * t_4;
-        let t_9 = qd_1 * qd_1;
-        let t_10 = (-p_l1).mul_add(t_9, p_g * s_1);
-        let t_11 = (-t_8).mul_add(t_10, t_5 * t_6);
-        let t_12 = t_7.mul_add(t_1, t_11);
-        let t_13 = qd_1 + qd_2;
-        let t_14 = t_13 * t_13;
-        let t_15 = (-t_8).mul_add(t_14, t_7 * t_6);
-        let t_16 = p_l1.mul_add(t_15, t_1 * t_3);
-        let t_17 = t_12 + t_16;
+        let t_1 = p_m2 * p_l2;
+        let t_2 = c_2 * t_1;
+        let t_3 = qdd_1 + qdd_2;
+        let t_4 = s_2 * t_1;
+        let t_5 = qd_1 + qd_2;
+        let t_6 = t_5 * t_5;
+        let t_7 = (-t_4).mul_add(t_6, t_2 * t_3);
+        let t_8 = p_m1 + p_m2;
+        let t_9 = p_l1 * t_8;
+        let t_10 = p_g.mul_add(c_1, p_l1 * qdd_1);
+        let t_11 = qd_1 * qd_1;
+        let t_12 = (-p_l1).mul_add(t_11, p_g * s_1);
+        let t_13 = p_l2 * t_1;
+        let t_14 = t_2.mul_add(t_10, t_13 * t_3);
+        let t_15 = (-t_4).mul_add(t_12, t_14);
+        let t_16 = p_l1.mul_add(t_7, t_9 * t_10);
+        let t_17 = t_15 + t_16;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_17, t_12]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_17, t_15]]),
         )
     }
 }
@@ -407,29 +407,29 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         let qd_2 = qd.data.0[0][1];
         let tau_1 = tau.data.0[0][0];
         let tau_2 = tau.data.0[0][1];
-        let t_1 = p_m2 + p_m1;
-        let t_2 = p_l1 * t_1;
-        let t_3 = p_g * c_1;
-        let t_4 = p_m2 * p_l2;
-        let t_5 = c_2 * t_4;
-        let t_6 = s_2 * t_4;
-        let t_7 = qd_1 * qd_1;
-        let t_8 = (-p_l1).mul_add(t_7, p_g * s_1);
-        let t_9 = (-t_6).mul_add(t_8, t_5 * t_3);
-        let t_10 = qd_1 + qd_2;
-        let t_11 = t_10 * t_10;
-        let t_12 = t_6 * t_11;
-        let t_13 = t_9 - tau_2;
-        let t_14 = p_l2 * t_4;
-        let t_15 = p_l1 * t_5;
+        let t_1 = p_m2 * p_l2;
+        let t_2 = s_2 * t_1;
+        let t_3 = qd_1 + qd_2;
+        let t_4 = t_3 * t_3;
+        let t_5 = t_2 * t_4;
+        let t_6 = c_2 * t_1;
+        let t_7 = p_g * c_1;
+        let t_8 = qd_1 * qd_1;
+        let t_9 = (-p_l1).mul_add(t_8, p_g * s_1);
+        let t_10 = (-t_2).mul_add(t_9, t_6 * t_7);
+        let t_11 = p_m1 + p_m2;
+        let t_12 = p_l1 * t_11;
+        let t_13 = t_10 - tau_2;
+        let t_14 = p_l2 * t_1;
+        let t_15 = p_l1 * t_6;
         let t_16 = t_14 + t_15;
         let t_17 = real(1.0) / t_14;
         let t_18 = t_16 * t_17;
-        let t_19 = (-t_2).mul_add(t_3, tau_1);
-        let t_20 = p_l1.mul_add(t_12, t_19);
-        let t_21 = t_20 - t_9;
+        let t_19 = (-t_12).mul_add(t_7, tau_1);
+        let t_20 = p_l1.mul_add(t_5, t_19);
+        let t_21 = t_20 - t_10;
         let t_22 = t_13.mul_add(t_18, t_21);
-        let t_23 = p_l1.mul_add(t_2, t_15);
+        let t_23 = p_l1.mul_add(t_12, t_15);
         let t_24 = t_16 + t_23;
         let t_25 = (-t_16).mul_add(t_18, t_24);
         let t_26 = real(1.0) / t_25;
@@ -501,11 +501,11 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> f
             let t_3 = c_2 * t_2;
             let t_4 = qd_1 + qd_2;
             let t_5 = t_3 * t_4;
-            let t_6 = p_m2 + p_m1;
-            let t_7 = t_2 * t_2;
+            let t_6 = p_m1 + p_m2;
+            let t_7 = t_6 * t_2;
             let t_8 = p_l2 * t_1;
             let t_9 = t_8 * t_4;
-            let t_10 = t_4.mul_add(t_9, t_6 * t_7);
+            let t_10 = t_4.mul_add(t_9, t_2 * t_7);
             let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
             t_11
         })
@@ -562,7 +562,7 @@ for Arm {
                 q.data.0[0][0],
             );
             let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
-            let t_1 = p_m2 + p_m1;
+            let t_1 = p_m1 + p_m2;
             let t_2 = p_m2 * p_l2;
             let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
             let t_4 = s_2 * t_2;

@@ -740,7 +740,7 @@ impl Arm {
     ///
     /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `qdd`: joint accelerations, rad per s^2.
     ///
-    /// Operations: 16 multiplications, 14 additions, sines and cosines of 2 angles.
+    /// Operations: 17 multiplications, 11 additions, sines and cosines of 2 angles.
     ///
     /// Never panics, never allocates; what depends on an input that is not finite is not finite.
     #[inline(never)]
@@ -2321,7 +2321,7 @@ for Arm {
     type Error = ::core::convert::Infallible;
     const ARGUMENTS: &'static [&'static str] = &["q", "qd", "qdd"];
     const RESULT: &'static str = "tool_acceleration";
-    const WORK: u32 = 110;
+    const WORK: u32 = 108;
     const IN_LANES: bool = true;
     #[inline(always)]
     fn at<T: ::robot_dynamics::Scalar>(
@@ -2344,25 +2344,22 @@ for Arm {
             let qd_2 = qd.data.0[0][1];
             let qdd_1 = qdd.data.0[0][0];
             let qdd_2 = qdd.data.0[0][1];
-            let t_1 = c_2 * qd_2;
-            let t_2 = real(2.0) + c_2;
-            let t_3 = t_1 + t_1;
-            let t_4 = qd_1.mul_add(t_2, t_3);
-            let t_5 = qdd_1.mul_add(s_2, s_2 * qdd_2);
-            let t_6 = qd_2.mul_add(t_1, t_5);
-            let t_7 = qd_1.mul_add(t_4, t_6);
-            let t_8 = s_2 * qd_2;
-            let t_9 = qd_1.mul_add(s_2, t_8);
-            let t_10 = t_8 + t_9;
-            let t_11 = (-c_2).mul_add(qdd_2, qd_2 * t_8);
-            let t_12 = (-qdd_1).mul_add(t_2, t_11);
-            let t_13 = qd_1.mul_add(t_10, t_12);
-            let t_14 = (-c_1).mul_add(t_7, s_1 * t_13);
-            let t_15 = c_1.mul_add(t_13, s_1 * t_7);
-            let t_16 = qdd_1 + qdd_2;
+            let t_1 = real(2.0) + c_2;
+            let t_2 = c_2 * qd_2;
+            let t_3 = real(2.0).mul_add(t_2, qd_1 * t_1);
+            let t_4 = qdd_1 + qdd_2;
+            let t_5 = qd_2.mul_add(t_2, s_2 * t_4);
+            let t_6 = qd_1.mul_add(t_3, t_5);
+            let t_7 = s_2 * qd_2;
+            let t_8 = real(2.0).mul_add(t_7, qd_1 * s_2);
+            let t_9 = (-c_2).mul_add(qdd_2, qd_2 * t_7);
+            let t_10 = (-qdd_1).mul_add(t_1, t_9);
+            let t_11 = qd_1.mul_add(t_8, t_10);
+            let t_12 = (-c_1).mul_add(t_6, s_1 * t_11);
+            let t_13 = c_1.mul_add(t_11, s_1 * t_6);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_14, -t_15, real(0.0), real(0.0), real(0.0), t_16],
+                    [t_12, -t_13, real(0.0), real(0.0), real(0.0), t_4],
                 ]),
             )
         })
@@ -2785,7 +2782,7 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::MomentumBias, 2> fo
             let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
             let t_2 = real(4.905) * t_1;
             let t_3 = real(49.05).mul_add(c_1, t_2);
-            let t_4 = qd_2 + qd_1;
+            let t_4 = qd_1 + qd_2;
             let t_5 = s_2 * t_4;
             let t_6 = qd_1.mul_add(t_5, t_2);
             ::robot_dynamics::nalgebra::SMatrix::from_data(

@@ -5,6 +5,7 @@
 //! x1 + (c2/c1) x2 + ..., the sum takes one multiplication less, and none is added if its readers multiply by a constant
 //! anyway. The multiples are chosen one by one for as long as coefficients become 1.
 
+mod common;
 mod cost;
 mod descent;
 mod multiple;

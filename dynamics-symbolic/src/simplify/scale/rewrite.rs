@@ -1,11 +1,10 @@
 //! The network with the multiples that were chosen.
 
-use super::Scaling;
 use super::multiple::{Multiple, Scale};
 use super::terms::{TermId, is_linear};
+use super::{Scaling, common};
 use crate::expr::{Edge, NodeId, Operation};
 use crate::simplify::Writer;
-use std::collections::VecDeque;
 
 impl<'g> Scaling<'_, 'g> {
     /// The definitions of the rewritten network, and the nodes whose definitions are held: the
@@ -28,40 +27,43 @@ impl<'g> Scaling<'_, 'g> {
     /// The node that is computed in the place of another one: none if a sum has absorbed that.
     fn write_node(&self, writer: &mut Writer<'g>, id: NodeId) -> Option<Edge> {
         if let Some(sum) = self.sum_of[id.index()] {
-            return Some(self.write_sum(writer, sum));
+            let terms = self.written_terms(writer, sum);
+            return Some(common::write_sum(writer, terms));
         }
         let operation = self.network.definition(id);
         let is_absorbed = is_linear(self.network, id);
         (!is_absorbed).then(|| writer.rewritten(id, operation))
     }
 
-    /// The multiple of a sum that is computed. Terms with the same coefficient are added before they are multiplied:
-    /// c x + c y is written as c (x + y).
-    fn write_sum(&self, writer: &mut Writer<'g>, sum: usize) -> Edge {
-        let mut total: Option<Edge> = None;
-        let mut left: VecDeque<_> = self.scaled_terms(writer, sum).into();
-        while let Some((coefficient, node)) = left.pop_front() {
-            let term = match node {
-                None => coefficient,
-                Some(node) => {
-                    let inner = add_alike(writer, (coefficient, node), &mut left);
-                    writer.scaled(coefficient, inner)
-                }
-            };
-            total = Some(total.map_or(term, |total| writer.add(total, term)));
-        }
-        total.expect("a sum is not zero: a term remains")
-    }
-
-    /// The terms of the multiple of a sum: constants, and the nodes that they multiply.
-    fn scaled_terms(&self, writer: &Writer<'g>, sum: usize) -> Vec<(Edge, Option<Edge>)> {
+    /// The terms of the multiple of a sum that is computed.
+    fn written_terms(&self, writer: &Writer<'g>, sum: usize) -> Vec<common::Term> {
         let terms = self.sums[sum].terms.iter().enumerate();
-        let scaled = terms.map(|(index, term)| {
+        let written = terms.map(|(index, term)| {
             let coefficient: Multiple<'g> = self.coefficient(TermId { sum, term: index });
             let coefficient = coefficient.over(self.sums[sum].multiple).exact.edge();
-            (coefficient, term.node.map(|node| writer.stored(node)))
+            common::Term {
+                coefficient,
+                node: term.node.map(|node| writer.stored(node)),
+                operands: term.node.and_then(|node| self.operands(writer, node)),
+            }
         });
-        scaled.collect()
+        written.collect()
+    }
+
+    /// A product that one node alone reads, as the nodes that are computed in the place of its operands.
+    fn operands(&self, writer: &Writer<'g>, node: NodeId) -> Option<[Edge; 2]> {
+        let network = self.network;
+        if network.readers(node) > 1 || network.is_free(node) {
+            return None;
+        }
+        let operation = network.definition(node);
+        let Operation::Mul(a, b) = operation else {
+            return None;
+        };
+        let is_flipped = network.graph().is_flipped(node, operation);
+        let [a, b] = [a, b].map(|id| writer.stored(id));
+        let is_linear = is_linear(network, node);
+        (!is_linear).then(|| [a.negate_if(is_flipped), b])
     }
 
     /// Undoes the multiple of an output.
@@ -74,25 +76,4 @@ impl<'g> Scaling<'_, 'g> {
             writer.scaled(multiple.exact.edge(), writer.stored(output));
         }
     }
-}
-
-/// Adds to the node of one term those of the terms with the same coefficient that are left, which must not be 1.
-fn add_alike(
-    writer: &mut Writer<'_>,
-    (coefficient, first): (Edge, Edge),
-    left: &mut VecDeque<(Edge, Option<Edge>)>,
-) -> Edge {
-    let mut total = first;
-    if writer.is_unit(coefficient) {
-        return total;
-    }
-    left.retain(|&(other, node)| match node {
-        Some(node) if other.node() == coefficient.node() => {
-            let is_against = other.is_negative() != coefficient.is_negative();
-            total = writer.add(total, node.negate_if(is_against));
-            false
-        }
-        _ => true,
-    });
-    total
 }
