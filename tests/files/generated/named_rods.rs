@@ -264,16 +264,16 @@ impl ::robot_dynamics::MassMatrix<2> for NamedRods {
             self.load,
             q.data.0[0][0],
         );
-        let t_1 = p_m2 + p_load;
-        let t_2 = p_m1 + t_1;
-        let t_3 = p_l1 * t_2;
-        let t_4 = real(0.5) * p_l2;
-        let t_5 = t_4 * t_1;
-        let t_6 = c_2 * t_5;
+        let t_1 = real(0.5) * p_l2;
+        let t_2 = p_m2 + p_load;
+        let t_3 = t_1 * t_2;
+        let t_4 = c_2 * t_3;
+        let t_5 = p_l1 * t_4;
+        let t_6 = p_m1 + t_2;
         let t_7 = p_l1 * t_6;
-        let t_8 = t_4 * t_5;
-        let t_9 = t_8 + t_7;
-        let t_10 = p_l1.mul_add(t_3, t_7);
+        let t_8 = t_1 * t_3;
+        let t_9 = t_8 + t_5;
+        let t_10 = p_l1.mul_add(t_7, t_5);
         let t_11 = t_9 + t_10;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_9], [t_9, t_8]]),
