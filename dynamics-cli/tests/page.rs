@@ -274,7 +274,7 @@ fn what_cannot_be_is_refused() {
     refused(
         &with(&["--field", "m3=1"]),
         2,
-        "no value uses the field `m3`",
+        "the field `m3` is never used",
     );
     refused(&with(&["--from", "1"]), 2, "expected 2, one for each joint");
     refused(

@@ -48,7 +48,7 @@ mistakes! {
          functions of its geometry alone, {functions} ({allow} takes it as massless)";
     /// Gravity, m/s^2, as it is nowhere.
     odd_gravity(magnitude: f64 => number) [allow: allow("odd_gravity", AT_THE_END)]
-        "gravity of {magnitude} m/s^2: on Earth it is 9.81, and [0, 0, 0] is none ({allow} accepts it)";
+        "gravity of {magnitude} m/s^2: Earth's is 9.81; write [0, 0, 0] for no gravity ({allow} accepts it)";
     /// The same along each axis, m/s^2, and the magnitude of all.
     gravity_along_all(component: f64 => number, magnitude: f64) [allow: allow("odd_gravity", AT_THE_END)]
         "gravity of {component} m/s^2 along each axis is {magnitude:.2} m/s^2 in all: write `[0, 0, -9.81]` where z \
@@ -61,7 +61,7 @@ mistakes! {
     locked_twice(name: &str) "`{name}` is locked twice";
     all_locked() "all joints are locked: an arm has at least one that moves";
     share_with_field() "a share is a number: it does not depend on a field";
-    share_of_nothing() "a share is above 0, `1%` for example";
+    share_of_nothing() "the share must be above 0: `1%`, for example";
     neglect_and_tests()
         "`tests: true` compares with the whole table, of which `neglect` leaves a part out: remove one of the two";
     neglect_and_identification(function: &str)

@@ -14,7 +14,7 @@ mistakes! {
     field_of_other_type(name: &impl Display) "the field `{name}` is an `f64`, as every field of a robot";
     field_with_default(name: &impl Display)
         "a field has no default: `{name}` gets its value where the struct is built";
-    unused_field(name: &str) "no value uses the field `{name}`";
+    unused_field(name: &str) "the field `{name}` is never used";
     /// A keyword in place of a name. Some of them can be names all the same.
     keyword(what: &impl Display, word: &impl Display, can_be_raw: bool)
         "expected {what}, found the keyword `{word}`: write `r#{word}`, or another name" if can_be_raw

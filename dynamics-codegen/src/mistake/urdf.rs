@@ -24,7 +24,7 @@ mistakes! {
     /// An element or attribute in whose place another one was meant.
     misspelled(element: &str, what: &str, word: &str => shortened, right: &str)
         "unknown {what} `{word}` of `<{element}>`: did you mean `{right}`?";
-    axis_of_no_length() "an axis has a direction: its length is zero here";
+    axis_of_no_length() "the axis vector is zero";
     no_path(first: &str => shortened, last: &str => shortened, root: &str => shortened)
         "no joints lead from `{first}` outwards to `{last}`: seen from there inwards the first link is `{root}`";
     two_parents(link: &str => shortened) "the link `{link}` is the child of another joint already: a robot is a tree";

@@ -276,7 +276,7 @@ fn names_that_nothing_binds_are_fields() {
     );
     assert_eq!(
         fields(&listed("['l', 'm', 'load']"), ""),
-        Err(owned(&["no value uses the field `load`"]))
+        Err(owned(&["the field `load` is never used"]))
     );
     // Values beside the file are meant for names of the file.
     let beside = fields(NAMES, "let.m = '2 * mass'").expect_err("a mistake");

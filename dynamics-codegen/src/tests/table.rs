@@ -72,7 +72,7 @@ fn its_errors_stand_at_lines_and_columns() {
     assert_eq!(
         errors.iter().map(shown).collect::<Vec<_>>(),
         [
-            "3:9: no value uses the field `length`",
+            "3:9: the field `length` is never used",
             "7:8: a mass cannot be negative"
         ]
     );

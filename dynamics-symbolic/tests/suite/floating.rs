@@ -14,6 +14,8 @@ use dynamics_symbolic::robot::{
     Spring, Symbol, Tool, Value,
 };
 
+use expect_test::expect_file;
+
 use crate::random_tables::{assert_proven, prove_parts};
 use crate::trees::{at, ratio, tree_of_five, vector};
 
@@ -459,6 +461,41 @@ fn robots() -> Vec<Robot> {
 fn every_function_is_proven() {
     for (number, robot) in robots().iter().enumerate() {
         prove_parts(robot, number, &functions(), derive_plain);
+    }
+}
+
+/// Operations of robots on bases that move, without friction in their joints.
+#[test]
+fn snapshot_of_moving_bases() {
+    let mut table =
+        "robot      function                        mul    add   div  total\n".to_owned();
+    for name in ["free_body", "hyq", "torso"] {
+        let robot = arms::floating(name);
+        for function in Function::default_set(false) {
+            let count = crate::derive(&robot, function).operations();
+            table += &format!(
+                "{name:10} {:28} {:6} {:6} {:5} {:6}\n",
+                function.name(),
+                count.multiplications,
+                count.additions,
+                count.divisions,
+                count.total(),
+            );
+        }
+    }
+    expect_file!["../golden/moving_bases.txt"].assert_eq(&table);
+}
+
+/// A graph of CasADi with its common subexpressions takes 2,101 operations for the torques of the quadruped.
+#[test]
+fn programs_of_a_quadruped_are_short() {
+    let robot = arms::floating("hyq");
+    for (function, most) in [
+        (Function::InverseDynamics, 1300),
+        (Function::MassMatrix, 1100),
+    ] {
+        let total = crate::derive(&robot, function).operations().total();
+        assert!(total <= most, "{function:?} {total}");
     }
 }
 
