@@ -155,6 +155,20 @@ mod tests {
         assert_eq!(program.operations().total(), 2);
     }
 
+    /// 3 x + z w - 3 y + u w + v: a product for each factor, wherever its terms stand.
+    #[test]
+    fn factors_of_several_terms_are_taken_out() {
+        let graph = Graph::new();
+        let [x, y, z, w, u, v] = [(); 6].map(|()| graph.symbol(Level::Variable));
+        let three = graph.rational(&crate::exact::Rational::from(3));
+        let sum = three * x + z * w - three * y + u * w + v;
+        let count = simplified(&graph, &[sum], 6).operations();
+        assert_eq!([count.multiplications, count.additions], [2, 4]);
+        // A product that another output reads is computed in any case.
+        let count = simplified(&graph, &[sum, z * w], 6).operations();
+        assert_eq!([count.multiplications, count.additions], [3, 4]);
+    }
+
     /// 3 (z - x y^2) + 3 x (y^2 + w): what y^2 adds to one term it takes from the other.
     #[test]
     fn what_cancels_is_not_computed() {
