@@ -3,6 +3,7 @@
 
 mod commands;
 mod comments;
+mod counts;
 mod document;
 mod links;
 mod prose;
