@@ -4,7 +4,10 @@
 //! operations. Terms that are ready first are added first, as a Huffman tree is built, and the end of a long chain last.
 //! No operation is added, and sums keep the products that are fused into them.
 
-use super::{Constant, ConstantId, ConstantPool, Instruction, Operand, Program, Readers, UpToSign};
+use super::{
+    Constant, ConstantId, ConstantPool, Instruction, Line, Operand, Program, Readers, Rest,
+    UpToSign,
+};
 use crate::robot::Symbol;
 
 /// How long operations take, in cycles: today's processors differ by a few, and only the proportions matter.
@@ -43,6 +46,48 @@ impl Program {
             instructions: balance.instructions,
             is_plain: self.is_plain,
         }
+    }
+}
+
+/// When an input is ready.
+fn cycles_of_input(input: &Symbol) -> u32 {
+    match input {
+        Symbol::Sine(_) | Symbol::Cosine(_) => cycles::SINE,
+        Symbol::AngleSine(_) | Symbol::AngleCosine(_) => cycles::SINE,
+        Symbol::VelocitySign(_) => cycles::SIGN,
+        Symbol::Stribeck(_) => cycles::EXPONENTIAL,
+        _ => 0,
+    }
+}
+
+/// When the result of each line is ready; zero for products that are written into sums.
+pub(super) fn ready_times(program: &Program, lines: &[Option<Line>]) -> Vec<u32> {
+    let mut ready = Vec::with_capacity(lines.len());
+    for line in lines {
+        let of_operand = |operand| match operand {
+            Operand::Constant(_) => 0,
+            Operand::Input(index) => cycles_of_input(&program.inputs[index as usize]),
+            Operand::Result(index) => ready[index as usize],
+        };
+        let of_line = |line: &Line| {
+            let operands = line.operands().into_iter().map(of_operand);
+            operands.max().unwrap_or(0) + cycles_of(line)
+        };
+        let time = line.as_ref().map_or(0, of_line);
+        ready.push(time);
+    }
+    ready
+}
+
+fn cycles_of(line: &Line) -> u32 {
+    match line {
+        Line::Single(Instruction::Add(..) | Instruction::Sub(..)) => cycles::ADD,
+        Line::Single(Instruction::Mul(..)) => cycles::MULTIPLY,
+        Line::Single(Instruction::Div(..)) => cycles::DIVIDE,
+        Line::Fused { rest, .. } => match rest {
+            Rest::Product(..) => cycles::MULTIPLY + cycles::FUSED,
+            Rest::Plus(_) | Rest::Minus(_) => cycles::FUSED,
+        },
     }
 }
 
@@ -121,13 +166,7 @@ impl Balance<'_> {
     fn read(&self, operand: Operand) -> Scheduled {
         let ready = match operand {
             Operand::Constant(_) => 0,
-            Operand::Input(index) => match self.program.inputs[index as usize] {
-                Symbol::Sine(_) | Symbol::Cosine(_) => cycles::SINE,
-                Symbol::AngleSine(_) | Symbol::AngleCosine(_) => cycles::SINE,
-                Symbol::VelocitySign(_) => cycles::SIGN,
-                Symbol::Stribeck(_) => cycles::EXPONENTIAL,
-                _ => 0,
-            },
+            Operand::Input(index) => cycles_of_input(&self.program.inputs[index as usize]),
             Operand::Result(index) => {
                 return self.places[index as usize].expect("operands are placed first");
             }

@@ -9,6 +9,7 @@ mod constant;
 mod count;
 mod evaluate;
 mod line;
+mod order;
 mod readers;
 mod real;
 mod signed;
@@ -51,7 +52,27 @@ pub enum Instruction {
     Div(Operand, Operand),
 }
 
+impl Operand {
+    /// The index of the instruction whose result it is.
+    pub(crate) fn result(self) -> Option<u32> {
+        match self {
+            Operand::Result(index) => Some(index),
+            Operand::Constant(_) | Operand::Input(_) => None,
+        }
+    }
+}
+
 impl Instruction {
+    /// The same operation of other operands.
+    pub(crate) fn map(self, mut other: impl FnMut(Operand) -> Operand) -> Self {
+        match self {
+            Instruction::Add(a, b) => Instruction::Add(other(a), other(b)),
+            Instruction::Sub(a, b) => Instruction::Sub(other(a), other(b)),
+            Instruction::Mul(a, b) => Instruction::Mul(other(a), other(b)),
+            Instruction::Div(a, b) => Instruction::Div(other(a), other(b)),
+        }
+    }
+
     /// The two operands.
     pub fn operands(&self) -> [Operand; 2] {
         match *self {

@@ -3,11 +3,14 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
+/*
+ * A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. Operations of one
+ * state are not collected into short vectors, which costs more than it saves.
+ */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -284,7 +287,7 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dy
 {
     double sine, cosine;
 #ifdef ROBOT_DYNAMICS_VECTORS
-    if (ROBOT_DYNAMICS_IS_USUAL(a) && ROBOT_DYNAMICS_IS_USUAL(b)) {
+    if (ROBOT_DYNAMICS_FMA(a, a, b * b) < 1e10) {
         const robot_dynamics_2 x = {a, b};
         robot_dynamics_sin_cos_of_2(&x, sines, cosines);
         return;
@@ -301,16 +304,16 @@ ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fi
     double s_2, c_2; robot_dynamics_sin_cos_1(q[1], &s_2, &c_2);
     const double p_width = arm->width;
     const double p_length = arm->length;
-    const double t_1 = ROBOT_DYNAMICS_FMA(p_length, c_2, p_width);
-    const double t_2 = p_length * s_2;
+    const double t_1 = p_length * s_2;
+    const double t_2 = ROBOT_DYNAMICS_FMA(p_length, c_2, p_width);
     forward_kinematics[0][0] = c_2;
     forward_kinematics[0][1] = -s_2;
     forward_kinematics[0][2] = 0.0;
-    forward_kinematics[0][3] = t_1;
+    forward_kinematics[0][3] = t_2;
     forward_kinematics[1][0] = s_2;
     forward_kinematics[1][1] = c_2;
     forward_kinematics[1][2] = 0.0;
-    forward_kinematics[1][3] = t_2;
+    forward_kinematics[1][3] = t_1;
     forward_kinematics[2][0] = 0.0;
     forward_kinematics[2][1] = 0.0;
     forward_kinematics[2][2] = 1.0;
@@ -336,16 +339,16 @@ ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip_batch(const fing
             const double c_2 = cosines[0][k];
             const double p_width = own.width;
             const double p_length = own.length;
-            const double t_1 = ROBOT_DYNAMICS_FMA(p_length, c_2, p_width);
-            const double t_2 = p_length * s_2;
+            const double t_1 = p_length * s_2;
+            const double t_2 = ROBOT_DYNAMICS_FMA(p_length, c_2, p_width);
             forward_kinematics[0][start + k] = c_2;
             forward_kinematics[1][start + k] = -s_2;
             forward_kinematics[2][start + k] = 0.0;
-            forward_kinematics[3][start + k] = t_1;
+            forward_kinematics[3][start + k] = t_2;
             forward_kinematics[4][start + k] = s_2;
             forward_kinematics[5][start + k] = c_2;
             forward_kinematics[6][start + k] = 0.0;
-            forward_kinematics[7][start + k] = t_2;
+            forward_kinematics[7][start + k] = t_1;
             forward_kinematics[8][start + k] = 0.0;
             forward_kinematics[9][start + k] = 0.0;
             forward_kinematics[10][start + k] = 1.0;

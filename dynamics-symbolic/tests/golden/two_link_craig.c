@@ -3,11 +3,14 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
+/*
+ * A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. Operations of one
+ * state are not collected into short vectors, which costs more than it saves.
+ */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -316,7 +319,7 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dy
 {
     double sine, cosine;
 #ifdef ROBOT_DYNAMICS_VECTORS
-    if (ROBOT_DYNAMICS_IS_USUAL(a) && ROBOT_DYNAMICS_IS_USUAL(b)) {
+    if (ROBOT_DYNAMICS_FMA(a, a, b * b) < 1e10) {
         const robot_dynamics_2 x = {a, b};
         robot_dynamics_sin_cos_of_2(&x, sines, cosines);
         return;
@@ -331,8 +334,8 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dy
 /** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
 {
-    const double rounding = diagonal * 2.220446049250313e-16 * 8.0;
-    return (pivot - rounding > 0.0) & (pivot + rounding > 0.0);
+    const double rounding = diagonal * 1.7763568394002505e-15;
+    return (pivot > rounding) & (pivot > -rounding);
 }
 
 ROBOT_DYNAMICS_DEVICE static double robot_dynamics_nan(void)
@@ -348,19 +351,19 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix(const two_link_craig_field
     const double p_m2 = arm->m2;
     const double p_l1 = arm->l1;
     const double p_l2 = arm->l2;
-    const double t_1 = p_m2 * p_l2;
-    const double t_2 = c_2 * t_1;
-    const double t_3 = p_l1 * t_2;
-    const double t_4 = p_m1 + p_m2;
-    const double t_5 = p_l1 * t_4;
-    const double t_6 = p_l2 * t_1;
-    const double t_7 = t_6 + t_3;
-    const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_5, t_3);
+    const double t_1 = p_m1 + p_m2;
+    const double t_2 = p_l1 * t_1;
+    const double t_3 = p_m2 * p_l2;
+    const double t_4 = p_l2 * t_3;
+    const double t_5 = c_2 * t_3;
+    const double t_6 = p_l1 * t_5;
+    const double t_7 = t_4 + t_6;
+    const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_6);
     const double t_9 = t_7 + t_8;
     mass_matrix[0][0] = t_9;
     mass_matrix[0][1] = t_7;
     mass_matrix[1][0] = t_7;
-    mass_matrix[1][1] = t_6;
+    mass_matrix[1][1] = t_4;
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix_batch(const two_link_craig_fields *arm, const double *const *q, double *const *mass_matrix, size_t n)
@@ -379,19 +382,19 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_mass_matrix_batch(const two_link_craig
             const double p_m2 = own.m2;
             const double p_l1 = own.l1;
             const double p_l2 = own.l2;
-            const double t_1 = p_m2 * p_l2;
-            const double t_2 = c_2 * t_1;
-            const double t_3 = p_l1 * t_2;
-            const double t_4 = p_m1 + p_m2;
-            const double t_5 = p_l1 * t_4;
-            const double t_6 = p_l2 * t_1;
-            const double t_7 = t_6 + t_3;
-            const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_5, t_3);
+            const double t_1 = p_m1 + p_m2;
+            const double t_2 = p_l1 * t_1;
+            const double t_3 = p_m2 * p_l2;
+            const double t_4 = p_l2 * t_3;
+            const double t_5 = c_2 * t_3;
+            const double t_6 = p_l1 * t_5;
+            const double t_7 = t_4 + t_6;
+            const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_6);
             const double t_9 = t_7 + t_8;
             mass_matrix[0][start + k] = t_9;
             mass_matrix[1][start + k] = t_7;
             mass_matrix[2][start + k] = t_7;
-            mass_matrix[3][start + k] = t_6;
+            mass_matrix[3][start + k] = t_4;
         }
     }
 }
@@ -408,12 +411,12 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector(const two_link_craig_f
     const double t_2 = p_l1 * s_2;
     const double t_3 = t_1 * t_2;
     const double t_4 = qd_1 * t_3;
-    const double t_5 = ROBOT_DYNAMICS_FMA(qd_2, t_3, t_4);
-    const double t_6 = t_4 + t_5;
-    const double t_7 = qd_2 * t_6;
-    const double t_8 = qd_1 * t_4;
-    coriolis_vector[0] = -t_7;
-    coriolis_vector[1] = t_8;
+    const double t_5 = qd_1 * t_4;
+    const double t_6 = ROBOT_DYNAMICS_FMA(qd_2, t_3, t_4);
+    const double t_7 = t_4 + t_6;
+    const double t_8 = qd_2 * t_7;
+    coriolis_vector[0] = -t_8;
+    coriolis_vector[1] = t_5;
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, double *const *coriolis_vector, size_t n)
@@ -437,12 +440,12 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_coriolis_vector_batch(const two_link_c
             const double t_2 = p_l1 * s_2;
             const double t_3 = t_1 * t_2;
             const double t_4 = qd_1 * t_3;
-            const double t_5 = ROBOT_DYNAMICS_FMA(qd_2, t_3, t_4);
-            const double t_6 = t_4 + t_5;
-            const double t_7 = qd_2 * t_6;
-            const double t_8 = qd_1 * t_4;
-            coriolis_vector[0][start + k] = -t_7;
-            coriolis_vector[1][start + k] = t_8;
+            const double t_5 = qd_1 * t_4;
+            const double t_6 = ROBOT_DYNAMICS_FMA(qd_2, t_3, t_4);
+            const double t_7 = t_4 + t_6;
+            const double t_8 = qd_2 * t_7;
+            coriolis_vector[0][start + k] = -t_8;
+            coriolis_vector[1][start + k] = t_5;
         }
     }
 }
@@ -465,11 +468,11 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector(const two_link_craig_fi
     const double t_3 = p_m2 * p_l2;
     const double t_4 = ROBOT_DYNAMICS_FMA(-s_1, s_2, c_1 * c_2);
     const double t_5 = t_3 * t_4;
-    const double t_6 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
-    const double t_7 = p_g * t_6;
-    const double t_8 = p_g * t_5;
-    gravity_vector[0] = t_7;
-    gravity_vector[1] = t_8;
+    const double t_6 = p_g * t_5;
+    const double t_7 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
+    const double t_8 = p_g * t_7;
+    gravity_vector[0] = t_8;
+    gravity_vector[1] = t_6;
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector_batch(const two_link_craig_fields *arm, const double *const *q, double *const *gravity_vector, size_t n)
@@ -499,11 +502,11 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_gravity_vector_batch(const two_link_cr
             const double t_3 = p_m2 * p_l2;
             const double t_4 = ROBOT_DYNAMICS_FMA(-s_1, s_2, c_1 * c_2);
             const double t_5 = t_3 * t_4;
-            const double t_6 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
-            const double t_7 = p_g * t_6;
-            const double t_8 = p_g * t_5;
-            gravity_vector[0][start + k] = t_7;
-            gravity_vector[1][start + k] = t_8;
+            const double t_6 = p_g * t_5;
+            const double t_7 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
+            const double t_8 = p_g * t_7;
+            gravity_vector[0][start + k] = t_8;
+            gravity_vector[1][start + k] = t_6;
         }
     }
 }
@@ -525,25 +528,25 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics(const two_link_craig_
     const double qd_2 = qd[1];
     const double qdd_1 = qdd[0];
     const double qdd_2 = qdd[1];
-    const double t_1 = p_m2 * p_l2;
-    const double t_2 = c_2 * t_1;
-    const double t_3 = qdd_1 + qdd_2;
-    const double t_4 = s_2 * t_1;
-    const double t_5 = qd_1 + qd_2;
-    const double t_6 = t_5 * t_5;
-    const double t_7 = ROBOT_DYNAMICS_FMA(-t_4, t_6, t_2 * t_3);
-    const double t_8 = p_m1 + p_m2;
-    const double t_9 = p_l1 * t_8;
-    const double t_10 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
-    const double t_11 = qd_1 * qd_1;
-    const double t_12 = ROBOT_DYNAMICS_FMA(-p_l1, t_11, p_g * s_1);
-    const double t_13 = p_l2 * t_1;
-    const double t_14 = ROBOT_DYNAMICS_FMA(t_2, t_10, t_13 * t_3);
-    const double t_15 = ROBOT_DYNAMICS_FMA(-t_4, t_12, t_14);
-    const double t_16 = ROBOT_DYNAMICS_FMA(p_l1, t_7, t_9 * t_10);
-    const double t_17 = t_15 + t_16;
+    const double t_1 = qd_1 + qd_2;
+    const double t_2 = t_1 * t_1;
+    const double t_3 = p_m1 + p_m2;
+    const double t_4 = p_l1 * t_3;
+    const double t_5 = p_m2 * p_l2;
+    const double t_6 = qdd_1 + qdd_2;
+    const double t_7 = p_l2 * t_5;
+    const double t_8 = c_2 * t_5;
+    const double t_9 = s_2 * t_5;
+    const double t_10 = ROBOT_DYNAMICS_FMA(-t_9, t_2, t_8 * t_6);
+    const double t_11 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
+    const double t_12 = ROBOT_DYNAMICS_FMA(t_8, t_11, t_7 * t_6);
+    const double t_13 = qd_1 * qd_1;
+    const double t_14 = ROBOT_DYNAMICS_FMA(p_l1, t_10, t_4 * t_11);
+    const double t_15 = ROBOT_DYNAMICS_FMA(-p_l1, t_13, p_g * s_1);
+    const double t_16 = ROBOT_DYNAMICS_FMA(-t_9, t_15, t_12);
+    const double t_17 = t_16 + t_14;
     inverse_dynamics[0] = t_17;
-    inverse_dynamics[1] = t_15;
+    inverse_dynamics[1] = t_16;
 }
 
 ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics_batch(const two_link_craig_fields *arm, const double *const *q, const double *const *qd, const double *const *qdd, double *const *inverse_dynamics, size_t n)
@@ -572,25 +575,25 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_inverse_dynamics_batch(const two_link_
             const double qd_2 = qd[1][start + k];
             const double qdd_1 = qdd[0][start + k];
             const double qdd_2 = qdd[1][start + k];
-            const double t_1 = p_m2 * p_l2;
-            const double t_2 = c_2 * t_1;
-            const double t_3 = qdd_1 + qdd_2;
-            const double t_4 = s_2 * t_1;
-            const double t_5 = qd_1 + qd_2;
-            const double t_6 = t_5 * t_5;
-            const double t_7 = ROBOT_DYNAMICS_FMA(-t_4, t_6, t_2 * t_3);
-            const double t_8 = p_m1 + p_m2;
-            const double t_9 = p_l1 * t_8;
-            const double t_10 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
-            const double t_11 = qd_1 * qd_1;
-            const double t_12 = ROBOT_DYNAMICS_FMA(-p_l1, t_11, p_g * s_1);
-            const double t_13 = p_l2 * t_1;
-            const double t_14 = ROBOT_DYNAMICS_FMA(t_2, t_10, t_13 * t_3);
-            const double t_15 = ROBOT_DYNAMICS_FMA(-t_4, t_12, t_14);
-            const double t_16 = ROBOT_DYNAMICS_FMA(p_l1, t_7, t_9 * t_10);
-            const double t_17 = t_15 + t_16;
+            const double t_1 = qd_1 + qd_2;
+            const double t_2 = t_1 * t_1;
+            const double t_3 = p_m1 + p_m2;
+            const double t_4 = p_l1 * t_3;
+            const double t_5 = p_m2 * p_l2;
+            const double t_6 = qdd_1 + qdd_2;
+            const double t_7 = p_l2 * t_5;
+            const double t_8 = c_2 * t_5;
+            const double t_9 = s_2 * t_5;
+            const double t_10 = ROBOT_DYNAMICS_FMA(-t_9, t_2, t_8 * t_6);
+            const double t_11 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
+            const double t_12 = ROBOT_DYNAMICS_FMA(t_8, t_11, t_7 * t_6);
+            const double t_13 = qd_1 * qd_1;
+            const double t_14 = ROBOT_DYNAMICS_FMA(p_l1, t_10, t_4 * t_11);
+            const double t_15 = ROBOT_DYNAMICS_FMA(-p_l1, t_13, p_g * s_1);
+            const double t_16 = ROBOT_DYNAMICS_FMA(-t_9, t_15, t_12);
+            const double t_17 = t_16 + t_14;
             inverse_dynamics[0][start + k] = t_17;
-            inverse_dynamics[1][start + k] = t_15;
+            inverse_dynamics[1][start + k] = t_16;
         }
     }
 }
@@ -612,36 +615,36 @@ ROBOT_DYNAMICS_DEVICE int two_link_craig_forward_dynamics(const two_link_craig_f
     const double qd_2 = qd[1];
     const double tau_1 = tau[0];
     const double tau_2 = tau[1];
-    const double t_1 = p_m2 * p_l2;
-    const double t_2 = s_2 * t_1;
-    const double t_3 = qd_1 + qd_2;
-    const double t_4 = t_3 * t_3;
-    const double t_5 = t_2 * t_4;
-    const double t_6 = c_2 * t_1;
-    const double t_7 = p_g * c_1;
-    const double t_8 = qd_1 * qd_1;
-    const double t_9 = ROBOT_DYNAMICS_FMA(-p_l1, t_8, p_g * s_1);
-    const double t_10 = ROBOT_DYNAMICS_FMA(-t_2, t_9, t_6 * t_7);
-    const double t_11 = p_m1 + p_m2;
-    const double t_12 = p_l1 * t_11;
-    const double t_13 = t_10 - tau_2;
-    const double t_14 = p_l2 * t_1;
-    const double t_15 = p_l1 * t_6;
-    const double t_16 = t_14 + t_15;
-    const double t_17 = 1.0 / t_14;
-    const double t_18 = t_16 * t_17;
-    const double t_19 = ROBOT_DYNAMICS_FMA(-t_12, t_7, tau_1);
-    const double t_20 = ROBOT_DYNAMICS_FMA(p_l1, t_5, t_19);
-    const double t_21 = t_20 - t_10;
-    const double t_22 = ROBOT_DYNAMICS_FMA(t_13, t_18, t_21);
-    const double t_23 = ROBOT_DYNAMICS_FMA(p_l1, t_12, t_15);
-    const double t_24 = t_16 + t_23;
-    const double t_25 = ROBOT_DYNAMICS_FMA(-t_16, t_18, t_24);
-    const double t_26 = 1.0 / t_25;
-    const double t_27 = t_22 * t_26;
-    const double t_28 = ROBOT_DYNAMICS_FMA(t_18, t_27, t_13 * t_17);
-    if (!robot_dynamics_is_pivot(t_14, t_14)) return 2;
-    if (!robot_dynamics_is_pivot(t_25, t_24)) return 1;
+    const double t_1 = qd_1 + qd_2;
+    const double t_2 = t_1 * t_1;
+    const double t_3 = p_m1 + p_m2;
+    const double t_4 = p_l1 * t_3;
+    const double t_5 = p_m2 * p_l2;
+    const double t_6 = qd_1 * qd_1;
+    const double t_7 = p_l2 * t_5;
+    const double t_8 = 1.0 / t_7;
+    const double t_9 = s_2 * t_5;
+    const double t_10 = c_2 * t_5;
+    const double t_11 = t_9 * t_2;
+    const double t_12 = ROBOT_DYNAMICS_FMA(-p_l1, t_6, p_g * s_1);
+    const double t_13 = p_g * c_1;
+    const double t_14 = ROBOT_DYNAMICS_FMA(-t_9, t_12, t_10 * t_13);
+    const double t_15 = p_l1 * t_10;
+    const double t_16 = ROBOT_DYNAMICS_FMA(-t_4, t_13, tau_1);
+    const double t_17 = t_7 + t_15;
+    const double t_18 = ROBOT_DYNAMICS_FMA(p_l1, t_4, t_15);
+    const double t_19 = ROBOT_DYNAMICS_FMA(p_l1, t_11, t_16);
+    const double t_20 = t_17 + t_18;
+    const double t_21 = t_17 * t_8;
+    const double t_22 = ROBOT_DYNAMICS_FMA(-t_17, t_21, t_20);
+    const double t_23 = t_19 - t_14;
+    const double t_24 = t_14 - tau_2;
+    const double t_25 = ROBOT_DYNAMICS_FMA(t_24, t_21, t_23);
+    const double t_26 = 1.0 / t_22;
+    const double t_27 = t_25 * t_26;
+    const double t_28 = ROBOT_DYNAMICS_FMA(t_21, t_27, t_24 * t_8);
+    if (!robot_dynamics_is_pivot(t_7, t_7)) return 2;
+    if (!robot_dynamics_is_pivot(t_22, t_20)) return 1;
     forward_dynamics[0] = t_27;
     forward_dynamics[1] = -t_28;
     return 0;
@@ -677,36 +680,36 @@ ROBOT_DYNAMICS_DEVICE size_t two_link_craig_forward_dynamics_batch(const two_lin
             const double qd_2 = qd[1][start + k];
             const double tau_1 = tau[0][start + k];
             const double tau_2 = tau[1][start + k];
-            const double t_1 = p_m2 * p_l2;
-            const double t_2 = s_2 * t_1;
-            const double t_3 = qd_1 + qd_2;
-            const double t_4 = t_3 * t_3;
-            const double t_5 = t_2 * t_4;
-            const double t_6 = c_2 * t_1;
-            const double t_7 = p_g * c_1;
-            const double t_8 = qd_1 * qd_1;
-            const double t_9 = ROBOT_DYNAMICS_FMA(-p_l1, t_8, p_g * s_1);
-            const double t_10 = ROBOT_DYNAMICS_FMA(-t_2, t_9, t_6 * t_7);
-            const double t_11 = p_m1 + p_m2;
-            const double t_12 = p_l1 * t_11;
-            const double t_13 = t_10 - tau_2;
-            const double t_14 = p_l2 * t_1;
-            const double t_15 = p_l1 * t_6;
-            const double t_16 = t_14 + t_15;
-            const double t_17 = 1.0 / t_14;
-            const double t_18 = t_16 * t_17;
-            const double t_19 = ROBOT_DYNAMICS_FMA(-t_12, t_7, tau_1);
-            const double t_20 = ROBOT_DYNAMICS_FMA(p_l1, t_5, t_19);
-            const double t_21 = t_20 - t_10;
-            const double t_22 = ROBOT_DYNAMICS_FMA(t_13, t_18, t_21);
-            const double t_23 = ROBOT_DYNAMICS_FMA(p_l1, t_12, t_15);
-            const double t_24 = t_16 + t_23;
-            const double t_25 = ROBOT_DYNAMICS_FMA(-t_16, t_18, t_24);
-            const double t_26 = 1.0 / t_25;
-            const double t_27 = t_22 * t_26;
-            const double t_28 = ROBOT_DYNAMICS_FMA(t_18, t_27, t_13 * t_17);
-            is_regular &= robot_dynamics_is_pivot(t_14, t_14);
-            is_regular &= robot_dynamics_is_pivot(t_25, t_24);
+            const double t_1 = qd_1 + qd_2;
+            const double t_2 = t_1 * t_1;
+            const double t_3 = p_m1 + p_m2;
+            const double t_4 = p_l1 * t_3;
+            const double t_5 = p_m2 * p_l2;
+            const double t_6 = qd_1 * qd_1;
+            const double t_7 = p_l2 * t_5;
+            const double t_8 = 1.0 / t_7;
+            const double t_9 = s_2 * t_5;
+            const double t_10 = c_2 * t_5;
+            const double t_11 = t_9 * t_2;
+            const double t_12 = ROBOT_DYNAMICS_FMA(-p_l1, t_6, p_g * s_1);
+            const double t_13 = p_g * c_1;
+            const double t_14 = ROBOT_DYNAMICS_FMA(-t_9, t_12, t_10 * t_13);
+            const double t_15 = p_l1 * t_10;
+            const double t_16 = ROBOT_DYNAMICS_FMA(-t_4, t_13, tau_1);
+            const double t_17 = t_7 + t_15;
+            const double t_18 = ROBOT_DYNAMICS_FMA(p_l1, t_4, t_15);
+            const double t_19 = ROBOT_DYNAMICS_FMA(p_l1, t_11, t_16);
+            const double t_20 = t_17 + t_18;
+            const double t_21 = t_17 * t_8;
+            const double t_22 = ROBOT_DYNAMICS_FMA(-t_17, t_21, t_20);
+            const double t_23 = t_19 - t_14;
+            const double t_24 = t_14 - tau_2;
+            const double t_25 = ROBOT_DYNAMICS_FMA(t_24, t_21, t_23);
+            const double t_26 = 1.0 / t_22;
+            const double t_27 = t_25 * t_26;
+            const double t_28 = ROBOT_DYNAMICS_FMA(t_21, t_27, t_24 * t_8);
+            is_regular &= robot_dynamics_is_pivot(t_7, t_7);
+            is_regular &= robot_dynamics_is_pivot(t_22, t_20);
             regular[k] = is_regular ? 1.0 : robot_dynamics_nan();
             refused |= !is_regular;
             forward_dynamics[0][start + k] = t_27 * regular[k];
@@ -728,17 +731,17 @@ ROBOT_DYNAMICS_DEVICE double two_link_craig_kinetic_energy(const two_link_craig_
     const double p_l2 = arm->l2;
     const double qd_1 = qd[0];
     const double qd_2 = qd[1];
-    const double t_1 = p_m2 * p_l2;
-    const double t_2 = p_l1 * qd_1;
-    const double t_3 = c_2 * t_2;
-    const double t_4 = qd_1 + qd_2;
-    const double t_5 = t_3 * t_4;
-    const double t_6 = p_m1 + p_m2;
-    const double t_7 = t_6 * t_2;
-    const double t_8 = p_l2 * t_1;
-    const double t_9 = t_8 * t_4;
-    const double t_10 = ROBOT_DYNAMICS_FMA(t_4, t_9, t_2 * t_7);
-    const double t_11 = ROBOT_DYNAMICS_FMA(t_1, t_5, 0.5 * t_10);
+    const double t_1 = p_l1 * qd_1;
+    const double t_2 = p_m1 + p_m2;
+    const double t_3 = t_2 * t_1;
+    const double t_4 = p_m2 * p_l2;
+    const double t_5 = qd_1 + qd_2;
+    const double t_6 = p_l2 * t_4;
+    const double t_7 = t_6 * t_5;
+    const double t_8 = ROBOT_DYNAMICS_FMA(t_5, t_7, t_1 * t_3);
+    const double t_9 = c_2 * t_1;
+    const double t_10 = t_9 * t_5;
+    const double t_11 = ROBOT_DYNAMICS_FMA(t_4, t_10, 0.5 * t_8);
     return t_11;
 }
 
@@ -760,17 +763,17 @@ ROBOT_DYNAMICS_DEVICE void two_link_craig_kinetic_energy_batch(const two_link_cr
             const double p_l2 = own.l2;
             const double qd_1 = qd[0][start + k];
             const double qd_2 = qd[1][start + k];
-            const double t_1 = p_m2 * p_l2;
-            const double t_2 = p_l1 * qd_1;
-            const double t_3 = c_2 * t_2;
-            const double t_4 = qd_1 + qd_2;
-            const double t_5 = t_3 * t_4;
-            const double t_6 = p_m1 + p_m2;
-            const double t_7 = t_6 * t_2;
-            const double t_8 = p_l2 * t_1;
-            const double t_9 = t_8 * t_4;
-            const double t_10 = ROBOT_DYNAMICS_FMA(t_4, t_9, t_2 * t_7);
-            const double t_11 = ROBOT_DYNAMICS_FMA(t_1, t_5, 0.5 * t_10);
+            const double t_1 = p_l1 * qd_1;
+            const double t_2 = p_m1 + p_m2;
+            const double t_3 = t_2 * t_1;
+            const double t_4 = p_m2 * p_l2;
+            const double t_5 = qd_1 + qd_2;
+            const double t_6 = p_l2 * t_4;
+            const double t_7 = t_6 * t_5;
+            const double t_8 = ROBOT_DYNAMICS_FMA(t_5, t_7, t_1 * t_3);
+            const double t_9 = c_2 * t_1;
+            const double t_10 = t_9 * t_5;
+            const double t_11 = ROBOT_DYNAMICS_FMA(t_4, t_10, 0.5 * t_8);
             kinetic_energy[start + k] = t_11;
         }
     }

@@ -27,11 +27,14 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
+/*
+ * A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. Operations of one
+ * state are not collected into short vectors, which costs more than it saves.
+ */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
@@ -274,7 +277,7 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dy
 {
     double sine, cosine;
 #ifdef ROBOT_DYNAMICS_VECTORS
-    if (ROBOT_DYNAMICS_IS_USUAL(a) && ROBOT_DYNAMICS_IS_USUAL(b)) {
+    if (ROBOT_DYNAMICS_FMA(a, a, b * b) < 1e10) {
         const robot_dynamics_2 x = {a, b};
         robot_dynamics_sin_cos_of_2(&x, sines, cosines);
         return;
@@ -373,12 +376,12 @@ CASADI_SYMBOL_EXPORT int gravity_vector(const double **arg, double **res, long l
     const double t_3 = p_m2 * p_l2;
     const double t_4 = ROBOT_DYNAMICS_FMA(-s_1, s_2, c_1 * c_2);
     const double t_5 = t_3 * t_4;
-    const double t_6 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
-    const double t_7 = p_g * t_6;
-    const double t_8 = p_g * t_5;
+    const double t_6 = p_g * t_5;
+    const double t_7 = ROBOT_DYNAMICS_FMA(c_1, t_2, t_5);
+    const double t_8 = p_g * t_7;
     if (res[0]) {
-        res[0][0] = t_7;
-        res[0][1] = t_8;
+        res[0][0] = t_8;
+        res[0][1] = t_6;
     }
     return 0;
 }
@@ -469,26 +472,26 @@ CASADI_SYMBOL_EXPORT int inverse_dynamics(const double **arg, double **res, long
     const double qd_2 = qd[1];
     const double qdd_1 = qdd[0];
     const double qdd_2 = qdd[1];
-    const double t_1 = p_m2 * p_l2;
-    const double t_2 = c_2 * t_1;
-    const double t_3 = qdd_1 + qdd_2;
-    const double t_4 = s_2 * t_1;
-    const double t_5 = qd_1 + qd_2;
-    const double t_6 = t_5 * t_5;
-    const double t_7 = ROBOT_DYNAMICS_FMA(-t_4, t_6, t_2 * t_3);
-    const double t_8 = p_m1 + p_m2;
-    const double t_9 = p_l1 * t_8;
-    const double t_10 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
-    const double t_11 = qd_1 * qd_1;
-    const double t_12 = ROBOT_DYNAMICS_FMA(-p_l1, t_11, p_g * s_1);
-    const double t_13 = p_l2 * t_1;
-    const double t_14 = ROBOT_DYNAMICS_FMA(t_2, t_10, t_13 * t_3);
-    const double t_15 = ROBOT_DYNAMICS_FMA(-t_4, t_12, t_14);
-    const double t_16 = ROBOT_DYNAMICS_FMA(p_l1, t_7, t_9 * t_10);
-    const double t_17 = t_15 + t_16;
+    const double t_1 = qd_1 + qd_2;
+    const double t_2 = t_1 * t_1;
+    const double t_3 = p_m1 + p_m2;
+    const double t_4 = p_l1 * t_3;
+    const double t_5 = p_m2 * p_l2;
+    const double t_6 = qdd_1 + qdd_2;
+    const double t_7 = p_l2 * t_5;
+    const double t_8 = c_2 * t_5;
+    const double t_9 = s_2 * t_5;
+    const double t_10 = ROBOT_DYNAMICS_FMA(-t_9, t_2, t_8 * t_6);
+    const double t_11 = ROBOT_DYNAMICS_FMA(p_g, c_1, p_l1 * qdd_1);
+    const double t_12 = ROBOT_DYNAMICS_FMA(t_8, t_11, t_7 * t_6);
+    const double t_13 = qd_1 * qd_1;
+    const double t_14 = ROBOT_DYNAMICS_FMA(p_l1, t_10, t_4 * t_11);
+    const double t_15 = ROBOT_DYNAMICS_FMA(-p_l1, t_13, p_g * s_1);
+    const double t_16 = ROBOT_DYNAMICS_FMA(-t_9, t_15, t_12);
+    const double t_17 = t_16 + t_14;
     if (res[0]) {
         res[0][0] = t_17;
-        res[0][1] = t_15;
+        res[0][1] = t_16;
     }
     return 0;
 }
@@ -574,49 +577,49 @@ CASADI_SYMBOL_EXPORT int jac_inverse_dynamics(const double **arg, double **res, 
     const double qdd_1 = qdd[0];
     const double qdd_2 = qdd[1];
     const double t_1 = p_m2 * p_l2;
-    const double t_2 = s_2 * t_1;
-    const double t_3 = p_g * c_1;
-    const double t_4 = t_2 * t_3;
-    const double t_5 = p_g * s_1;
-    const double t_6 = p_m1 + p_m2;
-    const double t_7 = c_2 * t_1;
-    const double t_8 = ROBOT_DYNAMICS_FMA(p_l1, t_6, t_7);
-    const double t_9 = ROBOT_DYNAMICS_FMA(t_5, t_8, t_4);
-    const double t_10 = p_l1 * qd_1;
-    const double t_11 = ROBOT_DYNAMICS_FMA(-qd_1, t_10, t_5);
-    const double t_12 = ROBOT_DYNAMICS_FMA(p_l1, qdd_1, t_3);
-    const double t_13 = ROBOT_DYNAMICS_FMA(t_2, t_12, t_7 * t_11);
-    const double t_14 = qd_1 + qd_2;
-    const double t_15 = t_14 * t_14;
-    const double t_16 = qdd_1 + qdd_2;
-    const double t_17 = ROBOT_DYNAMICS_FMA(t_2, t_16, t_7 * t_15);
-    const double t_18 = ROBOT_DYNAMICS_FMA(p_l1, t_17, t_13);
-    const double t_19 = ROBOT_DYNAMICS_FMA(t_7, t_5, t_4);
-    const double t_20 = 2.0 * t_2;
-    const double t_21 = t_10 * t_20;
-    const double t_22 = t_14 * t_20;
-    const double t_23 = p_l1 * t_22;
-    const double t_24 = t_21 - t_23;
-    const double t_25 = p_l2 * t_1;
-    const double t_26 = ROBOT_DYNAMICS_FMA(p_l1, t_7, t_25);
-    const double t_27 = ROBOT_DYNAMICS_FMA(p_l1, t_8, t_26);
+    const double t_2 = p_m1 + p_m2;
+    const double t_3 = p_l1 * qd_1;
+    const double t_4 = qd_1 + qd_2;
+    const double t_5 = qdd_1 + qdd_2;
+    const double t_6 = t_4 * t_4;
+    const double t_7 = p_l2 * t_1;
+    const double t_8 = s_2 * t_1;
+    const double t_9 = c_2 * t_1;
+    const double t_10 = ROBOT_DYNAMICS_FMA(t_8, t_5, t_9 * t_6);
+    const double t_11 = ROBOT_DYNAMICS_FMA(p_l1, t_2, t_9);
+    const double t_12 = ROBOT_DYNAMICS_FMA(p_l1, t_9, t_7);
+    const double t_13 = ROBOT_DYNAMICS_FMA(p_l1, t_11, t_12);
+    const double t_14 = p_g * c_1;
+    const double t_15 = p_g * s_1;
+    const double t_16 = t_8 * t_14;
+    const double t_17 = ROBOT_DYNAMICS_FMA(t_15, t_11, t_16);
+    const double t_18 = ROBOT_DYNAMICS_FMA(t_9, t_15, t_16);
+    const double t_19 = ROBOT_DYNAMICS_FMA(-qd_1, t_3, t_15);
+    const double t_20 = ROBOT_DYNAMICS_FMA(p_l1, qdd_1, t_14);
+    const double t_21 = ROBOT_DYNAMICS_FMA(t_8, t_20, t_9 * t_19);
+    const double t_22 = 2.0 * t_8;
+    const double t_23 = t_3 * t_22;
+    const double t_24 = t_4 * t_22;
+    const double t_25 = p_l1 * t_24;
+    const double t_26 = t_23 - t_25;
+    const double t_27 = ROBOT_DYNAMICS_FMA(p_l1, t_10, t_21);
     if (res[0]) robot_dynamics_unknown(res[0], 10);
     if (res[1]) {
-        res[1][0] = -t_9;
-        res[1][1] = -t_19;
-        res[1][2] = -t_18;
-        res[1][3] = -t_13;
+        res[1][0] = -t_17;
+        res[1][1] = -t_18;
+        res[1][2] = -t_27;
+        res[1][3] = -t_21;
     }
     if (res[2]) {
-        res[2][0] = t_24;
-        res[2][1] = t_21;
-        res[2][2] = -t_23;
+        res[2][0] = t_26;
+        res[2][1] = t_23;
+        res[2][2] = -t_25;
     }
     if (res[3]) {
-        res[3][0] = t_27;
-        res[3][1] = t_26;
-        res[3][2] = t_26;
-        res[3][3] = t_25;
+        res[3][0] = t_13;
+        res[3][1] = t_12;
+        res[3][2] = t_12;
+        res[3][3] = t_7;
     }
     return 0;
 }
@@ -709,32 +712,32 @@ CASADI_SYMBOL_EXPORT int jac_jac_inverse_dynamics(const double **arg, double **r
     const double qd_2 = qd[1];
     const double qdd_1 = qdd[0];
     const double qdd_2 = qdd[1];
-    const double t_1 = p_m2 * p_l2;
-    const double t_2 = s_2 * t_1;
-    const double t_3 = p_g * s_1;
-    const double t_4 = c_2 * t_1;
-    const double t_5 = p_g * c_1;
-    const double t_6 = ROBOT_DYNAMICS_FMA(-t_4, t_5, t_2 * t_3);
-    const double t_7 = p_m1 + p_m2;
-    const double t_8 = p_l1 * t_7;
-    const double t_9 = ROBOT_DYNAMICS_FMA(-t_5, t_8, t_6);
-    const double t_10 = ROBOT_DYNAMICS_FMA(p_l1, qdd_1, t_5);
-    const double t_11 = p_l1 * qd_1;
-    const double t_12 = ROBOT_DYNAMICS_FMA(-qd_1, t_11, t_3);
-    const double t_13 = ROBOT_DYNAMICS_FMA(-t_4, t_10, t_2 * t_12);
-    const double t_14 = qdd_1 + qdd_2;
-    const double t_15 = qd_1 + qd_2;
-    const double t_16 = t_15 * t_15;
-    const double t_17 = ROBOT_DYNAMICS_FMA(-t_2, t_16, t_4 * t_14);
-    const double t_18 = ROBOT_DYNAMICS_FMA(-p_l1, t_17, t_13);
-    const double t_19 = 2.0 * t_2;
-    const double t_20 = p_l1 * t_19;
-    const double t_21 = 2.0 * t_4;
-    const double t_22 = t_11 * t_21;
-    const double t_23 = t_15 * t_21;
-    const double t_24 = p_l1 * t_23;
-    const double t_25 = t_22 - t_24;
-    const double t_26 = 0.5 * t_20;
+    const double t_1 = p_m1 + p_m2;
+    const double t_2 = p_l1 * t_1;
+    const double t_3 = p_m2 * p_l2;
+    const double t_4 = s_2 * t_3;
+    const double t_5 = c_2 * t_3;
+    const double t_6 = p_g * s_1;
+    const double t_7 = p_g * c_1;
+    const double t_8 = ROBOT_DYNAMICS_FMA(-t_5, t_7, t_4 * t_6);
+    const double t_9 = ROBOT_DYNAMICS_FMA(-t_7, t_2, t_8);
+    const double t_10 = p_l1 * qd_1;
+    const double t_11 = qdd_1 + qdd_2;
+    const double t_12 = qd_1 + qd_2;
+    const double t_13 = t_12 * t_12;
+    const double t_14 = ROBOT_DYNAMICS_FMA(-t_4, t_13, t_5 * t_11);
+    const double t_15 = ROBOT_DYNAMICS_FMA(p_l1, qdd_1, t_7);
+    const double t_16 = ROBOT_DYNAMICS_FMA(-qd_1, t_10, t_6);
+    const double t_17 = ROBOT_DYNAMICS_FMA(-t_5, t_15, t_4 * t_16);
+    const double t_18 = 2.0 * t_5;
+    const double t_19 = t_10 * t_18;
+    const double t_20 = t_12 * t_18;
+    const double t_21 = p_l1 * t_20;
+    const double t_22 = t_19 - t_21;
+    const double t_23 = ROBOT_DYNAMICS_FMA(-p_l1, t_14, t_17);
+    const double t_24 = 2.0 * t_4;
+    const double t_25 = p_l1 * t_24;
+    const double t_26 = 0.5 * t_25;
     if (res[0]) robot_dynamics_unknown(res[0], 50);
     if (res[1]) robot_dynamics_unknown(res[1], 20);
     if (res[2]) robot_dynamics_unknown(res[2], 20);
@@ -742,39 +745,39 @@ CASADI_SYMBOL_EXPORT int jac_jac_inverse_dynamics(const double **arg, double **r
     if (res[5]) robot_dynamics_unknown(res[5], 20);
     if (res[6]) {
         res[6][0] = t_9;
-        res[6][1] = t_6;
-        res[6][2] = t_6;
-        res[6][3] = t_6;
-        res[6][4] = t_6;
-        res[6][5] = t_6;
-        res[6][6] = t_18;
-        res[6][7] = t_13;
+        res[6][1] = t_8;
+        res[6][2] = t_8;
+        res[6][3] = t_8;
+        res[6][4] = t_8;
+        res[6][5] = t_8;
+        res[6][6] = t_23;
+        res[6][7] = t_17;
     }
     if (res[7]) {
-        res[7][0] = t_25;
-        res[7][1] = t_22;
-        res[7][2] = -t_24;
+        res[7][0] = t_22;
+        res[7][1] = t_19;
+        res[7][2] = -t_21;
     }
     if (res[8]) {
-        res[8][0] = -t_20;
+        res[8][0] = -t_25;
         res[8][1] = -t_26;
         res[8][2] = -t_26;
     }
     if (res[10]) robot_dynamics_unknown(res[10], 20);
     if (res[11]) {
-        res[11][0] = t_25;
-        res[11][1] = t_22;
-        res[11][2] = -t_24;
+        res[11][0] = t_22;
+        res[11][1] = t_19;
+        res[11][2] = -t_21;
     }
     if (res[12]) {
-        res[12][0] = t_20;
-        res[12][1] = -t_20;
-        res[12][2] = -t_20;
-        res[12][3] = -t_20;
+        res[12][0] = t_25;
+        res[12][1] = -t_25;
+        res[12][2] = -t_25;
+        res[12][3] = -t_25;
     }
     if (res[15]) robot_dynamics_unknown(res[15], 20);
     if (res[16]) {
-        res[16][0] = -t_20;
+        res[16][0] = -t_25;
         res[16][1] = -t_26;
         res[16][2] = -t_26;
     }

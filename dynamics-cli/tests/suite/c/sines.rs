@@ -84,6 +84,39 @@ fn expected<F: Number>(count: usize) -> String {
     format!("{sum:x}\n")
 }
 
+/// The statements that add sines and cosines of so many angles: the first four are in the lanes of one vector, the others
+/// in those of a second one.
+fn values_of_lanes(word: &str, lanes: usize, source: &str) -> String {
+    let has_two = source.contains("typedef double robot_dynamics_2 ");
+    let halves = [
+        ("s", "c", lanes.min(4)),
+        ("t", "d", lanes.saturating_sub(4)),
+    ];
+    let halves: Vec<_> = halves
+        .into_iter()
+        .filter(|(.., count)| *count > 0)
+        .collect();
+    let mut vectors = String::new();
+    let mut arguments: Vec<_> = (0..lanes).map(|k| format!("x[{k}]")).collect();
+    for (sines, cosines, count) in &halves {
+        let width = if *count <= 2 && has_two { 2 } else { 4 };
+        let _ = writeln!(
+            vectors,
+            "        robot_dynamics_{width} {sines}, {cosines};"
+        );
+        arguments.extend([sines, cosines].map(|vector| format!("&{vector}")));
+    }
+    let of_half = |(sines, cosines, count): &(&str, &str, usize)| {
+        format!("        for (int k = 0; k < {count}; ++k) add({sines}[k]), add({cosines}[k]);\n")
+    };
+    let adds: String = halves.iter().map(of_half).collect();
+    format!(
+        "        {word} x[{lanes}];\n{vectors}        for (int k = 0; k < {lanes}; ++k) x[k] = next(i++);\n        \
+         robot_dynamics_sin_cos_{lanes}({});\n{adds}",
+        arguments.join(", ")
+    )
+}
+
 /// Compares the sum of so many angles, in as many lanes as `lanes` says; apart where it says none.
 fn assert_sines<F: Number>(lanes: Option<usize>, count: usize, expected: &str) {
     let word = F::WORD;
@@ -108,19 +141,7 @@ fn assert_sines<F: Number>(lanes: Option<usize>, count: usize, expected: &str) {
         ),
         Some(lanes) => {
             let source = std::fs::read_to_string(out.join(format!("{name}.c"))).expect("a source");
-            let width = if source.contains("robot_dynamics_4 ") {
-                4
-            } else {
-                2
-            };
-            let angles: Vec<_> = (0..lanes).map(|k| format!("x[{k}]")).collect();
-            format!(
-                "        {word} x[{lanes}];\n        robot_dynamics_{width} s, c;\n        \
-                 for (int k = 0; k < {lanes}; ++k) x[k] = next(i++);\n        \
-                 robot_dynamics_sin_cos_{lanes}({}, &s, &c);\n        \
-                 for (int k = 0; k < {lanes}; ++k) add(s[k]), add(c[k]);\n",
-                angles.join(", ")
-            )
+            values_of_lanes(word, lanes, &source)
         }
     };
     std::fs::write(out.join("main.c"), program::<F>(&name, count, &values)).expect("a file");
@@ -136,31 +157,34 @@ fn assert_sines<F: Number>(lanes: Option<usize>, count: usize, expected: &str) {
     }
 }
 
+/// Angles that one to eight lanes evaluate without a remainder.
+const BY_ALL_LANES: usize = 840;
+
 /// Every number of lanes, and the sine and the cosine apart.
 fn assert_all<F: Number>(count: usize) {
     if !has("gcc") {
         return;
     }
     let expected = expected::<F>(count);
-    for lanes in [None, Some(1), Some(2), Some(3), Some(4)] {
+    for lanes in core::iter::once(None).chain((1..=8).map(Some)) {
         assert_sines::<F>(lanes, count, &expected);
     }
 }
 
 #[test]
 fn sines_of_double_precision_are_those_of_rust() {
-    assert_all::<f64>(12_000);
+    assert_all::<f64>(20 * BY_ALL_LANES);
 }
 
 #[test]
 fn sines_of_single_precision_are_those_of_rust() {
-    assert_all::<f32>(12_000);
+    assert_all::<f32>(20 * BY_ALL_LANES);
 }
 
 /// `cargo test --release -p dynamics-cli --test suite c::sines -- --ignored`
 #[test]
 #[ignore = "takes a minute: .ci/run runs it"]
 fn sines_at_many_angles_are_those_of_rust() {
-    assert_all::<f64>(12_000_000);
-    assert_all::<f32>(12_000_000);
+    assert_all::<f64>(14_000 * BY_ALL_LANES);
+    assert_all::<f32>(14_000 * BY_ALL_LANES);
 }

@@ -2,11 +2,14 @@
 #include <stdint.h>
 #include <string.h>
 
-/* A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. */
+/*
+ * A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. Operations of one
+ * state are not collected into short vectors, which costs more than it saves.
+ */
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize")
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif

@@ -170,7 +170,7 @@ impl<'a> Writer<'a> {
     }
 
     fn function(&self, request: &Request, proven: &Proven) -> String {
-        let body = Body::new(self.robot, proven, &self.precision.language);
+        let body = Body::ordered(self.robot, proven, &self.precision.language);
         let statements = body.statements(request);
         let unread = self.unread(request, &statements).into_iter();
         let mut lines: Vec<_> = unread

@@ -221,8 +221,8 @@ const IS_PIVOT: &str = "
 /** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(double pivot, double diagonal)
 {
-    const double rounding = diagonal * 2.220446049250313e-16 * 8.0;
-    return (pivot - rounding > 0.0) & (pivot + rounding > 0.0);
+    const double rounding = diagonal * 1.7763568394002505e-15;
+    return (pivot > rounding) & (pivot > -rounding);
 }
 ";
 
@@ -230,8 +230,8 @@ const FLOAT_IS_PIVOT: &str = "
 /** Whether a pivot of M is greater than the rounding errors of its diagonal entry. */
 ROBOT_DYNAMICS_DEVICE static int robot_dynamics_is_pivot(float pivot, float diagonal)
 {
-    const float rounding = diagonal * 1.1920929e-7f * 8.0f;
-    return (pivot - rounding > 0.0f) & (pivot + rounding > 0.0f);
+    const float rounding = diagonal * 9.536743e-7f;
+    return (pivot > rounding) & (pivot > -rounding);
 }
 ";
 

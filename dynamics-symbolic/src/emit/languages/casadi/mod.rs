@@ -224,7 +224,7 @@ impl File<'_> {
     }
 
     fn body<'a>(&'a self, (_, proven): Of<'a>) -> Body<'a> {
-        Body::new(self.robot, proven, &self.precision.language)
+        Body::ordered(self.robot, proven, &self.precision.language)
     }
 
     /// A function of that name whose values are those of a program.
