@@ -3,6 +3,7 @@
 use crate::function::Argument;
 use crate::program::{Program, Proven};
 use crate::robot::Symbol;
+use core::ops::Range;
 
 /// One joint after the other, each from an equation in which it is the only unknown.
 #[derive(Clone, Debug)]
@@ -127,12 +128,20 @@ impl Plan {
 
     /// The index of each step's first coefficient among the outputs of the program.
     pub fn first_outputs(&self) -> Vec<usize> {
-        let mut next = 0;
-        let first = |step: &Step| {
-            let first = next;
-            next += step.coefficients();
-            first
-        };
-        self.steps.iter().map(first).collect()
+        let first = |step| self.outputs_of(step).start;
+        (0..self.steps.len()).map(first).collect()
+    }
+
+    /// The coefficients of the step of that number, among the outputs of the program.
+    pub(crate) fn outputs_of(&self, step: usize) -> Range<usize> {
+        let before = self.steps[..step].iter();
+        let first = before.map(|step| step.coefficients()).sum();
+        first..first + self.steps[step].coefficients()
+    }
+
+    /// The inputs of the program that are parts of a step's solution, by their indices, each with the name of that part.
+    pub(crate) fn inputs_of(&self, step: Step) -> impl Iterator<Item = (usize, &'static str)> {
+        let inputs = self.program.inputs.iter().enumerate();
+        inputs.filter_map(move |(index, symbol)| Some((index, step.part(symbol)?)))
     }
 }

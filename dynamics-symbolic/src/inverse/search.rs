@@ -110,26 +110,20 @@ fn views<'g>(
     let [first, links @ .., last] = &ways[..] else {
         return None;
     };
-    let origin = Vector3::splat(graph.zero());
     let target = first.inverse().then(pose).then(&last.inverse());
-    let inverse = View {
+    let view = |joints, links, target, is_inverse, behind: &Path<'g>| View {
         graph,
-        joints: unknown.iter().rev().copied().collect(),
-        links: links.iter().rev().map(Path::inverse).collect(),
-        target: target.inverse(),
-        is_inverse: true,
-        tip: first.inverse().point(origin),
-        forbidden: forbidden.clone(),
-    };
-    let view = View {
-        graph,
-        joints: unknown,
-        links: links.to_vec(),
+        joints,
+        links,
         target,
-        is_inverse: false,
-        tip: last.point(origin),
+        is_inverse,
+        tip: behind.point(Vector3::splat(graph.zero())),
         forbidden: forbidden.clone(),
     };
+    let opposite = unknown.iter().rev().copied().collect();
+    let back = links.iter().rev().map(Path::inverse).collect();
+    let inverse = view(opposite, back, target.inverse(), true, &first.inverse());
+    let view = view(unknown, links.to_vec(), target, false, last);
     Some([view, inverse])
 }
 
@@ -157,9 +151,8 @@ impl<'g> Search<'g, '_> {
         candidates.extend(equations(&inverse));
         candidates.sort_by_key(|equation| equation.step.solutions());
         // One equation with one solution is as good as another.
-        let has_single = candidates
-            .first()
-            .is_some_and(|first| first.step.solutions() == 1);
+        let is_single = |first: &Equation<'_>| first.step.solutions() == 1;
+        let has_single = candidates.first().is_some_and(is_single);
         let tried = if has_single { 1 } else { candidates.len() };
         for equation in candidates.into_iter().take(tried) {
             found.push(equation);
