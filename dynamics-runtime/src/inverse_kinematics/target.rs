@@ -142,6 +142,13 @@ fn origin(pose: &Matrix4<f64>) -> Vector3<f64> {
 /// everywhere, and near the identity it is the rotation vector.
 #[inline(always)]
 fn between(r: &Matrix3<f64>) -> Vector3<f64> {
+    // 4 cos^2(angle / 2)
+    let cosine = 1.0 + r.trace();
+    if cosine > 1e-6 {
+        // 2 sin(angle) along the axis.
+        let sines = [r.m32 - r.m23, r.m13 - r.m31, r.m21 - r.m12];
+        return Vector3::from(sines) / cosine.root();
+    }
     let [_, x, y, z] = quaternion::of(r);
     Vector3::new(x, y, z) * 2.0
 }
