@@ -123,34 +123,38 @@ impl<K> RuntimePlace<'_, K> {
         values.unwrap_or_else(|_| vec![f64::NAN; function.layout.entries()])
     }
 
-    fn pose_and_jacobian(&self, arguments: &[&[f64]]) -> (Matrix4<f64>, Matrix6xX<f64>) {
-        let pose = Matrix4::from_column_slice(&self.entries(self.pose, arguments));
-        let jacobian = Matrix6xX::from_vec(self.entries(self.jacobian, arguments));
-        (pose, jacobian)
+    fn pose(&self, arguments: &[&[f64]]) -> Matrix4<f64> {
+        Matrix4::from_column_slice(&self.entries(self.pose, arguments))
+    }
+
+    fn jacobian(&self, arguments: &[&[f64]]) -> Matrix6xX<f64> {
+        Matrix6xX::from_vec(self.entries(self.jacobian, arguments))
     }
 }
 
 impl RuntimePlace<'_> {
     /// The pose and the Jacobian: what [`wrench_at`](dynamics_runtime::Simulation::wrench_at) needs.
     pub fn at(&self, q: &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>) {
-        self.pose_and_jacobian(&[q.as_slice()])
+        (self.tip_pose(q), self.tip_jacobian(q))
     }
 }
 
 impl RuntimePlace<'_, Moves> {
     /// The pose and the Jacobian where the base has a pose; the columns of the base come first.
     pub fn at(&self, base: &Pose<f64>, q: &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>) {
-        self.pose_and_jacobian(&[base.entries().as_slice(), q.as_slice()])
+        let entries = base.entries();
+        let arguments = [entries.as_slice(), q.as_slice()];
+        (self.pose(&arguments), self.jacobian(&arguments))
     }
 }
 
 impl SizedKinematics<Dyn> for RuntimePlace<'_> {
     fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
-        Matrix4::from_column_slice(&self.entries(self.pose, &[q.as_slice()]))
+        self.pose(&[q.as_slice()])
     }
 
     fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
-        Matrix6xX::from_vec(self.entries(self.jacobian, &[q.as_slice()]))
+        self.jacobian(&[q.as_slice()])
     }
 }
 

@@ -1,8 +1,8 @@
 //! Numeric inverse kinematics.
 
+use dynamics_runtime::InverseKinematics;
 use dynamics_runtime::inverse_kinematics::{NotReached, Places, Reached, Target};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Vector3};
-use dynamics_runtime::{InverseKinematics, SizedKinematics as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -115,9 +115,7 @@ impl Arm {
         Ok(py.detach(|| match &places[..] {
             [place] => search(InverseKinematics::new(place), &targets, &asked),
             _ => {
-                let frames = places
-                    .iter()
-                    .map(|place| |q: &DVector<f64>| (place.tip_pose(q), place.tip_jacobian(q)));
+                let frames = places.iter().map(|place| |q: &DVector<f64>| place.at(q));
                 let frames: Vec<_> = frames.collect();
                 let Some(first) = places.first() else {
                     return (Vec::new(), Some(("no frame was given".to_owned(), true)));

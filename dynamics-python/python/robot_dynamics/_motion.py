@@ -140,14 +140,14 @@ def simulate(
     plan = {
         **settings,
         "base": None if base is None else _entries_of_pose(base),
-        "q": _vector("q", q, len(arm.joint_names)),
-        "v": _vector("qd", qd, arm.dof),
+        "q": vector("q", q, len(arm.joint_names)),
+        "v": vector("qd", qd, arm.dof),
         "wrenches": wrenches,
         "held_wrench": None if held is None else _wrench(None, held, "held_tool_wrench"),
     }
     if held is not None and moves:
         raise ValueError("`held_tool_wrench` is of a robot whose base stands: this one moves")
-    arrays, stopped = arm.simulate(plan, law, _vector("torque", constant, arm.dof))
+    arrays, stopped = arm.simulate(plan, law, vector("torque", constant, arm.dof))
     motion = _trajectory(arrays, arm.joint_names)
     if stopped is None:
         return motion
@@ -164,7 +164,7 @@ def _wrench(frame: str | None, law: Law, name: str) -> dict[str, Any]:
     return {"frame": frame, "law": law, "name": name}
 
 
-def _vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
+def vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
     """A vector as numbers, zeros where it is not given."""
     if given is None:
         return [0.0] * entries

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._motion import vector
 
 _SHAPES = ((3,), (2, 3), (3, 3), (4, 4))
 
@@ -46,8 +47,8 @@ def reach(
     plan = {
         **asked,
         "targets": targets,
-        "start": [0.0] * joints if start is None else _positions("start", start, joints),
-        "posture": None if posture is None else _positions("posture", posture, joints),
+        "start": vector("start", start, joints),
+        "posture": None if posture is None else vector("posture", posture, joints),
     }
     found, failed = arm.reach(plan)
     if failed is None:
@@ -64,12 +65,4 @@ def _numbers(target: object) -> list[float]:
     if numbers.shape not in _SHAPES:
         raise ValueError(f"the target has the shape {numbers.shape}: expected one of {_SHAPES}")
     entries: list[float] = numbers.ravel().tolist()
-    return entries
-
-
-def _positions(name: str, given: ArrayLike, joints: int) -> list[float]:
-    positions = np.asarray(given, dtype=np.float64)
-    if positions.shape != (joints,):
-        raise ValueError(f"`{name}` has the shape {positions.shape}: expected ({joints},)")
-    entries: list[float] = positions.tolist()
     return entries

@@ -5,7 +5,8 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use crate::Scalar;
+use super::Real;
+use crate::Scalar as _;
 
 /// Coefficients of the odd polynomial z + z^3 P(z^2), which is the arc tangent for |z| <= 7/16 with a relative error below 2^-57:
 /// those of FreeBSD's `s_atan.c` (Sun Microsystems 1993), from the highest power downwards.
@@ -58,24 +59,12 @@ pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
 }
 
 /// Replaces cosines by the angles that they and the sines belong to.
-pub(super) fn angles(sines: &[f64], cosines: &mut [f64]) {
+pub(super) fn angles<T: Real>(sines: &[T], cosines: &mut [T]) {
     f64::vectorized(
         #[inline(always)]
         || {
             for (sine, cosine) in sines.iter().zip(cosines) {
-                *cosine = angle(*sine, *cosine);
-            }
-        },
-    );
-}
-
-/// The same in single precision.
-pub(super) fn angles_f32(sines: &[f32], cosines: &mut [f32]) {
-    f64::vectorized(
-        #[inline(always)]
-        || {
-            for (sine, cosine) in sines.iter().zip(cosines) {
-                *cosine = angle((*sine).into(), (*cosine).into()) as f32;
+                *cosine = T::from_f64(angle((*sine).into(), (*cosine).into()));
             }
         },
     );

@@ -1,7 +1,10 @@
 //! All joint positions that lead to a pose.
 
+use core::ops::Deref;
+
 use nalgebra::SVector;
 
+use super::angle::angles;
 use super::{Found, Real};
 
 /// The most solutions of an arm that has a closed form.
@@ -21,12 +24,13 @@ pub struct Solution<T: Real, const N: usize> {
     pub is_singular: bool,
 }
 
-/// The solutions of a generated `inverse_kinematics`: none if the pose is out of reach, at most eight.
+/// The solutions of a generated `inverse_kinematics`, a slice in the order of the equations that they solve: none if the pose is
+/// out of reach, at most eight.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::closed_form::Solutions;
-/// # let solutions = Solutions::<f64, 1>::new([true]);
+/// # let solutions = Solutions::<f64, 1>::default();
 /// for solution in &solutions {
 ///     println!("{} {}", solution.q, solution.is_singular);
 /// }
@@ -84,7 +88,7 @@ impl<T: Real, const N: usize> Branches<T, N> {
     pub fn solutions(&mut self, turns: [bool; N]) -> Solutions<T, N> {
         let some = (self.count * N).next_multiple_of(TOGETHER);
         let cosines = &mut self.cosines.as_flattened_mut()[..some];
-        T::angles(&self.sines.as_flattened()[..some], cosines);
+        angles(&self.sines.as_flattened()[..some], cosines);
         for i in (0..N).filter(|&i| !turns[i]) {
             for branch in 0..MOST {
                 self.cosines[branch][i] = self.sines[branch][i];
@@ -104,75 +108,26 @@ impl<T: Real, const N: usize> Branches<T, N> {
 }
 
 impl<T: Real, const N: usize> Solutions<T, N> {
-    /// No solutions of an arm whose joints turn or slide.
-    #[doc(hidden)]
-    #[inline]
-    pub fn new(turns: [bool; N]) -> Self {
-        let none = Solution {
-            q: SVector::from_element(T::from_f64(0.0)),
-            is_singular: false,
-        };
-        Solutions {
-            all: [none; MOST],
-            count: 0,
-            turns,
-            limits: [None; N],
-        }
-    }
-
-    /// Adds a solution.
-    #[inline]
-    fn push(&mut self, q: [T; N], is_singular: bool) {
-        if self.count < MOST {
-            self.all[self.count] = Solution {
-                q: q.into(),
-                is_singular,
-            };
-            self.count += 1;
-        }
-    }
-
-    /// The solutions, in the order of the equations that they solve.
-    #[inline]
-    pub fn as_slice(&self) -> &[Solution<T, N>] {
-        &self.all[..self.count]
-    }
-
-    /// How many there are.
-    #[inline]
-    pub fn len(&self) -> usize {
-        self.count
-    }
-
-    /// Whether the pose is out of reach.
-    #[inline]
-    pub fn is_empty(&self) -> bool {
-        self.count == 0
-    }
-
-    /// The solutions in order.
-    #[inline]
-    pub fn iter(&self) -> core::slice::Iter<'_, Solution<T, N>> {
-        self.as_slice().iter()
-    }
-
     /// The solutions within the ranges of the joints, `JOINT_LIMITS` of a robot as it is: angles outside of their range get
     /// whole turns that bring them into it. A joint without a range may be anywhere.
     #[must_use]
     pub fn within(&self, limits: &[Option<[f64; 2]>; N]) -> Self {
-        let mut within = Solutions::new(self.turns);
-        within.limits = limits.map(|range| range.map(|range| range.map(T::from_f64)));
-        for solution in self {
+        let limits = limits.map(|range| range.map(|range| range.map(T::from_f64)));
+        let turns = self.turns;
+        let mut within = Solutions {
+            turns,
+            limits,
+            ..Solutions::default()
+        };
+        for solution in self.iter() {
             let mut q = solution.q;
-            let is_within = (0..N).all(|i| match within.brought_into(i, q[i]) {
-                Some(position) => {
-                    q[i] = position;
-                    true
-                }
-                None => false,
+            let is_within = (0..N).all(|i| {
+                q[i] = within.nearest_turn(i, q[i], q[i]);
+                limits[i].is_none_or(|[lower, upper]| q[i] >= lower && q[i] <= upper)
             });
             if is_within {
-                within.push(q.into(), solution.is_singular);
+                within.all[within.count] = Solution { q, ..*solution };
+                within.count += 1;
             }
         }
         within
@@ -183,7 +138,7 @@ impl<T: Real, const N: usize> Solutions<T, N> {
     /// angles stay as they are. `None` if there is no solution, or the seed is not finite.
     pub fn nearest(&self, seed: &SVector<T, N>) -> Option<Solution<T, N>> {
         let mut nearest: Option<(T, Solution<T, N>)> = None;
-        for solution in self {
+        for solution in self.iter() {
             let (mut q, mut distance) = (solution.q, T::from_f64(0.0));
             for i in 0..N {
                 let near = self.nearest_turn(i, q[i], seed[i]);
@@ -205,13 +160,6 @@ impl<T: Real, const N: usize> Solutions<T, N> {
         nearest.map(|(_, solution)| solution)
     }
 
-    /// The position of joint i, or the nearest one that is whole turns away, within its range.
-    fn brought_into(&self, i: usize, q: T) -> Option<T> {
-        let near = self.nearest_turn(i, q, q);
-        let is_within = |[lower, upper]: [T; 2]| near >= lower && near <= upper;
-        self.limits[i].is_none_or(is_within).then_some(near)
-    }
-
     /// The position of joint i that is whole turns away and nearest to another one, within its range if it has one.
     fn nearest_turn(&self, i: usize, q: T, seed: T) -> T {
         if self.turns[i] {
@@ -225,7 +173,16 @@ impl<T: Real, const N: usize> Solutions<T, N> {
 /// None of any arm: a place for those of a batch.
 impl<T: Real, const N: usize> Default for Solutions<T, N> {
     fn default() -> Self {
-        Solutions::new([true; N])
+        Branches::default().solutions([true; N])
+    }
+}
+
+impl<T: Real, const N: usize> Deref for Solutions<T, N> {
+    type Target = [Solution<T, N>];
+
+    #[inline]
+    fn deref(&self) -> &Self::Target {
+        &self.all[..self.count]
     }
 }
 
@@ -243,15 +200,11 @@ pub(crate) fn nearest_turn<T: Real>(q: T, seed: T, range: Option<[T; 2]>) -> T {
 /// The multiple of a whole turn that is nearest to an angle, or, upwards, the least that is not below it.
 fn whole_turns<T: Real>(angle: T, upwards: bool) -> T {
     let turn = core::f64::consts::TAU;
-    let turns = angle.ratio_to_f64(T::from_f64(turn));
-    let whole = turns as i64 as f64;
-    let rest = turns - whole;
-    let whole = match upwards {
-        true if rest > 0.0 => whole + 1.0,
-        true => whole,
-        false if rest > 0.5 => whole + 1.0,
-        false if rest < -0.5 => whole - 1.0,
-        false => whole,
+    let turns = angle.into() / turn;
+    let whole = if upwards {
+        libm::ceil(turns)
+    } else {
+        libm::rint(turns)
     };
     T::from_f64(whole * turn)
 }
@@ -271,9 +224,14 @@ mod tests {
     use core::f64::consts::{PI, TAU};
 
     fn solutions(all: &[[f64; 2]]) -> Solutions<f64, 2> {
-        let mut solutions = Solutions::new([true, false]);
+        let turns = [true, false];
+        let mut solutions = Solutions {
+            turns,
+            ..Solutions::default()
+        };
         for q in all {
-            solutions.push(*q, false);
+            solutions.all[solutions.count].q = (*q).into();
+            solutions.count += 1;
         }
         solutions
     }

@@ -105,16 +105,13 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         if lengths != [dof; 3] {
             return Some(Reason::Length);
         }
-        let unknown = [start, posture].map(|q| first_non_finite(q.entries()));
+        let mut unknown = [start, posture].into_iter();
+        let start = unknown.find_map(|q| first_non_finite(q.entries()));
         let target = targets.iter().position(|target| !target.is_possible());
         let of_target = target.map(|target| Reason::Target { target });
-        let of_start = unknown[0]
-            .or(unknown[1])
-            .map(|joint| Reason::Start { joint });
-        let of_range = self
-            .joints
-            .without_range()
-            .map(|joint| Reason::Range { joint });
+        let of_start = start.map(|joint| Reason::Start { joint });
+        let range = self.joints.without_range();
+        let of_range = range.map(|joint| Reason::Range { joint });
         let of_tolerance = (!self.tolerance.is_possible()).then_some(Reason::Tolerance);
         of_target.or(of_start).or(of_range).or(of_tolerance)
     }

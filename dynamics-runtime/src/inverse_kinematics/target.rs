@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Matrix4, Vector3};
 
 use crate::closed_form::is_rotation;
 use crate::float::Float as _;
+use crate::quaternion;
 
 /// Where a frame is to be: its position, its rotation, both, or one of its directions.
 ///
@@ -141,27 +142,15 @@ fn origin(pose: &Matrix4<f64>) -> Vector3<f64> {
 /// everywhere, and near the identity it is the rotation vector.
 #[inline(always)]
 fn between(r: &Matrix3<f64>) -> Vector3<f64> {
-    // 2 sin(angle) along the axis.
-    let sines = Vector3::new(
-        r[(2, 1)] - r[(1, 2)],
-        r[(0, 2)] - r[(2, 0)],
-        r[(1, 0)] - r[(0, 1)],
-    );
     // 4 cos^2(angle / 2)
     let cosine = 1.0 + r.trace();
     if cosine > 1e-6 {
-        return sines / cosine.root();
+        // 2 sin(angle) along the axis.
+        let sines = [r.m32 - r.m23, r.m13 - r.m31, r.m21 - r.m12];
+        return Vector3::from(sines) / cosine.root();
     }
-    half_turn(r)
-}
-
-/// The same of nearly half a turn: (R + 1) / 2 is the axis times its transpose.
-#[cold]
-fn half_turn(r: &Matrix3<f64>) -> Vector3<f64> {
-    let squares = (r + r.transpose()) / 2.0 + Matrix3::identity();
-    let longest = squares.diagonal().imax();
-    let axis = squares.column(longest).into_owned();
-    axis * (2.0 / axis.norm())
+    let [_, x, y, z] = quaternion::of(r);
+    Vector3::new(x, y, z) * 2.0
 }
 
 /// 2 sin(angle / 2) along the axis of the shortest turn of one unit vector into another.

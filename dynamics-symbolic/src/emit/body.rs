@@ -29,7 +29,8 @@ pub(super) struct Writer<'p> {
     constants: &'p [f64],
     /// The nearest single of each constant whose double rounds to another one.
     singles: Vec<Option<f32>>,
-    inputs: Vec<Ident>,
+    /// The variable of each input.
+    pub(super) inputs: Vec<Ident>,
     /// The variable of each result that has a line.
     pub(super) names: Vec<Option<Ident>>,
 }

@@ -229,8 +229,7 @@ impl Method<'_> {
             return quote!(#lines #solution);
         };
         let path = self.path;
-        let first = self.plan.first_outputs()[step];
-        let outputs = &self.plan.program.outputs[first..first + current.coefficients()];
+        let outputs = &self.plan.program.outputs[self.plan.outputs_of(step)];
         let coefficients = outputs.iter().map(|output| self.writer.output(*output));
         let solve = Ident::new(current.name(), proc_macro2::Span::call_site());
         let value = quote!(#path::closed_form::#solve(#(#coefficients),*));
@@ -242,18 +241,18 @@ impl Method<'_> {
                 let bound = self.bound(current, &direction);
                 quote!(#lines let (#direction, #any) = #value; #bound let #one = #one || #any; #rest)
             }
-            Step::Joint(joint, Rule::Turn) => {
-                let (found, on_circle) = (self.found(joint), ident("on_circle"));
-                let bound = self.bound(current, &on_circle);
-                quote!(#lines let [#found, #on_circle] = #value; #bound #rest)
-            }
             Step::Joint(joint, rule) => {
-                let found = self.found(joint);
-                let bound = self.bound(current, &found);
-                if rule == Rule::Slide {
-                    quote!(#lines let #found = #value; #bound #rest)
-                } else {
-                    quote!(#lines for #found in #value { #bound #rest })
+                let (found, on_circle) = (self.found(joint), ident("on_circle"));
+                let bound = |of| self.bound(current, of);
+                let [of_found, of_circle] = [&found, &on_circle].map(bound);
+                match rule {
+                    Rule::Turn => {
+                        quote!(#lines let [#found, #on_circle] = #value; #of_circle #rest)
+                    }
+                    Rule::Slide => quote!(#lines let #found = #value; #of_found #rest),
+                    Rule::Turns | Rule::Slides => {
+                        quote!(#lines for #found in #value { #of_found #rest })
+                    }
                 }
             }
         }
@@ -271,13 +270,12 @@ impl Method<'_> {
 
     /// Parts of the solution of a step, where they are read.
     fn bound(&self, step: Step, of: &Ident) -> TokenStream {
-        let inputs = self.plan.program.inputs.iter();
-        let read = inputs.filter_map(|symbol| {
-            let part = Ident::new(step.part(symbol)?, proc_macro2::Span::call_site());
-            let name = ident(&input_name(self.robot, symbol, &[]));
-            Some(quote!(let #name = #of.#part;))
+        let bound = self.plan.inputs_of(step).map(|(index, part)| {
+            let name = &self.writer.inputs[index];
+            let part = Ident::new(part, proc_macro2::Span::call_site());
+            quote!(let #name = #of.#part;)
         });
-        read.collect()
+        bound.collect()
     }
 
     /// All joints, in their order.

@@ -1,49 +1,39 @@
 //! Rigid motions one after the other, applied to points and to directions.
 
-use crate::expr::Expr;
+use crate::expr::{Expr, Graph};
 use crate::linear::{Matrix3, Vector3};
 
-/// One motion.
+/// One motion: to a frame that is placed in the one before.
 #[derive(Clone, Copy)]
-pub(super) enum Move<'g> {
-    /// To a frame that is placed in the one before.
-    Fixed(Matrix3<Expr<'g>>, Vector3<Expr<'g>>),
-    /// By sine and cosine, about z.
-    Turn(Expr<'g>, Expr<'g>),
-    /// Along z.
-    Slide(Expr<'g>),
+pub(super) struct Move<'g> {
+    pub(super) rotation: Matrix3<Expr<'g>>,
+    pub(super) origin: Vector3<Expr<'g>>,
 }
 
 impl<'g> Move<'g> {
-    /// A point of the last frame, in the first.
-    fn point(&self, p: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        match self {
-            Move::Fixed(_, origin) => self.direction(p) + *origin,
-            Move::Turn(..) => self.direction(p),
-            Move::Slide(d) => p.plus_z(*d),
+    /// By sine and cosine, about z.
+    pub(super) fn turn(graph: &'g Graph, (s, c): (Expr<'g>, Expr<'g>)) -> Self {
+        let (zero, one) = (graph.zero(), graph.one());
+        Move {
+            rotation: Matrix3([[c, -s, zero], [s, c, zero], [zero, zero, one]]),
+            origin: Vector3::splat(zero),
         }
     }
 
-    /// A direction of the last frame, in the first.
-    fn direction(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        match self {
-            Move::Fixed(rotation, _) => rotation.apply(v),
-            Move::Turn(s, c) => {
-                let [x, y, z] = v.0;
-                Vector3([*c * x - *s * y, *s * x + *c * y, z])
-            }
-            Move::Slide(_) => v,
+    /// Along z.
+    pub(super) fn slide(graph: &'g Graph, d: Expr<'g>) -> Self {
+        let none = Move::turn(graph, (graph.zero(), graph.one()));
+        Move {
+            origin: none.origin.plus_z(d),
+            ..none
         }
     }
 
     fn inverse(&self) -> Self {
-        match self {
-            Move::Fixed(rotation, origin) => {
-                let back = rotation.transpose();
-                Move::Fixed(back, -back.apply(*origin))
-            }
-            Move::Turn(s, c) => Move::Turn(-*s, *c),
-            Move::Slide(d) => Move::Slide(-*d),
+        let rotation = self.rotation.transpose();
+        Move {
+            rotation,
+            origin: -rotation.apply(self.origin),
         }
     }
 }
@@ -55,12 +45,18 @@ pub(super) struct Path<'g>(pub(super) Vec<Move<'g>>);
 impl<'g> Path<'g> {
     /// A point of the last frame, in the first.
     pub(super) fn point(&self, p: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        self.0.iter().rev().fold(p, |p, step| step.point(p))
+        self.0
+            .iter()
+            .rev()
+            .fold(p, |p, step| step.rotation.apply(p) + step.origin)
     }
 
     /// A direction of the last frame, in the first.
     pub(super) fn direction(&self, v: Vector3<Expr<'g>>) -> Vector3<Expr<'g>> {
-        self.0.iter().rev().fold(v, |v, step| step.direction(v))
+        self.0
+            .iter()
+            .rev()
+            .fold(v, |v, step| step.rotation.apply(v))
     }
 
     /// The way back.

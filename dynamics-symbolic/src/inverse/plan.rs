@@ -3,6 +3,7 @@
 use crate::function::Argument;
 use crate::program::{Program, Proven};
 use crate::robot::Symbol;
+use core::ops::Range;
 
 /// One joint after the other, each from an equation in which it is the only unknown.
 #[derive(Clone, Debug)]
@@ -62,23 +63,32 @@ pub enum Rule {
 }
 
 impl Step {
+    /// The function that solves it, in the runtime and in files of other languages; how many coefficients it has, and how
+    /// many solutions at most.
+    const fn row(self) -> (&'static str, usize, usize) {
+        match self {
+            Step::Joint(_, Rule::Turn) => ("turn", 4, 1),
+            Step::Joint(_, Rule::Turns) => ("turns", 5, 2),
+            Step::Joint(_, Rule::Slide) => ("slide", 1, 1),
+            Step::Joint(_, Rule::Slides) => ("slides", 3, 2),
+            Step::Direction(_) => ("direction", 7, 1),
+            Step::Condition => ("is_reached", 4, 1),
+        }
+    }
+
+    /// The function that solves it.
+    pub(crate) const fn name(self) -> &'static str {
+        self.row().0
+    }
+
     /// How many coefficients it has.
     pub const fn coefficients(self) -> usize {
-        match self {
-            Step::Joint(_, Rule::Slide) => 1,
-            Step::Joint(_, Rule::Slides) => 3,
-            Step::Joint(_, Rule::Turn) | Step::Condition => 4,
-            Step::Joint(_, Rule::Turns) => 5,
-            Step::Direction(_) => 7,
-        }
+        self.row().1
     }
 
     /// How many solutions it has at most.
     pub const fn solutions(self) -> usize {
-        match self {
-            Step::Joint(_, Rule::Turns | Rule::Slides) => 2,
-            Step::Joint(_, Rule::Turn | Rule::Slide) | Step::Direction(_) | Step::Condition => 1,
-        }
+        self.row().2
     }
 
     /// The part of its solution that a symbol of the program stands for; `None` of another step's.
@@ -92,18 +102,6 @@ impl Step {
                 ["x", "y", "z"].get(k.checked_sub(place)?).copied()
             }
             _ => None,
-        }
-    }
-
-    /// The function that solves it, in the runtime and in files of other languages.
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Step::Joint(_, Rule::Turn) => "turn",
-            Step::Joint(_, Rule::Turns) => "turns",
-            Step::Joint(_, Rule::Slide) => "slide",
-            Step::Joint(_, Rule::Slides) => "slides",
-            Step::Direction(_) => "direction",
-            Step::Condition => "is_reached",
         }
     }
 }
@@ -130,12 +128,20 @@ impl Plan {
 
     /// The index of each step's first coefficient among the outputs of the program.
     pub fn first_outputs(&self) -> Vec<usize> {
-        let mut next = 0;
-        let first = |step: &Step| {
-            let first = next;
-            next += step.coefficients();
-            first
-        };
-        self.steps.iter().map(first).collect()
+        let first = |step| self.outputs_of(step).start;
+        (0..self.steps.len()).map(first).collect()
+    }
+
+    /// The coefficients of the step of that number, among the outputs of the program.
+    pub(crate) fn outputs_of(&self, step: usize) -> Range<usize> {
+        let before = self.steps[..step].iter();
+        let first = before.map(|step| step.coefficients()).sum();
+        first..first + self.steps[step].coefficients()
+    }
+
+    /// The inputs of the program that are parts of a step's solution, by their indices, each with the name of that part.
+    pub(crate) fn inputs_of(&self, step: Step) -> impl Iterator<Item = (usize, &'static str)> {
+        let inputs = self.program.inputs.iter().enumerate();
+        inputs.filter_map(move |(index, symbol)| Some((index, step.part(symbol)?)))
     }
 }

@@ -14,7 +14,7 @@ use super::chain::{Link, between};
 use super::moves::{Move, Path};
 use super::plan::{ELBOW, Step};
 use super::rules::{Equation, distance};
-use super::view::{Points, View};
+use super::view::{Points, Unknown, View};
 use crate::derive::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
@@ -35,8 +35,8 @@ pub(super) fn shoulder<'g>(
     view: &View<'g>,
     found: &mut Vec<Equation<'g>>,
 ) -> Option<(usize, Path<'g>)> {
-    let turns = |joint: &super::view::Unknown| joint.joint_type == JointType::Revolute;
-    if view.joints.len() != 7 || !view.joints.iter().all(turns) {
+    let turns = |joint: &Unknown| joint.joint_type == JointType::Revolute;
+    if !view.joints.iter().all(turns) {
         return None;
     }
     let (Points::One(s), Points::One(p)) = (view.points(SHOULDER), view.points(WRIST)) else {
@@ -46,18 +46,16 @@ pub(super) fn shoulder<'g>(
     // In the frame before the first joint.
     let wrist = view.way(4, 6).inverse().point(p);
     let line = view.target.point(wrist) - s;
-    let mut moving = chain.iter().enumerate().filter_map(|(k, link)| match link {
-        Link::Joint(_, motion) => Some((k, *motion)),
-        Link::Fixed(_) => None,
-    });
+    let links = chain.iter().enumerate();
+    let mut moving = links.filter(|(_, link)| link.joint.is_some());
     let [(third, _), (_, fourth)] = [moving.nth(2)?, moving.next()?];
-    let link = Link3::new(view, fourth, s, p)?;
+    let link = Link3::new(view, fourth.motion, s, p)?;
     let rotation = rotation(symbols, view, line, &link, found);
     // The first two directions, in the world, read no joint.
     found.insert(2, elbow);
     let origin = s - rotation.apply(link.shoulder);
-    let (first, ..) = between(chain, &BTreeSet::new());
-    let behind_third = first.then(&Path(vec![Move::Fixed(rotation, origin)]));
+    let first = &between(chain, &BTreeSet::new())[0];
+    let behind_third = first.then(&Path(vec![Move { rotation, origin }]));
     Some((third + 1, behind_third))
 }
 

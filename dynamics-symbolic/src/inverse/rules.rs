@@ -69,23 +69,22 @@ struct Pair<'g> {
 
 /// All equations of the joints of a view: first those with one solution.
 pub(super) fn equations<'g>(view: &View<'g>) -> Vec<Equation<'g>> {
-    let joints = 0..view.joints.len();
     let of_type = |joint_type| {
-        let joints = joints.clone();
+        let joints = 0..view.joints.len();
         joints.filter(move |&t| view.joints[t].joint_type == joint_type)
     };
-    let turning = || of_type(JointType::Revolute);
-    let sliding = || of_type(JointType::Prismatic);
+    let (turning, sliding) = (of_type(JointType::Revolute), of_type(JointType::Prismatic));
     let front = (view.joints[0].joint_type == JointType::Revolute).then_some(view);
     let single = front.and_then(first_turn).into_iter();
-    let single = single.chain(sliding().filter_map(|t| slide(view, t)));
-    let double = turning()
+    let single = single.chain(sliding.clone().filter_map(|t| slide(view, t)));
+    let double = turning
+        .clone()
         .filter_map(|t| angle_between(view, t))
         .chain(front.and_then(front_heights))
-        .chain(turning().flat_map(|t| heights(view, t)))
-        .chain(turning().filter_map(|t| distance(view, t)))
+        .chain(turning.clone().filter_map(|t| heights(view, t)))
+        .chain(turning.filter_map(|t| distance(view, t)))
         .chain(front.and_then(front_distance))
-        .chain(sliding().filter_map(|t| slides(view, t)));
+        .chain(sliding.filter_map(|t| slides(view, t)));
     single.chain(double).collect()
 }
 
@@ -137,7 +136,7 @@ fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let last = view.joints.len();
     (t + 1..=last).rev().find_map(|end| {
         let pair = point_from(view, t, end, None)?;
-        let heights = view.heights(0..end, Some(t));
+        let heights = view.heights(0..end, |i| i == t);
         let to_joint = view.way(0, t);
         let along = |y: &Vector<'g>| to_joint.inverse().direction(*y)[2];
         // The joint's own axis, as far as it is a combination of these.
@@ -159,7 +158,7 @@ fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
 fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
     (2..=last).rev().find_map(|end| {
-        let heights = view.heights(1..end, None);
+        let heights = view.heights(1..end, |_| false);
         let near = heights.iter().map(|y| view.links[0].direction(*y));
         let y = near.into_iter().find(|y| !are_parallel(*y, view.z()))?;
         let pair = point_from(view, 0, end, None)?;
@@ -177,10 +176,6 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
 /// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. 1 - s w has its digits from the
 /// cross product: (1 - s w) (1 + s w) = |y x L x|^2.
 fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
-    let last = view.joints.len();
-    if t == 0 || t + 1 == last {
-        return None;
-    }
     let [y] = view.directions(0..t)[..] else {
         return None;
     };
@@ -216,7 +211,7 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let pair = point_from(view, t, t + 1, None)?;
     let way = view.way(0, t);
     let near = |y: &Vector<'g>| way.inverse().direction(*y);
-    let heights = view.heights(0..t, None);
+    let heights = view.heights(0..t, |_| false);
     let y = heights
         .into_iter()
         .find(|y| !are_parallel(near(y), view.z()))?;
@@ -227,40 +222,54 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     Equation::turns(view, t, [a, b, y.dot(v) - known], None, size)
 }
 
-/// |L p - o|^2 = |Z p - o|^2: the distance from a point that the joints before t do not move, or from an axis that they have
-/// in common with t.
-pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
-    if t == 0 {
-        return None;
-    }
-    let z = view.z();
-    let way = view.way(0, t);
-    let (o, axis) = centre(view, t)?;
-    let near = way.inverse().point(o);
-    let axis = match axis {
-        Some(axis) if !are_parallel(way.inverse().direction(axis), z) => return None,
-        axis => axis,
-    };
-    let pair = point_from(view, t, t + 1, axis.map(|_| z))?;
-    let flat = |v: Vector<'g>| match axis {
-        Some(_) => v - z * v[2],
-        None => v,
-    };
-    let (near, p) = (flat(near), flat(pair.near));
-    let apart = view.target.point(pair.far) - o;
-    let apart = axis.map_or(apart, |axis| apart - axis * apart.dot(axis));
-    by_distance(view, t, (near, p), apart.dot(apart))
+/// A distance that the joints before t do not change: from a point o that they do not move, or from an axis that they leave where
+/// it is, of which o is a point.
+struct Distance<'g> {
+    /// The axis, in the frame of joint t.
+    axis: Option<Vector<'g>>,
+    /// o and the point p behind joint t, both in the frame of joint t.
+    o: Vector<'g>,
+    p: Vector<'g>,
+    /// The square of the distance between o and L p, beside the axis.
+    found: Expr<'g>,
 }
 
-/// A point that the joints before t do not move, or one of an axis, and the direction of this axis.
-fn centre<'g>(view: &View<'g>, t: usize) -> Option<(Vector<'g>, Option<Vector<'g>>)> {
-    match view.points(0..t) {
-        Points::One(o) => Some((o, None)),
-        Points::Line {
-            point, direction, ..
-        } => Some((point, Some(direction))),
-        _ => None,
+impl<'g> Distance<'g> {
+    /// The distance for joint t, if its axis, of which this is the direction in the joint's frame, suits the joint.
+    fn new(view: &View<'g>, t: usize, suits: impl Fn(Vector<'g>) -> bool) -> Option<Self> {
+        let (o, axis) = match view.points(0..t) {
+            Points::One(o) => (o, None),
+            Points::Line {
+                point, direction, ..
+            } => (point, Some(direction)),
+            _ => return None,
+        };
+        let back = view.way(0, t).inverse();
+        let near = axis.map(|axis| back.direction(axis));
+        if near.is_some_and(|near| !suits(near)) {
+            return None;
+        }
+        let pair = point_from(view, t, t + 1, near)?;
+        let apart = across(view.target.point(pair.far) - o, axis);
+        Some(Distance {
+            axis: near,
+            o: back.point(o),
+            p: pair.near,
+            found: apart.dot(apart),
+        })
     }
+}
+
+/// The part of a vector at right angles to an axis, if there is one.
+fn across<'g>(v: Vector<'g>, axis: Option<Vector<'g>>) -> Vector<'g> {
+    axis.map_or(v, |axis| v - axis * v.dot(axis))
+}
+
+/// |L p - o|^2 = |Z p - o|^2: the distance from a point, or from an axis that the joints before t have in common with t.
+pub(super) fn distance<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
+    let is_parallel = |axis| are_parallel(axis, view.z());
+    let Distance { axis, o, p, found } = Distance::new(view, t, is_parallel)?;
+    by_distance(view, t, (across(o, axis), across(p, axis)), found)
 }
 
 /// The square of the distance from the z axis.
@@ -302,25 +311,11 @@ fn front_distance<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     })
 }
 
-/// |L p - o|^2 = |p + d z - o|^2, a quadratic equation in d, with o and p as in `distance`.
+/// |L p - o|^2 = |p + d z - o|^2, a quadratic equation in d; an axis is at a right angle to that of joint t.
 fn slides<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
-    if t == 0 {
-        return None;
-    }
-    let back = view.way(0, t).inverse();
-    let (o, axis) = centre(view, t)?;
-    let near = axis.map(|axis| back.direction(axis));
-    if near.is_some_and(|axis| !axis[2].is_zero()) {
-        return None;
-    }
-    let pair = point_from(view, t, t + 1, near)?;
-    let across = |v: Vector<'g>, axis: Option<Vector<'g>>| match axis {
-        Some(axis) => v - axis * v.dot(axis),
-        None => v,
-    };
-    let e = across(pair.near - back.point(o), near);
-    let apart = across(view.target.point(pair.far) - o, axis);
-    let found = apart.dot(apart);
+    let is_across = |axis: Vector<'g>| axis[2].is_zero();
+    let Distance { axis, o, p, found } = Distance::new(view, t, is_across)?;
+    let e = across(p - o, axis);
     let beside = beside_z(e);
     let coefficients = vec![-e[2], found - beside, found + beside];
     view.allows(&coefficients)

@@ -5,14 +5,14 @@ use super::moves::{Move, Path};
 use super::plan::{Plan, Step, Target};
 use super::redundant;
 use super::rules::{Equation, equations};
-use super::view::{Unknown, View, are_parallel};
-use super::why::{Unsolved, why_not};
+use super::view::{Unknown, View};
+use super::why::{Unsolved, class};
 use crate::derive::symbols::Symbols;
 use crate::expr::{Edge, Graph, NodeId};
 use crate::linear::{Matrix3, Vector3};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
-use crate::robot::{JointType, Robot};
+use crate::robot::Robot;
 use std::collections::BTreeSet;
 
 /// More solutions than this have no room among the results.
@@ -49,18 +49,21 @@ pub fn plan(
     let mut symbols = Symbols::new(&graph, &arm);
     let chain = chain(&mut symbols, &arm, frame)?;
     let (rotation, position) = symbols.target();
-    let pose = Path(vec![Move::Fixed(Matrix3(rotation), Vector3(position))]);
+    let pose = Path(vec![Move {
+        rotation: Matrix3(rotation),
+        origin: Vector3(position),
+    }]);
     write_squares(&chain);
     let mut found = Vec::new();
     let all = views(&graph, &chain, &pose, &BTreeSet::new(), &BTreeSet::new());
     let [view, _] = all.ok_or(Unsolved::Undetermined)?;
-    let why = why_not(&view);
-    let (target, shoulder) = match target(&view) {
-        Some(target) => (target, None),
-        None => {
-            let redundant = redundant::shoulder(&mut symbols, &chain, &view, &mut found);
-            (Target::PoseAndElbow, Some(redundant.ok_or(why.clone())?))
+    let (target, why) = class(&view)?;
+    let shoulder = match target {
+        Target::PoseAndElbow => {
+            let found = redundant::shoulder(&mut symbols, &chain, &view, &mut found);
+            Some(found.ok_or(why.clone())?)
         }
+        _ => None,
     };
     let forbidden = match target {
         Target::Position => rotation.iter().flatten().map(|x| x.edge().node()).collect(),
@@ -103,60 +106,33 @@ fn views<'g>(
     let unknown: Vec<Unknown> = joints(chain)
         .filter(|joint| !known.contains(&joint.number))
         .collect();
-    if unknown.is_empty() {
+    let ways = between(chain, known);
+    let [first, links @ .., last] = &ways[..] else {
         return None;
-    }
-    let (first, links, last) = between(chain, known);
-    let origin = Vector3::splat(graph.zero());
-    let target = first.inverse().then(pose).then(&last.inverse());
-    let inverse = View {
-        graph,
-        joints: unknown.iter().rev().copied().collect(),
-        links: links.iter().rev().map(Path::inverse).collect(),
-        target: target.inverse(),
-        is_inverse: true,
-        tip: first.inverse().point(origin),
-        forbidden: forbidden.clone(),
     };
-    let view = View {
+    let target = first.inverse().then(pose).then(&last.inverse());
+    let view = |joints, links, target, is_inverse, behind: &Path<'g>| View {
         graph,
-        joints: unknown,
+        joints,
         links,
         target,
-        is_inverse: false,
-        tip: last.point(origin),
+        is_inverse,
+        tip: behind.point(Vector3::splat(graph.zero())),
         forbidden: forbidden.clone(),
     };
+    let opposite = unknown.iter().rev().copied().collect();
+    let back = links.iter().rev().map(Path::inverse).collect();
+    let inverse = view(opposite, back, target.inverse(), true, &first.inverse());
+    let view = view(unknown, links.to_vec(), target, false, last);
     Some([view, inverse])
 }
 
 /// Writes the squares of all sines and cosines, so that no expression has 1 - c^2 in place of s^2, which keeps the digits of small
 /// sines: a node has the first form in which it was written.
 fn write_squares(chain: &[Link<'_>]) {
-    for link in chain {
-        if let Link::Joint(_, Move::Turn(s, c)) = link {
-            let _ = (*s * *s, *c * *c);
-        }
-    }
-}
-
-/// The part of the pose that is read by arms that have closed forms; `None` of all others.
-fn target(view: &View<'_>) -> Option<Target> {
-    let count = view.joints.len();
-    let turning = view
-        .joints
-        .iter()
-        .filter(|joint| joint.joint_type == JointType::Revolute);
-    let turning = turning.count();
-    let z = view.z();
-    let is_parallel = |i: usize| are_parallel(view.way(0, i).direction(z), z);
-    let are_all_parallel = (0..count).all(is_parallel);
-    match count {
-        3 if turning == 3 && are_all_parallel => Some(Target::PositionAndAngle),
-        1..=3 => Some(Target::Position),
-        4 if turning == 3 && are_all_parallel => Some(Target::Pose),
-        6 => Some(Target::Pose),
-        _ => None,
+    for link in chain.iter().filter(|link| link.joint.is_some()) {
+        let [c, s, _] = link.motion.rotation.column(0).0;
+        let _ = (s * s, c * c);
     }
 }
 
@@ -175,9 +151,8 @@ impl<'g> Search<'g, '_> {
         candidates.extend(equations(&inverse));
         candidates.sort_by_key(|equation| equation.step.solutions());
         // One equation with one solution is as good as another.
-        let has_single = candidates
-            .first()
-            .is_some_and(|first| first.step.solutions() == 1);
+        let is_single = |first: &Equation<'_>| first.step.solutions() == 1;
+        let has_single = candidates.first().is_some_and(is_single);
         let tried = if has_single { 1 } else { candidates.len() };
         for equation in candidates.into_iter().take(tried) {
             found.push(equation);
@@ -213,7 +188,7 @@ impl<'g> Search<'g, '_> {
     /// The position that is reached is the one that was requested.
     fn condition(&self) -> Equation<'g> {
         let all: BTreeSet<usize> = joints(&self.chain).map(|joint| joint.number).collect();
-        let (way, ..) = between(&self.chain, &all);
+        let way = &between(&self.chain, &all)[0];
         let origin = Vector3::splat(self.graph.zero());
         let reached = way.point(origin);
         let asked = self.pose.point(origin);

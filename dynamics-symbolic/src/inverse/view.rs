@@ -173,17 +173,20 @@ impl<'g> View<'g> {
 
     /// A basis of the directions that no joint of a range turns, in the frame of its first joint.
     pub(super) fn directions(&self, range: Range<usize>) -> Vec<Vector<'g>> {
-        let join = |i: usize, basis| match self.joints[i].joint_type {
-            JointType::Revolute => self.containing_z(basis),
-            JointType::Prismatic => basis,
-        };
-        self.gathered(range, self.axes().to_vec(), turned, join)
+        self.heights(range, |i| self.joints[i].joint_type == JointType::Prismatic)
     }
 
-    /// A basis of the directions along which no joint of a range moves a point, except for joint `skipped`.
-    pub(super) fn heights(&self, range: Range<usize>, skipped: Option<usize>) -> Vec<Vector<'g>> {
+    /// A basis of the directions along which no joint of a range moves a point, except for those that are skipped.
+    pub(super) fn heights(
+        &self,
+        range: Range<usize>,
+        is_skipped: impl Fn(usize) -> bool,
+    ) -> Vec<Vector<'g>> {
+        let turned = |way: &Path<'g>, basis: Vec<Vector<'g>>| {
+            basis.into_iter().map(|v| way.direction(v)).collect()
+        };
         let join = |i: usize, basis| match self.joints[i].joint_type {
-            _ if skipped == Some(i) => basis,
+            _ if is_skipped(i) => basis,
             JointType::Revolute => self.containing_z(basis),
             JointType::Prismatic => self.across_z(basis),
         };
@@ -237,10 +240,6 @@ pub(super) fn moved<'g>(way: &Path<'g>, points: Points<'g>) -> Points<'g> {
         Points::One(p) => Points::One(way.point(p)),
         Points::All | Points::None => points,
     }
-}
-
-fn turned<'g>(way: &Path<'g>, basis: Vec<Vector<'g>>) -> Vec<Vector<'g>> {
-    basis.into_iter().map(|v| way.direction(v)).collect()
 }
 
 /// Whether two directions are parallel or opposite.

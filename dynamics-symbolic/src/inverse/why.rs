@@ -1,6 +1,7 @@
-//! Why an arm has no closed form.
+//! The part of the pose that an arm reaches, and why it has no closed form.
 
-use super::view::{Points, View};
+use super::plan::Target;
+use super::view::{Points, Unknown, View, are_parallel};
 use crate::robot::JointType;
 use core::fmt;
 use core::ops::Range;
@@ -33,35 +34,47 @@ pub enum Unsolved {
     Overflow,
 }
 
-/// The condition that fails.
-pub(super) fn why_not(view: &View<'_>) -> Unsolved {
+/// The part of the pose that an arm with so many joints reaches, and the condition that fails if it has no plan.
+///
+/// # Errors
+///
+/// The condition that fails of every such arm.
+pub(super) fn class(view: &View<'_>) -> Result<(Target, Unsolved), Unsolved> {
     let count = view.joints.len();
-    let meet = |joints: Range<usize>| matches!(view.points(joints), Points::One(_));
-    match count {
-        3 if is_moved_by_last(view) => Unsolved::NoTwoAxes,
-        0..=3 => Unsolved::Undetermined,
-        4 => Unsolved::NotScara,
-        6 => match [0..3, 3..6].into_iter().find(|joints| meet(joints.clone())) {
-            Some(joints) => Unsolved::Quartic(joints),
-            None => Unsolved::NoThreeAxes,
-        },
-        7 => match [0..3, 4..7]
-            .into_iter()
-            .find(|joints| !meet(joints.clone()))
-        {
-            Some(joints) => Unsolved::NotSpherical(joints),
-            None => Unsolved::NotSpherical(3..4),
-        },
-        _ => Unsolved::Joints(count),
-    }
+    let turns = |joint: &&Unknown| joint.joint_type == JointType::Revolute;
+    let turning = view.joints.iter().filter(turns).count();
+    let z = view.z();
+    let is_parallel = |i: usize| are_parallel(view.way(0, i).direction(z), z);
+    let three_parallel = turning == 3 && (0..count).all(is_parallel);
+    let meet = |joints: &Range<usize>| matches!(view.points(joints.clone()), Points::One(_));
+    Ok(match count {
+        3 if three_parallel => (Target::PositionAndAngle, why_not_three(view)),
+        3 => (Target::Position, why_not_three(view)),
+        1 | 2 => (Target::Position, Unsolved::Undetermined),
+        4 if three_parallel => (Target::Pose, Unsolved::NotScara),
+        4 => return Err(Unsolved::NotScara),
+        6 => {
+            let meeting = [0..3, 3..6].into_iter().find(meet);
+            let why = meeting.map_or(Unsolved::NoThreeAxes, Unsolved::Quartic);
+            (Target::Pose, why)
+        }
+        7 => {
+            let apart = [0..3, 4..7].into_iter().find(|joints| !meet(joints));
+            let why = Unsolved::NotSpherical(apart.unwrap_or(3..4));
+            (Target::PoseAndElbow, why)
+        }
+        _ => return Err(Unsolved::Joints(count)),
+    })
 }
 
-/// Whether the last joint moves the origin of the frame.
-fn is_moved_by_last(view: &View<'_>) -> bool {
+/// Three joints of which the last moves the origin of the frame need two axes that meet or are parallel.
+fn why_not_three(view: &View<'_>) -> Unsolved {
     let [x, y, _] = view.tip.0;
-    let last = view.joints.last();
-    let slides = last.is_some_and(|joint| joint.joint_type == JointType::Prismatic);
-    slides || !(x.is_zero() && y.is_zero())
+    let last = view.joints[2].joint_type;
+    match last == JointType::Prismatic || !(x.is_zero() && y.is_zero()) {
+        true => Unsolved::NoTwoAxes,
+        false => Unsolved::Undetermined,
+    }
 }
 
 impl fmt::Display for Unsolved {

@@ -28,7 +28,6 @@ struct Branches<'p> {
     frame: Option<usize>,
     pose: [Number; 12],
     constants: Vec<Option<Number>>,
-    first_outputs: Vec<usize>,
     /// Whether each branch has been seen to lead to its pose.
     are_right: Vec<bool>,
     is_wrong: bool,
@@ -59,7 +58,6 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
             frame,
             pose,
             constants: plan.program.constants.evaluate(&mut point),
-            first_outputs: plan.first_outputs(),
             are_right,
             is_wrong: false,
         };
@@ -84,13 +82,10 @@ impl Branches<'_> {
             self.compare(point, branch);
             return;
         };
-        let outputs = self
-            .plan
-            .program
-            .evaluate_with(self.constants.clone(), point);
-        let first = self.first_outputs[step];
-        let coefficients = &outputs[first..first + current.coefficients()];
-        let coefficients: Option<Vec<Number>> = coefficients.iter().copied().collect();
+        let (plan, constants) = (self.plan, self.constants.clone());
+        let outputs = plan.program.evaluate_with(constants, point);
+        let coefficients = outputs[plan.outputs_of(step)].iter().copied();
+        let coefficients: Option<Vec<Number>> = coefficients.collect();
         let Some(coefficients) = coefficients else {
             return;
         };

@@ -120,8 +120,7 @@ impl Writer<'_> {
             push((self.words.keep)(&joints, &singular));
             return;
         };
-        let first = self.plan.first_outputs()[step];
-        let outputs = first..first + current.coefficients();
+        let outputs = self.plan.outputs_of(step);
         let coefficients: Vec<_> = outputs.map(|k| self.body.output_of(k)).collect();
         let call = format!("{}({})", current.name(), coefficients.join(", "));
         match current {
@@ -152,15 +151,10 @@ impl Writer<'_> {
 
     /// Parts of the solution of a step, where they are read.
     fn bound(&self, step: Step, of: &str) -> Vec<String> {
-        let inputs = self.plan.program.inputs.iter().enumerate();
-        let read = inputs.filter_map(|(index, symbol)| {
-            let value = format!("{of}.{}", step.part(symbol)?);
-            Some((self.words.language.declare)(
-                self.body.input_name(index),
-                &value,
-            ))
-        });
-        read.collect()
+        let declare = |(index, part): (usize, &str)| {
+            (self.words.language.declare)(self.body.input_name(index), &format!("{of}.{part}"))
+        };
+        self.plan.inputs_of(step).map(declare).collect()
     }
 }
 
