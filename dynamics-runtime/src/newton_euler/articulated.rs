@@ -6,12 +6,13 @@
 
 use core::ops::Add;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector3, Vector6};
 
-use super::NumericArm;
+use super::base::twist;
 use super::inertia::{Inertia, Wrench};
 use super::joint::Joint;
 use super::walk::Place;
+use super::{NumericArm, Placed};
 use crate::size::Size;
 use crate::{JointType, SingularMassMatrix};
 
@@ -165,43 +166,59 @@ impl Articulated {
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`, by articulated bodies: the time grows
-    /// with the number of joints, and not with its cube. `tau` in N m or N.
-    ///
-    /// # Errors
-    ///
-    /// [`SingularMassMatrix`] where M is not positive definite to working precision, or holds a
-    /// NaN.
-    pub fn forward_dynamics_aba(
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    pub(crate) fn forward_dynamics_aba(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        tau: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix> {
-        if self.count > self.dof() {
+        qd: &V::Vector,
+        tau: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix> {
+        let arm = self.arm;
+        if arm.count > arm.size.value() {
             // Articulated bodies are of joints that move by themselves.
             return self.forward_dynamics(q, qd, tau);
         }
-        let available = tau.clone() - self.joint_forces(q, qd);
-        self.at(q, |joints| self.articulated_bodies(joints, qd, &available))
+        let available = tau.clone() - arm.joint_forces(q, qd);
+        let accelerations = arm.at(q, |joints| self.articulated_bodies(joints, qd, &available));
+        accelerations.map_err(|error| self.named(error))
     }
 
-    /// The accelerations that these torques give the joints where they are so.
+    /// The accelerations that these forces give the base and the joints where they are so.
     #[inline(always)]
     fn articulated_bodies(
         &self,
         joints: &D::Links<Joint>,
-        qd: &D::Vector,
-        available: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix> {
-        let still = Vector3::zeros();
-        self.accelerations(joints, qd, available, &still, |_| {
+        qd: &V::Vector,
+        available: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix> {
+        let (arm, gravity) = (self.arm, self.base.gravity);
+        let Some(body) = arm.body() else {
+            let still = Vector3::zeros();
+            return arm.accelerations(joints, qd, available, &still, |_| {
+                Ok(Acceleration {
+                    angular: still,
+                    linear: -gravity,
+                })
+            });
+        };
+        let [linear, angular] = twist(qd);
+        let mut of_base = Vector6::zeros();
+        let mut accelerations = arm.accelerations(joints, qd, available, &angular, |links| {
+            let own = body.held(&angular);
+            let whole = links.map_or(own, |links| links + own);
+            of_base = whole.free(&Vector6::from_fn(|i, _| available[i]))?;
             Ok(Acceleration {
-                angular: still,
-                linear: -self.gravity,
+                linear: of_base.fixed_rows::<3>(0).into_owned(),
+                angular: of_base.fixed_rows::<3>(3).into_owned(),
             })
-        })
+        })?;
+        // a = dv/dt + w x v - g.
+        let apart = gravity - angular.cross(&linear);
+        for i in 0..3 {
+            accelerations[i] = of_base[i] + apart[i];
+            accelerations[3 + i] = of_base[3 + i];
+        }
+        Ok(accelerations)
     }
 }
 
@@ -209,7 +226,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
     /// The accelerations that these torques give the joints, on a base with this angular velocity. `base` is given what the
     /// base carries, if it moves and carries links, and says how it accelerates against gravity.
     #[inline(always)]
-    pub(super) fn accelerations(
+    fn accelerations(
         &self,
         joints: &D::Links<Joint>,
         qd: &V::Vector,
