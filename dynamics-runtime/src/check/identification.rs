@@ -75,7 +75,7 @@ pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
     let rest = DVector::zeros(freedoms);
     let regressor = |state: &SizedState<Dyn>| -> Option<Vec<f64>> {
         robot
-            .values_on(&Pose::identity(), state, &rest)
+            .values(&Pose::identity(), state, &rest)
             .get("regressor")
     };
     let first = state(&mut random);

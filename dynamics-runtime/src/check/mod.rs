@@ -205,12 +205,12 @@ impl Check {
                     report.record(of, &deviation, tolerance, label, (moving, state));
                 });
             };
-            compare(None, robot.values_on(base, state, &tau));
-            robot.values_of_parts_on(base, state, &tau, &mut |method, parts| {
+            compare(None, robot.values(base, state, &tau));
+            robot.values_of_parts(base, state, &tau, &mut |method, parts| {
                 compare(Some(method), parts)
             });
             if is_certified {
-                let certified = robot.certified_values_on(base, state, &tau);
+                let certified = robot.certified_values(base, state, &tau);
                 let certified = by_residuals(certified, state, &tau);
                 for_deviations(&certified, &mut at, |frame, deviation| {
                     report.note_rounding(frame, &deviation);
