@@ -89,7 +89,7 @@ pub struct Arguments<const N: usize, T: Scalar, const V: usize = N> {
     pub order: usize,
 }
 
-/// Those of a robot on a base that moves.
+/// The arguments of a robot on a base that moves.
 #[doc(hidden)]
 pub type FloatingArguments<const N: usize, const V: usize, T> = Arguments<N, T, V>;
 

@@ -6,30 +6,31 @@
 
 use core::ops::Add;
 
-use nalgebra::{Matrix3, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use super::base::twist;
 use super::inertia::{Inertia, Wrench};
 use super::joint::Joint;
 use super::walk::Place;
 use super::{NumericArm, Placed};
+use crate::factorisation::{factor, substitute};
 use crate::size::Size;
 use crate::{JointType, SingularMassMatrix};
 
 /// Angular acceleration, and linear acceleration of a frame's origin.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Acceleration {
-    pub(super) angular: Vector3<f64>,
-    pub(super) linear: Vector3<f64>,
+struct Acceleration {
+    angular: Vector3<f64>,
+    linear: Vector3<f64>,
 }
 
 /// The wrench that moves a body whose joints further out are free:
 /// `n = A angular + B linear`, `f = B^T angular + D linear`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Articulated {
-    pub(super) a: Matrix3<f64>,
-    pub(super) b: Matrix3<f64>,
-    pub(super) d: Matrix3<f64>,
+struct Articulated {
+    a: Matrix3<f64>,
+    b: Matrix3<f64>,
+    d: Matrix3<f64>,
 }
 
 /// The acceleration that velocities add to that of the link before, and the wrench that the link needs for them:
@@ -61,10 +62,10 @@ struct Pass {
 
 /// A link and all beyond it: with the joints further out free, and as one rigid body, and the wrench that it needs.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Beyond {
-    pub(super) body: Articulated,
-    pub(super) composite: Inertia,
-    pub(super) needed: Wrench,
+struct Beyond {
+    body: Articulated,
+    composite: Inertia,
+    needed: Wrench,
 }
 
 impl Add for Beyond {
@@ -81,6 +82,39 @@ impl Add for Beyond {
             composite: self.composite + other.composite,
             needed: self.needed + other.needed,
         }
+    }
+}
+
+impl Beyond {
+    /// The body of a base, and the wrench that it needs for its angular velocity.
+    fn held(inertia: &Inertia, angular: &Vector3<f64>) -> Beyond {
+        let body = Articulated::rigid(inertia);
+        Beyond {
+            body,
+            composite: *inertia,
+            needed: Wrench {
+                force: angular.cross(&angular.cross(&inertia.first_moment)),
+                moment: angular.cross(&(body.a * angular)),
+            },
+        }
+    }
+
+    /// Linear and angular acceleration of a base that carries this, under a force and a moment: those of a body whose joints
+    /// are free (Featherstone 2008, table 9.4). Pivots are measured by the entries of the composite body, as those of M are.
+    fn free(&self, applied: &Vector6<f64>) -> Result<Vector6<f64>, SingularMassMatrix> {
+        let Articulated { a, b, d } = &self.body;
+        let mut inertia = Matrix6::zeros();
+        inertia.fixed_view_mut::<3, 3>(0, 0).copy_from(d);
+        inertia.fixed_view_mut::<3, 3>(3, 0).copy_from(b);
+        inertia
+            .fixed_view_mut::<3, 3>(0, 3)
+            .copy_from(&b.transpose());
+        inertia.fixed_view_mut::<3, 3>(3, 3).copy_from(a);
+        let mut pivots = self.composite.matrix().diagonal();
+        factor(6, &mut inertia, &mut pivots)?;
+        let mut acceleration = applied - Vector6::from(self.needed.entries());
+        substitute(6, &inertia, &pivots, &mut acceleration);
+        Ok(acceleration)
     }
 }
 
@@ -115,7 +149,7 @@ impl Acceleration {
 
 impl Articulated {
     /// A rigid body: A = J, B = [h]x, D = m 1.
-    pub(super) fn rigid(inertia: &Inertia) -> Self {
+    fn rigid(inertia: &Inertia) -> Self {
         let s = &inertia.second_moment;
         Articulated {
             a: Matrix3::from_diagonal_element(s.trace()) - s,
@@ -204,7 +238,7 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
         let [linear, angular] = twist(qd);
         let mut of_base = Vector6::zeros();
         let mut accelerations = arm.accelerations(joints, qd, available, &angular, |links| {
-            let own = body.held(&angular);
+            let own = Beyond::held(&body.inertia, &angular);
             let whole = links.map_or(own, |links| links + own);
             of_base = whole.free(&Vector6::from_fn(|i, _| available[i]))?;
             Ok(Acceleration {

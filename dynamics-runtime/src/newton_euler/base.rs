@@ -5,12 +5,10 @@
 
 use core::ops::IndexMut;
 
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3};
 
-use super::articulated::{Articulated, Beyond};
 use super::inertia::{Inertia, Wrench, tensor};
 use super::pose::Pose;
-use crate::factorisation::{factor, substitute};
 use crate::{Row, SingularMassMatrix};
 
 /// Where a base is.
@@ -58,21 +56,6 @@ impl From<&Row> for Body {
     }
 }
 
-impl Body {
-    /// The body, and the wrench that it needs for its angular velocity.
-    pub(super) fn held(&self, angular: &Vector3<f64>) -> Beyond {
-        let body = Articulated::rigid(&self.inertia);
-        Beyond {
-            body,
-            composite: self.inertia,
-            needed: Wrench {
-                force: angular.cross(&angular.cross(&self.inertia.first_moment)),
-                moment: angular.cross(&(body.a * angular)),
-            },
-        }
-    }
-}
-
 impl Inertia {
     /// The momenta of unit velocities, linear parts first: `[m 1, -[h]x; [h]x, J]` with `J = tr(S) 1 - S`.
     pub(super) fn matrix(&self) -> Matrix6<f64> {
@@ -91,26 +74,6 @@ impl Wrench {
     pub(super) fn set(&self, forces: &mut impl IndexMut<usize, Output = f64>) {
         let entries = self.entries().into_iter().enumerate();
         entries.for_each(|(i, entry)| forces[i] = entry);
-    }
-}
-
-impl Beyond {
-    /// Linear and angular acceleration of a base that carries this, under a force and a moment: those of a body whose joints
-    /// are free (Featherstone 2008, table 9.4). Pivots are measured by the entries of the composite body, as those of M are.
-    pub(super) fn free(&self, applied: &Vector6<f64>) -> Result<Vector6<f64>, SingularMassMatrix> {
-        let Articulated { a, b, d } = &self.body;
-        let mut inertia = Matrix6::zeros();
-        inertia.fixed_view_mut::<3, 3>(0, 0).copy_from(d);
-        inertia.fixed_view_mut::<3, 3>(3, 0).copy_from(b);
-        inertia
-            .fixed_view_mut::<3, 3>(0, 3)
-            .copy_from(&b.transpose());
-        inertia.fixed_view_mut::<3, 3>(3, 3).copy_from(a);
-        let mut pivots = self.composite.matrix().diagonal();
-        factor(6, &mut inertia, &mut pivots)?;
-        let mut acceleration = applied - Vector6::from(self.needed.entries());
-        substitute(6, &inertia, &pivots, &mut acceleration);
-        Ok(acceleration)
     }
 }
 

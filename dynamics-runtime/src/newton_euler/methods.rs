@@ -29,7 +29,7 @@ macro_rules! of_arm {
     };
 }
 
-/// Methods of a robot on a base that moves. Those that do not read where it is are computed at any place.
+/// Methods of a robot on a base that moves. If a method does not read where it is, any place will do.
 macro_rules! of_floating {
     (
         plain { $($(#[$text:meta])* fn $plain:ident($($x:ident: $kind:ty),*) -> $value:ty;)* }
@@ -67,8 +67,8 @@ macro_rules! methods {
 
                 /// Coriolis matrix C(q, qd), so that V = C qd and Mdot - 2 C is skew.
                 ///
-                /// That of an arm has the Christoffel symbols of the first kind. On a base that moves there are none: the six
-                /// numbers of the base are the rates of no coordinates.
+                /// The matrix of an arm has the Christoffel symbols of the first kind. On a base that moves there are none: the
+                /// six numbers of the base are the rates of no coordinates.
                 fn coriolis_matrix(q: &D::Vector, qd: &$V::Vector) -> $V::Matrix;
 
                 /// Friction torques F(qd), zero for the numbers of a base.

@@ -250,7 +250,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
     ) -> ((V::Vector, V::Vector), [Vector; 2]) {
         let joints = self.joints(q);
         let base = if self.floats() {
-            FrameJets::moving(rates.map(|rate| twist(rate)), gravity)
+            FrameJets::moving(rates.map(twist), gravity)
         } else {
             FrameJets::at_rest(gravity)
         };

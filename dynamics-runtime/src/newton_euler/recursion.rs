@@ -159,7 +159,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         gravity: &Vector3<f64>,
     ) -> FrameMotion {
         if self.floats() {
-            FrameMotion::moving(motion.map(|rates| twist(rates)), gravity)
+            FrameMotion::moving(motion.map(twist), gravity)
         } else {
             FrameMotion::base(gravity)
         }
