@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
+use dynamics_runtime::Cycloidal;
 use dynamics_runtime::check::Checked;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Vector1};
-use dynamics_runtime::simulation::{OnBase, SizedModel, SizedTrajectory};
+use dynamics_runtime::simulation::{SizedModel, SizedTrajectory, Stand};
 use dynamics_runtime::table::RuntimeTable;
-use dynamics_runtime::{Cycloidal, Pose};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
@@ -77,7 +77,7 @@ fn on_base(robot: &RuntimeRobot, given: &ArgMatches) -> Result<String, Failure> 
 /// The columns of a robot of which there are no energies.
 struct Columns<'a>(&'a RuntimeRobot);
 
-impl SizedModel<Dyn> for Columns<'_> {
+impl<K: Stand<Joints = Dyn, Freedoms = Dyn>> SizedModel<K> for Columns<'_> {
     fn sized_table(&self) -> RuntimeTable {
         self.0.runtime_table()
     }
@@ -86,21 +86,7 @@ impl SizedModel<Dyn> for Columns<'_> {
         Checked::names(self.0)
     }
 
-    fn sized_energies(&self, _: &DVector<f64>, _: &DVector<f64>) -> Option<[f64; 2]> {
-        None
-    }
-}
-
-impl SizedModel<OnBase<Dyn, Dyn>> for Columns<'_> {
-    fn sized_table(&self) -> RuntimeTable {
-        self.0.runtime_table()
-    }
-
-    fn names(&self) -> Vec<String> {
-        Checked::names(self.0)
-    }
-
-    fn sized_energies(&self, _: (&Pose<f64>, &DVector<f64>), _: &DVector<f64>) -> Option<[f64; 2]> {
+    fn sized_energies(&self, _: K::Place<'_>, _: &DVector<f64>) -> Option<[f64; 2]> {
         None
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::DVector;
-use dynamics_runtime::simulation::{Cause, DormandPrince};
+use dynamics_runtime::simulation::{Cause, DormandPrince, SizedModel, Stand};
 use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
@@ -55,6 +55,18 @@ fn number(given: &ArgMatches, name: &str) -> f64 {
     given.get_one::<f64>(name).copied().unwrap_or(1.0)
 }
 
+/// A simulation with the settings of the command line.
+fn planned<'a, R: SizedModel<K>, L, W, S, K: Stand>(
+    simulation: Simulation<'a, R, L, K, W, S>,
+    given: &ArgMatches,
+) -> Simulation<'a, R, L, K, W, S> {
+    simulation
+        .method(DormandPrince::with_tolerance(number(given, "tolerance")))
+        .friction(Friction::Sticking)
+        .duration(number(given, "duration"))
+        .samples(count(given, "samples"))
+}
+
 fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<String, Failure> {
     let arm_in_motion = arm.dynamics()?;
     let duration = number(given, "duration");
@@ -64,17 +76,15 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Strin
             progress.done((t / duration * STEPS as f64) as usize);
             start.torque.clone()
         })
-        .method(DormandPrince::with_tolerance(number(given, "tolerance")))
-        .friction(Friction::Sticking)
-        .initial(start.q.clone(), start.velocity.clone())
-        .duration(duration)
-        .samples(count(given, "samples"))
-        .run()
-        .map_err(|error| {
-            let reached = error.trajectory.t.last().copied();
-            let end = (error.time, reached.unwrap_or(0.0));
-            failed(explanation(&error, error.cause, end, duration))
-        })?;
+        .initial(start.q.clone(), start.velocity.clone());
+    let motion = planned(motion, given).run().map_err(|error| {
+        stopped(
+            &error,
+            error.cause,
+            (error.time, &error.trajectory.t),
+            given,
+        )
+    })?;
     let text = written(&motion, &arm_in_motion)?;
     plot::put(given, || {
         motion.figure(&arm_in_motion).title(&arm.robot().name)
@@ -96,17 +106,15 @@ fn motion_on_base(
             progress.done((t / duration * STEPS as f64) as usize);
             start.torque.clone()
         })
-        .method(DormandPrince::with_tolerance(number(given, "tolerance")))
-        .friction(Friction::Sticking)
-        .initial(pose(given)?, start.q.clone(), start.velocity.clone())
-        .duration(duration)
-        .samples(count(given, "samples"))
-        .run()
-        .map_err(|error| {
-            let reached = error.trajectory.t.last().copied();
-            let end = (error.time, reached.unwrap_or(0.0));
-            failed(explanation(&error, error.cause, end, duration))
-        })?;
+        .initial(pose(given)?, start.q.clone(), start.velocity.clone());
+    let motion = planned(motion, given).run().map_err(|error| {
+        stopped(
+            &error,
+            error.cause,
+            (error.time, &error.trajectory.t),
+            given,
+        )
+    })?;
     let energies = motion.energies(&in_motion);
     if let Some(k) = energies.iter().position(|energy| !energy.is_finite()) {
         return Err(failed(too_large("energy", motion.t[k])));
@@ -123,15 +131,16 @@ fn failed(reason: String) -> Failure {
     Failure::after(String::new(), reason)
 }
 
-/// The reason why a motion of so many seconds was not followed to its end, and the option to blame.
-fn explanation(
+/// The failure of a motion that was not followed to its end, and the option to blame. It reached a time, after samples at others.
+fn stopped(
     error: &dyn Display,
     cause: Cause,
-    (time, reached): (f64, f64),
-    duration: f64,
-) -> String {
+    (time, samples): (f64, &[f64]),
+    given: &ArgMatches,
+) -> Failure {
+    let duration = number(given, "duration");
     let lost = 16.0 * f64::EPSILON * duration;
-    match cause {
+    failed(match cause {
         Cause::StepTooSmall if lost > SHORT => format!(
             "`--duration {}`: beside so long a time steps below {lost:.0e} s are lost in rounding, and the motion at \
              t = {} s needs shorter ones: give a shorter time",
@@ -140,7 +149,7 @@ fn explanation(
         ),
         Cause::TooManySteps => {
             let most = DormandPrince::default().max_steps as f64;
-            let step = (time - reached) / most;
+            let step = (time - samples.last().unwrap_or(&0.0)) / most;
             format!(
                 "`--duration {}`: the motion needs steps of {step:.0e} s at t = {} s, some {:.0e} up to the end, \
                  and {most:.0e} between two samples are the most: give a shorter time, a larger `--tolerance` or more \
@@ -151,7 +160,7 @@ fn explanation(
             )
         }
         _ => error.to_string(),
-    }
+    })
 }
 
 /// Steps of arms are longer, s, unless something is wrong with the motion.

@@ -20,37 +20,11 @@ impl Checked for RuntimeRobot {
         self.table()
     }
 
-    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
-        self.values_on(&Pose::identity(), state, tau)
-    }
-
-    fn certified_values(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation<Certified> {
-        self.certified_values_on(&Pose::identity(), state, tau)
-    }
-
-    fn values_of_parts(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        self.values_of_parts_on(&Pose::identity(), state, tau, found);
-    }
-
-    fn values_on(
-        &self,
-        base: &Pose<f64>,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation {
+    fn values(&self, base: &Pose<f64>, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
         self.evaluation(arguments(base, state, tau), &state.qd, |x| x)
     }
 
-    fn certified_values_on(
+    fn certified_values(
         &self,
         base: &Pose<f64>,
         state: &SizedState<Dyn>,
@@ -60,7 +34,7 @@ impl Checked for RuntimeRobot {
     }
 
     /// Each method by its own program.
-    fn values_of_parts_on(
+    fn values_of_parts(
         &self,
         base: &Pose<f64>,
         state: &SizedState<Dyn>,

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::{
     Dual, Pose, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
-    simulation::{EquationsOfMotion, FloatingEquations, OnBase, Responses, SizedModel},
+    simulation::{EquationsOfMotion, OnBase, Responses, SizedModel},
     table::RuntimeTable,
 };
 use dynamics_symbolic::Function;
@@ -228,15 +228,14 @@ impl<K: Stands> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
     }
 }
 
-impl FloatingEquations<Dyn, Dyn> for RuntimeDynamics<'_, Moves> {
-    fn freedoms(&self) -> Dyn {
+impl EquationsOfMotion<OnBase<Dyn, Dyn>> for RuntimeDynamics<'_, Moves> {
+    fn size(&self) -> Dyn {
         Dyn(self.arm.dof())
     }
 
-    fn accelerations_on(
+    fn accelerations(
         &self,
-        base: &Pose<f64>,
-        q: &DVector<f64>,
+        (base, q): (&Pose<f64>, &DVector<f64>),
         v: &DVector<f64>,
         tau: &DVector<f64>,
     ) -> Result<DVector<f64>, SingularMassMatrix> {
@@ -245,10 +244,9 @@ impl FloatingEquations<Dyn, Dyn> for RuntimeDynamics<'_, Moves> {
         Ok(self.at(Function::ForwardDynamics, &arguments)?.into())
     }
 
-    fn responses_on(
+    fn accelerations_and_responses(
         &self,
-        base: &Pose<f64>,
-        q: &DVector<f64>,
+        (base, q): (&Pose<f64>, &DVector<f64>),
         v: &DVector<f64>,
         tau: &DVector<f64>,
         freedoms: &Vec<bool>,

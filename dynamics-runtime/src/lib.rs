@@ -70,7 +70,6 @@ pub mod simulation;
 mod sine;
 mod singular;
 mod size;
-#[cfg(feature = "std")]
 mod stand;
 mod state;
 pub mod table;

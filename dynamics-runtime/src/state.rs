@@ -70,6 +70,18 @@ pub struct FloatingState<const N: usize, const V: usize> {
     pub a: SVector<f64, V>,
 }
 
+/// A state on a base that stands in the world's axes.
+impl<const N: usize> From<State<N>> for FloatingState<N, N> {
+    fn from(State { q, qd, qdd }: State<N>) -> Self {
+        FloatingState {
+            base: Pose::identity(),
+            q,
+            v: qd,
+            a: qdd,
+        }
+    }
+}
+
 #[cfg(feature = "std")]
 impl<const N: usize, const V: usize> FloatingState<N, V> {
     /// Its velocities and accelerations as those of a state, which makes further arguments of functions of them.

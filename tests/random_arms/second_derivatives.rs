@@ -8,7 +8,7 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 use robot_dynamics::nalgebra::{DVector, Dyn, SMatrix, SVector};
 use robot_dynamics::{
-    DoubleDouble, SecondDerivatives, SizedState, State, check::Checked as _, table::JointType,
+    DoubleDouble, Pose, SecondDerivatives, SizedState, State, check::Checked as _, table::JointType,
 };
 use testkit::exact::Exact;
 use testkit::random::Random;
@@ -78,7 +78,7 @@ fn largest_error<const N: usize>(arm: &RuntimeRobot, states: usize) -> f64 {
     for _ in 0..states {
         let state: State<N> = state(&mut random);
         let sized = of_any_size(&state);
-        let found = arm.values(&sized, &DVector::zeros(N));
+        let found = arm.values(&Pose::identity(), &sized, &DVector::zeros(N));
         let found: Option<SecondDerivatives<f64, N>> =
             found.get("inverse_dynamics_second_derivatives");
         let found = four(&found.expect("asked for"));

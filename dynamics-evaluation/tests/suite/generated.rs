@@ -4,7 +4,7 @@ use arms::decimal;
 use dynamics_evaluation::{RuntimeDynamics, RuntimeRobot};
 use dynamics_runtime::nalgebra::{DVector, Dyn, SVector, Vector3, Vector6};
 use dynamics_runtime::{
-    Friction, Method, Simulation, SizedState, State,
+    Friction, Method, Pose, Simulation, SizedState, State,
     check::{Checked, Evaluate, Evaluation},
     robot_dynamics,
     simulation::DormandPrince,
@@ -225,7 +225,7 @@ fn every_value_is_that_of_generated_code() {
             let (state, tau) = state(number);
             let expected = scene.evaluate(&state, &tau);
             let (sized, forces) = of_any_size(&state, &tau);
-            let found = arm.values(&sized, &forces);
+            let found = arm.values(&Pose::identity(), &sized, &forces);
             assert_eq!(
                 format!("{found:?}"),
                 format!("{expected:?}"),
@@ -234,7 +234,7 @@ fn every_value_is_that_of_generated_code() {
             assert_eq!(
                 parts(&tau, |tau, found| {
                     let (state, tau) = of_any_size(&state, tau);
-                    arm.values_of_parts(&state, &tau, found);
+                    arm.values_of_parts(&Pose::identity(), &state, &tau, found);
                 }),
                 parts(&tau, |tau, found| scene.evaluate_parts(&state, tau, found)),
                 "state {number}"

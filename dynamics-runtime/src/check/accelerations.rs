@@ -66,7 +66,7 @@ pub(super) fn accelerations<T: Measured>(at: &At<'_>, found: &[T]) -> Option<Vec
     let Some([qdd]) = matrices(found, [(at.freedoms(), 1)]) else {
         return unreadable();
     };
-    let bias = at.bias_force();
+    let bias = at.robot.bias_force(at.q, at.qd);
     let residual = of::<T>(&at.mass_matrix) * &qdd + of_vector(&bias) - of_vector(at.tau);
     let scale = at.scale.inverse_dynamics + at.scale.mass_matrix * amax(&qdd);
     Some(entries(residual, scale).collect())
@@ -84,7 +84,10 @@ pub(super) fn acceleration_derivatives<T: Measured>(
     let Some([by_position, by_velocity, by_force]) = matrices(found, [(n, n); 3]) else {
         return unreadable();
     };
-    let (scale, forces) = (&at.scale, at.inverse_dynamics_derivatives());
+    let (scale, forces) = (
+        &at.scale,
+        at.robot.inverse_dynamics_derivatives(at.q, at.qd, at.qdd),
+    );
     let condition = scale.mass_matrix * amax(&by_force);
     let residual = |derivative: &DMatrix<T>, forces: &DMatrix<f64>, size: f64| {
         let scale = size + scale.mass_matrix * amax(derivative);
@@ -134,9 +137,9 @@ pub(super) fn series_residuals<T: Measured>(at: &At<'_>, found: &[T]) -> Option<
     let scale = &at.scale;
     let (qdd, jerk) = (second * T::of(2.0), third * T::of(6.0));
     let doubles = DVector::from_iterator(at.freedoms(), qdd.iter().map(|x| x.double()));
-    let (by_position, by_velocity) = at.derivatives_at(&doubles);
+    let (by_position, by_velocity) = at.robot.inverse_dynamics_derivatives(at.q, at.qd, &doubles);
     let mass_matrix = of::<T>(&at.mass_matrix);
-    let bias = of_vector(&at.bias_force());
+    let bias = of_vector(&at.robot.bias_force(at.q, at.qd));
     let force = &mass_matrix * &qdd + bias - of_vector(at.tau);
     let rate =
         mass_matrix * &jerk + of_vector(&(by_position * at.qd)) + of::<T>(&by_velocity) * &qdd;

@@ -2,17 +2,16 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 
-use super::numeric::Numeric;
 use super::scale::Scale;
+use crate::newton_euler::Placed;
 use crate::table::{AsArm as _, Moving};
 use crate::{JointType, Pose, RuntimeTable, SizedState};
 
 /// A state at which functions are compared, and the magnitudes of their values there.
 pub(super) struct At<'a> {
-    pub(super) numeric: &'a Numeric,
+    /// The numeric algorithms.
+    pub(super) robot: Placed<'a, 'a, Dyn, Dyn>,
     pub(super) table: &'a RuntimeTable,
-    /// Where a base that moves stands.
-    pub(super) base: &'a Pose<f64>,
     pub(super) state: &'a SizedState<Dyn>,
     pub(super) q: &'a DVector<f64>,
     pub(super) qd: &'a DVector<f64>,
@@ -109,19 +108,18 @@ impl At<'_> {
 /// Numeric values that are put together.
 impl<'a> At<'a> {
     pub(super) fn new(
-        numeric: &'a Numeric,
+        robot: Placed<'a, 'a, Dyn, Dyn>,
         table: &'a RuntimeTable,
         (base, state): (&'a Pose<f64>, &'a SizedState<Dyn>),
         tau: &'a DVector<f64>,
     ) -> Self {
         let SizedState { q, qd, qdd } = state;
-        let mass_matrix = numeric.mass_matrix(q);
+        let mass_matrix = robot.mass_matrix(q);
         At {
             scale: Scale::new(table.arm(), &mass_matrix, base, state),
             datum: 0.0,
-            numeric,
+            robot,
             table,
-            base,
             state,
             q,
             qd,
@@ -141,24 +139,24 @@ impl<'a> At<'a> {
     /// The transform of the tip, or of the frame.
     pub(super) fn tip_pose(&self) -> Matrix4<f64> {
         match self.frame {
-            None => self.forward_kinematics(),
-            Some(frame) => self.frame_pose(frame),
+            None => self.robot.forward_kinematics(self.q),
+            Some(frame) => self.robot.frame_pose(frame, self.q),
         }
     }
 
     /// The Jacobian of the tip, or of the frame.
     pub(super) fn tip_jacobian(&self) -> Matrix6xX<f64> {
         match self.frame {
-            None => self.jacobian(),
-            Some(frame) => self.frame_jacobian(frame),
+            None => self.robot.jacobian(self.q),
+            Some(frame) => self.robot.frame_jacobian(frame, self.q),
         }
     }
 
     /// The rate of that Jacobian.
     pub(super) fn tip_jacobian_rate(&self) -> Matrix6xX<f64> {
         match self.frame {
-            None => self.jacobian_rate(),
-            Some(frame) => self.frame_jacobian_rate(frame),
+            None => self.robot.jacobian_rate(self.q, self.qd),
+            Some(frame) => self.robot.frame_jacobian_rate(frame, self.q, self.qd),
         }
     }
 
@@ -170,7 +168,7 @@ impl<'a> At<'a> {
         let pairs = (0..size).flat_map(|j| (j + 1..size).map(move |k| (j, k)));
         let column = |(j, k)| {
             let both = self
-                .numeric
+                .robot
                 .coriolis_vector(self.q, &(self.unit(j) + self.unit(k)));
             both - squares.column(j) - squares.column(k)
         };
@@ -181,7 +179,7 @@ impl<'a> At<'a> {
     pub(super) fn centrifugal_coefficients(&self) -> DMatrix<f64> {
         let mut coefficients = DMatrix::zeros(self.freedoms(), self.freedoms());
         for j in 0..self.freedoms() {
-            let column = self.numeric.coriolis_vector(self.q, &self.unit(j));
+            let column = self.robot.coriolis_vector(self.q, &self.unit(j));
             coefficients.set_column(j, &column);
         }
         coefficients
@@ -194,20 +192,26 @@ impl<'a> At<'a> {
             moving.row.spring.energy(position)
         };
         let springs: f64 = self.table.arm().chain().map(energy).sum();
-        self.potential_energy() - springs
+        self.robot.potential_energy(self.q) - springs
     }
 
     /// K + F.
     pub(super) fn joint_forces(&self) -> DVector<f64> {
-        self.spring_vector() + self.friction_vector()
+        self.robot.spring_vector(self.q) + self.robot.friction_vector(self.qd)
     }
 
     /// M qdd_r + C qd_r + G for the reference motion of the state.
     pub(super) fn passivity(&self) -> DVector<f64> {
-        let coriolis = self.coriolis_matrix();
+        let coriolis = self.robot.coriolis_matrix(self.q, self.qd);
         &self.mass_matrix * self.state.reference_acceleration()
             + coriolis * self.state.reference_velocity()
-            + self.gravity_vector()
+            + self.robot.gravity_vector(self.q)
+    }
+
+    /// First and second derivative of the forces along the motion.
+    pub(super) fn rates(&self) -> (DVector<f64>, DVector<f64>) {
+        let (jerk, snap) = (self.state.jerk(), self.state.snap());
+        (self.robot).inverse_dynamics_rates(self.q, self.qd, self.qdd, &jerk, &snap)
     }
 
     fn unit(&self, joint: usize) -> DVector<f64> {

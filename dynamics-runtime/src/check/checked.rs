@@ -14,62 +14,30 @@ pub trait Checked {
     /// The table as numbers.
     fn runtime_table(&self) -> RuntimeTable;
 
-    /// As [`Evaluate::evaluate`].
-    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation;
+    /// As [`Evaluate::evaluate`]; as [`FloatingEvaluate::evaluate`] for a robot whose base moves and stands there: `qd`, `qdd`
+    /// and `tau` have the six numbers of the base first.
+    fn values(&self, base: &Pose<f64>, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation;
 
     /// The same with bounds of the rounding errors; by default, no function has a value.
     fn certified_values(
         &self,
+        base: &Pose<f64>,
         state: &SizedState<Dyn>,
         tau: &DVector<f64>,
     ) -> Evaluation<Certified> {
-        let _ = (state, tau);
+        let _ = (base, state, tau);
         Evaluation::default()
     }
 
-    /// As [`Evaluate::evaluate_parts`].
+    /// As [`Evaluate::evaluate_parts`] and [`FloatingEvaluate::evaluate_parts`].
     fn values_of_parts(
         &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        let _ = (state, tau, found);
-    }
-
-    /// As [`FloatingEvaluate::evaluate`] for a robot whose base moves and stands there: `qd`, `qdd` and `tau` have the six
-    /// numbers of the base first. By default, [`values`](Checked::values).
-    fn values_on(
-        &self,
-        base: &Pose<f64>,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation {
-        let _ = base;
-        self.values(state, tau)
-    }
-
-    /// The same with bounds of the rounding errors; by default, [`certified_values`](Checked::certified_values).
-    fn certified_values_on(
-        &self,
-        base: &Pose<f64>,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation<Certified> {
-        let _ = base;
-        self.certified_values(state, tau)
-    }
-
-    /// As [`FloatingEvaluate::evaluate_parts`]; by default, [`values_of_parts`](Checked::values_of_parts).
-    fn values_of_parts_on(
-        &self,
         base: &Pose<f64>,
         state: &SizedState<Dyn>,
         tau: &DVector<f64>,
         found: &mut dyn FnMut(&str, Evaluation),
     ) {
-        let _ = base;
-        self.values_of_parts(state, tau, found);
+        let _ = (base, state, tau, found);
     }
 }
 
@@ -91,72 +59,22 @@ pub enum StandingRobot<const N: usize> {}
 #[derive(Debug)]
 pub enum FloatingRobot<const N: usize, const V: usize> {}
 
-impl<R: Evaluate<N>, const N: usize> Checkable<StandingRobot<N>> for R {
-    fn checked(&self) -> Box<dyn Checked + '_> {
-        Box::new(OfSize(self))
-    }
-}
-
-impl<R: FloatingEvaluate<N, V>, const N: usize, const V: usize> Checkable<FloatingRobot<N, V>>
-    for R
-{
-    fn checked(&self) -> Box<dyn Checked + '_> {
-        Box::new(Floating(self))
-    }
-}
-
-/// A robot whose number of joints the compiler knows.
-struct OfSize<'a, R, const N: usize>(&'a R);
-
 fn fixed<const N: usize>(vector: &DVector<f64>) -> SVector<f64, N> {
     SVector::from_column_slice(vector.as_slice())
 }
 
-fn fixed_state<const N: usize>(state: &SizedState<Dyn>) -> State<N> {
+fn standing<const N: usize>(
+    _: &Pose<f64>,
+    SizedState { q, qd, qdd }: &SizedState<Dyn>,
+) -> State<N> {
     State {
-        q: fixed(&state.q),
-        qd: fixed(&state.qd),
-        qdd: fixed(&state.qdd),
+        q: fixed(q),
+        qd: fixed(qd),
+        qdd: fixed(qdd),
     }
 }
 
-impl<R: Evaluate<N>, const N: usize> Checked for OfSize<'_, R, N> {
-    fn names(&self) -> Vec<String> {
-        self.0.joint_names().map(String::from).to_vec()
-    }
-
-    fn runtime_table(&self) -> RuntimeTable {
-        (&self.0.table()).into()
-    }
-
-    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
-        self.0.evaluate(&fixed_state(state), &fixed(tau))
-    }
-
-    fn certified_values(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation<Certified> {
-        self.0
-            .evaluate_in(&fixed_state(state), &fixed(tau), Certified::exact)
-    }
-
-    fn values_of_parts(
-        &self,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        self.0
-            .evaluate_parts(&fixed_state(state), &fixed(tau), found);
-    }
-}
-
-/// A robot on a base that moves.
-struct Floating<'a, R, const N: usize, const V: usize>(&'a R);
-
-fn on_base<const N: usize, const V: usize>(
+fn floating<const N: usize, const V: usize>(
     base: &Pose<f64>,
     SizedState { q, qd, qdd }: &SizedState<Dyn>,
 ) -> FloatingState<N, V> {
@@ -168,46 +86,57 @@ fn on_base<const N: usize, const V: usize>(
     }
 }
 
-impl<R: FloatingEvaluate<N, V>, const N: usize, const V: usize> Checked for Floating<'_, R, N, V> {
-    fn names(&self) -> Vec<String> {
-        self.0.joint_names().map(String::from).to_vec()
-    }
+/// Robots of a kind, the numbers of whose joints and velocities the compiler knows: `$state` makes their states.
+macro_rules! checkable {
+    ($kind:ident, $evaluate:ident<$($size:ident),+>, $robot:ident, $state:ident) => {
+        struct $robot<'a, R, $(const $size: usize),+>(&'a R);
 
-    fn runtime_table(&self) -> RuntimeTable {
-        (&self.0.table()).into()
-    }
+        impl<R: $evaluate<$($size),+>, $(const $size: usize),+> Checkable<$kind<$($size),+>> for R {
+            fn checked(&self) -> Box<dyn Checked + '_> {
+                Box::new($robot(self))
+            }
+        }
 
-    fn values(&self, state: &SizedState<Dyn>, tau: &DVector<f64>) -> Evaluation {
-        self.values_on(&Pose::identity(), state, tau)
-    }
+        impl<R: $evaluate<$($size),+>, $(const $size: usize),+> Checked for $robot<'_, R, $($size),+> {
+            fn names(&self) -> Vec<String> {
+                self.0.joint_names().map(String::from).to_vec()
+            }
 
-    fn values_on(
-        &self,
-        base: &Pose<f64>,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation {
-        self.0.evaluate(&on_base(base, state), &fixed(tau))
-    }
+            fn runtime_table(&self) -> RuntimeTable {
+                (&self.0.table()).into()
+            }
 
-    fn certified_values_on(
-        &self,
-        base: &Pose<f64>,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-    ) -> Evaluation<Certified> {
-        self.0
-            .evaluate_in(&on_base(base, state), &fixed(tau), Certified::exact)
-    }
+            fn values(
+                &self,
+                base: &Pose<f64>,
+                state: &SizedState<Dyn>,
+                tau: &DVector<f64>,
+            ) -> Evaluation {
+                self.0.evaluate(&$state(base, state), &fixed(tau))
+            }
 
-    fn values_of_parts_on(
-        &self,
-        base: &Pose<f64>,
-        state: &SizedState<Dyn>,
-        tau: &DVector<f64>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        self.0
-            .evaluate_parts(&on_base(base, state), &fixed(tau), found);
-    }
+            fn certified_values(
+                &self,
+                base: &Pose<f64>,
+                state: &SizedState<Dyn>,
+                tau: &DVector<f64>,
+            ) -> Evaluation<Certified> {
+                let state = $state(base, state);
+                self.0.evaluate_in(&state, &fixed(tau), Certified::exact)
+            }
+
+            fn values_of_parts(
+                &self,
+                base: &Pose<f64>,
+                state: &SizedState<Dyn>,
+                tau: &DVector<f64>,
+                found: &mut dyn FnMut(&str, Evaluation),
+            ) {
+                self.0.evaluate_parts(&$state(base, state), &fixed(tau), found);
+            }
+        }
+    };
 }
+
+checkable!(StandingRobot, Evaluate<N>, Standing, standing);
+checkable!(FloatingRobot, FloatingEvaluate<N, V>, Floating, floating);

@@ -4,12 +4,11 @@ use nalgebra::{DVector, SVector};
 
 use super::at::At;
 use super::functions::{Row, Rule};
-use super::numeric::Numeric;
 use crate::check::{Check, Evaluation, FloatingEvaluate, Report};
 use crate::test_arms::{floating_table, random_pose, random_state};
 use crate::{
-    Convention, FloatingNewtonEuler, FloatingState, Model, RuntimeTable, SizedState, Table,
-    check_against_rnea,
+    Convention, FloatingNewtonEuler, FloatingState, Model, NumericArm, RuntimeTable, SizedState,
+    Table, check_against_rnea,
 };
 
 type Robot = FloatingNewtonEuler<5, 11>;
@@ -158,8 +157,14 @@ fn every_number_is_compared() {
         qd: vector(state.v.as_slice()),
         qdd: vector(state.a.as_slice()),
     };
-    let (numeric, forces) = (Numeric::new(&table), vector(tau.as_slice()));
-    let mut at = At::new(&numeric, &table, (&state.base, &sized), &forces);
+    let (numeric, forces) = (NumericArm::on_any_base(&table), vector(tau.as_slice()));
+    let footing = numeric.footing(&state.base);
+    let mut at = At::new(
+        numeric.placed(&footing),
+        &table,
+        (&state.base, &sized),
+        &forces,
+    );
     let mut check = |values: &Evaluation, at_foot: bool, name: &str| {
         at.frame = at_foot.then_some(1);
         let row = Row::<f64>::ALL.iter().find(|row| row.name == name);

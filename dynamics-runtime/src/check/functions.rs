@@ -49,27 +49,27 @@ macro_rules! table {
 
 table! { at, k;
     mass_matrix: beside(at.mass_matrix.clone(), at.joint(k, at.scale.mass_matrix)),
-    coriolis_vector: beside(at.coriolis_vector(), at.joint(k, at.scale.coriolis_vector)),
-    gravity_vector: beside(at.gravity_vector(), at.joint(k, at.scale.gravity_vector)),
-    friction_vector: beside(at.friction_vector(), at.joint(k, at.scale.friction_vector)),
-    spring_vector: beside(at.spring_vector(), at.joint(k, at.scale.spring_vector)),
+    coriolis_vector: beside(at.robot.coriolis_vector(at.q, at.qd), at.joint(k, at.scale.coriolis_vector)),
+    gravity_vector: beside(at.robot.gravity_vector(at.q), at.joint(k, at.scale.gravity_vector)),
+    friction_vector: beside(at.robot.friction_vector(at.qd), at.joint(k, at.scale.friction_vector)),
+    spring_vector: beside(at.robot.spring_vector(at.q), at.joint(k, at.scale.spring_vector)),
     inverse_dynamics: beside(at.tau.clone(), at.joint(k, at.scale.inverse_dynamics)),
     forward_dynamics: solves(accelerations),
-    kinetic_energy: beside(at.kinetic_energy(), (at.scale.coriolis_vector, None)),
-    potential_energy: beside(at.potential_energy(), (at.scale.potential_energy, None)),
-    bias_force: beside(at.bias_force(), at.joint(k, at.scale.bias_force)),
-    coriolis_matrix: beside(at.coriolis_matrix(), at.joint(k, at.scale.coriolis_matrix)),
+    kinetic_energy: beside(at.robot.kinetic_energy(at.q, at.qd), (at.scale.coriolis_vector, None)),
+    potential_energy: beside(at.robot.potential_energy(at.q), (at.scale.potential_energy, None)),
+    bias_force: beside(at.robot.bias_force(at.q, at.qd), at.joint(k, at.scale.bias_force)),
+    coriolis_matrix: beside(at.robot.coriolis_matrix(at.q, at.qd), at.joint(k, at.scale.coriolis_matrix)),
     coriolis_coefficients: beside(at.coriolis_coefficients(), at.joint(k, at.scale.mass_matrix)),
     centrifugal_coefficients: beside(at.centrifugal_coefficients(), at.joint(k, at.scale.mass_matrix)),
     configuration_space_form: beside(
-        at.coriolis_vector(), at.joint(k, at.scale.coriolis_vector)
+        at.robot.coriolis_vector(at.q, at.qd), at.joint(k, at.scale.coriolis_vector)
     ),
     forward_kinematics: beside(at.tip_pose(), (at.pose(k), None)),
-    link_poses: beside(at.link_poses(), at.each_joint(k, 16, at.pose(k))),
+    link_poses: beside(at.robot.link_poses(at.q), at.each_joint(k, 16, at.pose(k))),
     jacobian: beside(at.tip_jacobian(), at.column(k)),
     regressor_form: beside(at.tau - at.joint_forces(), at.joint(k, at.scale.inverse_dynamics)),
     inverse_dynamics_derivatives: beside(
-        at.inverse_dynamics_derivatives(),
+        at.robot.inverse_dynamics_derivatives(at.q, at.qd, at.qdd),
         at.joint(k, if k < at.freedoms() * at.freedoms() { at.scale.force_by_position } else { at.scale.force_by_velocity })
     ),
     forward_dynamics_derivatives: solves(acceleration_derivatives),
@@ -85,24 +85,24 @@ table! { at, k;
         at.tip(k, at.qdd.amax() + at.qd.amax() * at.qd.amax())
     ),
     jacobian_rate: beside(at.tip_jacobian_rate(), at.tip(k, at.qd.amax())),
-    link_jacobians: beside(at.link_jacobians(), at.column(k)),
-    center_of_mass: beside(at.center_of_mass(), (at.scale.position, None)),
+    link_jacobians: beside(at.robot.link_jacobians(at.q), at.column(k)),
+    center_of_mass: beside(at.robot.center_of_mass(at.q), (at.scale.position, None)),
     center_of_mass_jacobian: beside(
-        at.center_of_mass_jacobian(), (at.scale.position.max(1.0), None)
+        at.robot.center_of_mass_jacobian(at.q), (at.scale.position.max(1.0), None)
     ),
-    centroidal_momentum_matrix: beside(at.centroidal_momentum_matrix(), at.momentum(k)),
-    centroidal_momentum_bias: beside(at.centroidal_momentum_bias(), at.momentum_rate(k)),
+    centroidal_momentum_matrix: beside(at.robot.centroidal_momentum_matrix(at.q), at.momentum(k)),
+    centroidal_momentum_bias: beside(at.robot.centroidal_momentum_bias(at.q, at.qd), at.momentum_rate(k)),
     operational_inertia_inverse: solves(task_space),
     generalized_momentum: beside(&at.mass_matrix * at.qd, at.joint(k, at.scale.coriolis_matrix)),
     momentum_bias: beside(
-        at.coriolis_matrix().transpose() * at.qd
-            - (at.gravity_vector() + at.joint_forces()),
+        at.robot.coriolis_matrix(at.q, at.qd).transpose() * at.qd
+            - (at.robot.gravity_vector(at.q) + at.joint_forces()),
         at.joint(k, at.scale.bias_force)
     ),
     passivity_torque: beside(at.passivity() + at.joint_forces(), at.joint(k, at.scale.passivity_torque)),
     passivity_form: beside(at.passivity(), at.joint(k, at.scale.passivity_torque)),
     energies_form: beside(
-        (at.kinetic_energy(), at.gravity_energy() + at.datum),
+        (at.robot.kinetic_energy(at.q, at.qd), at.gravity_energy() + at.datum),
         (if k == 0 { at.scale.coriolis_vector } else { at.scale.potential_energy }, None)
     ),
     inverse_dynamics_rates: beside(
@@ -110,7 +110,7 @@ table! { at, k;
         at.joint(k, at.scale.rates(at.state)[usize::from(k >= at.freedoms())])
     ),
     inverse_dynamics_second_derivatives: beside(
-        at.inverse_dynamics_second_derivatives(),
+        at.robot.inverse_dynamics_second_derivatives(at.q, at.qd, at.qdd),
         (at.scale.second_derivatives()[k / at.freedoms().pow(3) % 4], Some(k / at.freedoms().pow(2) % at.freedoms()))
     ),
     passivity_regressor: factor_of(passivity_form, without base_parameters),

@@ -1,11 +1,10 @@
 //! From the inertial parameters of links to the base parameters, the combinations that a motion shows.
 
-use nalgebra::{DMatrix, DVector, Dyn};
+use nalgebra::{Const, DMatrix, DVector, Dyn, OMatrix};
 
-use super::numeric::Numeric;
 use super::{Checkable, Checked};
 use crate::random::SplitMix64;
-use crate::{Pose, RuntimeTable, SizedState};
+use crate::{NumericArm, Pose, RuntimeTable, SizedState};
 
 /// The matrix K of `b = K x`: the base parameters b of `base_parameters` and `regressor` as combinations of the
 /// links' standard parameters x.
@@ -59,7 +58,7 @@ pub fn base_parameter_map<R: Checkable<K>, K>(robot: &R) -> Option<DMatrix<f64>>
 /// [`base_parameter_map`] of a robot whose number of joints is known at run time alone.
 pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
     let table = robot.runtime_table();
-    let numeric = Numeric::new(&table);
+    let numeric = NumericArm::on_any_base(&table);
     let mut random = SplitMix64(1);
     let of_base = if table.floating.is_some() { 6 } else { 0 };
     let freedoms = of_base + table.rows.len();
@@ -76,7 +75,7 @@ pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
     let rest = DVector::zeros(freedoms);
     let regressor = |state: &SizedState<Dyn>| -> Option<Vec<f64>> {
         robot
-            .values_on(&Pose::identity(), state, &rest)
+            .values(&Pose::identity(), state, &rest)
             .get("regressor")
     };
     let first = state(&mut random);
@@ -90,7 +89,7 @@ pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
         let rows = k * freedoms;
         let columns = DMatrix::from_vec(freedoms, count, regressor(&state)?);
         base.rows_mut(rows, freedoms).copy_from(&columns);
-        for (link, block) in numeric.standard_regressors(&state).iter().enumerate() {
+        for (link, block) in standard_regressors(&numeric, &state).iter().enumerate() {
             standard
                 .view_mut((rows, 10 * link), (freedoms, 10))
                 .copy_from(block);
@@ -115,6 +114,20 @@ pub fn base_parameter_map_any(robot: &dyn Checked) -> Option<DMatrix<f64>> {
         }
     });
     Some(map)
+}
+
+/// The standard regressor at a base that is not turned, a block of ten columns for each body: that of a base that moves, those
+/// of the joints' links and of the followers'.
+fn standard_regressors(
+    numeric: &NumericArm<Dyn>,
+    SizedState { q, qd, qdd }: &SizedState<Dyn>,
+) -> Vec<OMatrix<f64, Dyn, Const<10>>> {
+    let footing = numeric.footing(&Pose::identity());
+    let there = numeric.placed(&footing);
+    let of_base = (qd.len() > q.len()).then(|| there.standard_regressor_of_base(qd, qdd));
+    let own = there.standard_regressor(q, qd, qdd);
+    let of_followers = there.standard_regressor_of_followers(q, qd, qdd);
+    of_base.into_iter().chain(own).chain(of_followers).collect()
 }
 
 /// The joint that feels the motor of each joint, then of each follower, and the factor.

@@ -6,11 +6,9 @@ mod checked;
 mod deviation;
 mod functions;
 mod identification;
-mod numeric;
 mod report;
 mod scale;
 mod states;
-mod values;
 
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
@@ -21,10 +19,9 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::certified::accelerations_near;
 use crate::newton_euler::NAMES_OF_BASE;
 use crate::table::AsArm as _;
-use crate::{Certified, Pose, SizedState};
+use crate::{Certified, NumericArm, Pose, SizedState};
 use at::At;
 use functions::for_deviations;
-use numeric::Numeric;
 use report::Of;
 
 pub use crate::evaluation::{Evaluate, Evaluation, FloatingEvaluate, FunctionValue, Numbers};
@@ -169,7 +166,7 @@ impl Check {
     fn report(&self, robot: &dyn Checked, is_certified: bool) -> Report {
         let table = robot.runtime_table();
         let arm = table.arm();
-        let numeric = Numeric::new(&table);
+        let numeric = NumericArm::on_any_base(&table);
         let mut farthest = vec![1.0_f64; arm.rows.len()];
         for follower in table.followers() {
             let farthest = &mut farthest[follower.leader];
@@ -192,9 +189,11 @@ impl Check {
         for (k, (label, state)) in states.iter().enumerate() {
             let moving = bases.get(k);
             let base = &moving.copied().unwrap_or_else(Pose::identity);
-            report.note_conditioning(label, numeric.conditioning(&state.q));
-            let tau = numeric.inverse_dynamics(base, state);
-            let mut at = At::new(&numeric, &table, (base, state), &tau);
+            let footing = numeric.footing(base);
+            let there = numeric.placed(&footing);
+            report.note_conditioning(label, there.conditioning(&state.q));
+            let tau = there.inverse_dynamics(&state.q, &state.qd, &state.qdd);
+            let mut at = At::new(there, &table, (base, state), &tau);
             let mut compare = |method: Option<&str>, evaluation: Evaluation| {
                 let open = || {
                     let energies: Option<(f64, f64)> = evaluation.get("energies_form");
@@ -206,12 +205,12 @@ impl Check {
                     report.record(of, &deviation, tolerance, label, (moving, state));
                 });
             };
-            compare(None, robot.values_on(base, state, &tau));
-            robot.values_of_parts_on(base, state, &tau, &mut |method, parts| {
+            compare(None, robot.values(base, state, &tau));
+            robot.values_of_parts(base, state, &tau, &mut |method, parts| {
                 compare(Some(method), parts)
             });
             if is_certified {
-                let certified = robot.certified_values_on(base, state, &tau);
+                let certified = robot.certified_values(base, state, &tau);
                 let certified = by_residuals(certified, state, &tau);
                 for_deviations(&certified, &mut at, |frame, deviation| {
                     report.note_rounding(frame, &deviation);

@@ -5,12 +5,12 @@ use nalgebra::{DMatrix, DVector, Dyn, Matrix2, SMatrix, SVector, Vector2};
 use super::accelerations::refused;
 use super::at::At;
 use super::functions::{Row, Rule, deviations};
-use super::numeric::Numeric;
 use crate::evaluation::FORMS;
 use crate::functions::NAMES;
 use crate::test_arms::{CRAIG_ARM, CraigArm, random_state};
 use crate::{
-    AccelerationDerivatives, Model, NewtonEuler, Pose, SingularMassMatrix, SizedState, State,
+    AccelerationDerivatives, Model, NewtonEuler, NumericArm, Pose, SingularMassMatrix, SizedState,
+    State,
     check::{Check, Evaluate, Evaluation, Report},
     check_against_rnea,
     simulation::{MAX_TAYLOR_ORDER, TaylorCoefficients},
@@ -209,9 +209,15 @@ fn every_entry_of_every_function_is_compared() {
     let state: State<2> = random_state(5);
     let tau = numeric.inverse_dynamics(&state.q, &state.qd, &state.qdd);
     let (table, any_state) = (RuntimeTable::from(&table), of_any_size(&state));
-    let (numeric, torques) = (Numeric::new(&table), any_vector(&tau));
+    let (numeric, torques) = (NumericArm::on_any_base(&table), any_vector(&tau));
     let base = Pose::identity();
-    let at = At::new(&numeric, &table, (&base, &any_state), &torques);
+    let footing = numeric.footing(&base);
+    let at = At::new(
+        numeric.placed(&footing),
+        &table,
+        (&base, &any_state),
+        &torques,
+    );
     let mut right = CRAIG_ARM.evaluate(&state, &tau);
     complete(&state, &mut right);
     let wrong = |values: &Evaluation| {

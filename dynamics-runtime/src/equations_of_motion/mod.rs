@@ -13,62 +13,64 @@ use crate::dual::Dual;
 use crate::factorisation::JointFactors;
 use crate::size::Size;
 #[cfg(feature = "std")]
-use crate::stand::{Charted, OnBase, Stand, Velocities};
+use crate::stand::{Charted, OnBase};
+use crate::stand::{Stand, Velocities};
 use crate::{ForwardDynamics, NumericArm, Scalar, SingularMassMatrix, SizedMomenta};
-
-#[cfg(feature = "std")]
-pub use floating::FloatingEquations;
 
 /// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
 pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
 
-/// An arm that a [`Simulation`](crate::Simulation) can move: its equations of motion, solved for the
-/// accelerations, in doubles. `D` is its number of joints, `Const<N>`, or `Dyn` where it is known at run time alone.
+/// A robot that a [`Simulation`](crate::Simulation) can move: its equations of motion, solved for the accelerations, in
+/// doubles. For an arm `K` is its number of joints, `Const<N>`, or `Dyn` where it is known at run time alone; on a base that
+/// moves it is [`OnBase`](crate::simulation::OnBase). The compiler finds out which one it is.
 ///
-/// Every arm with [`ForwardDynamics`] is one, and [`NewtonEuler`](crate::NewtonEuler) is one for any table.
+/// Every robot with a generated `forward_dynamics` is one, and each arm with [`ForwardDynamics`]. So are
+/// [`NewtonEuler`](crate::NewtonEuler) and [`FloatingNewtonEuler`](crate::FloatingNewtonEuler) for any table.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be simulated: `forward_dynamics` is not in `functions`",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait EquationsOfMotion<D: Size> {
-    /// The number of joints.
-    fn size(&self) -> D;
+pub trait EquationsOfMotion<K: Stand> {
+    /// The number of velocities: for an arm that of joints, and six more on a base that moves.
+    fn size(&self) -> K::Freedoms;
 
-    /// Joint accelerations qdd of `M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau`.
+    /// Accelerations qdd of `M(q) qdd + V(q, qd) + G + K(q) + F(qd) = tau`.
     ///
-    /// `q` in rad or m, `qd` per second, `tau` in N m or N.
+    /// The place is q, in rad or m, behind the pose of a base that moves; `qd` per second, `tau` in N m or N.
     ///
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a NaN.
     fn accelerations(
         &self,
-        q: &D::Vector,
-        qd: &D::Vector,
-        tau: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix>;
+        place: K::Place<'_>,
+        qd: &Velocities<K>,
+        tau: &Velocities<K>,
+    ) -> Result<Velocities<K>, SingularMassMatrix>;
 
-    /// The accelerations, and the columns of M(q)^-1 that belong to `joints`; other columns are zero.
+    /// The accelerations, and the columns of M(q)^-1 that belong to `freedoms`; other columns are zero.
     ///
     /// # Errors
     ///
     /// As [`accelerations`](EquationsOfMotion::accelerations).
     fn accelerations_and_responses(
         &self,
-        q: &D::Vector,
-        qd: &D::Vector,
-        tau: &D::Vector,
-        joints: &D::Each<bool>,
-    ) -> Result<Responses<D>, SingularMassMatrix>;
+        place: K::Place<'_>,
+        qd: &Velocities<K>,
+        tau: &Velocities<K>,
+        freedoms: &<K::Freedoms as Size>::Each<bool>,
+    ) -> Result<Responses<K::Freedoms>, SingularMassMatrix>;
 
-    /// The arm in positions and momenta, as the structure-preserving methods need it; `None` for an arm without
+    /// The arm in positions and momenta, as the structure-preserving methods need it; `None` for a robot without
     /// these functions.
-    fn in_momenta(&self) -> Option<&dyn SizedMomenta<D>>;
+    fn in_momenta(&self) -> Option<&dyn SizedMomenta<K::Freedoms>> {
+        None
+    }
 
     /// The charts in which the positions are coordinates; `None` where they are those of joints.
     #[cfg(feature = "std")]
     #[doc(hidden)]
-    fn charts(&self) -> Option<&dyn Charted<D>> {
+    fn charts(&self) -> Option<&dyn Charted<K::Freedoms>> {
         None
     }
 }
@@ -173,32 +175,6 @@ pub(crate) fn inverse_columns<D: Size>(
         }
     }
     columns
-}
-
-/// A robot that a [`Simulation`](crate::Simulation) moves, by its [`EquationsOfMotion`] or its [`FloatingEquations`]. The
-/// compiler finds out which `K` it is.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be simulated: `forward_dynamics` is not in `functions`",
-    note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
-)]
-#[cfg(feature = "std")]
-pub trait Simulated<K: Stand> {
-    /// The number of velocities.
-    fn velocities(&self) -> K::Freedoms;
-}
-
-#[cfg(feature = "std")]
-impl<R: EquationsOfMotion<D>, D: Size> Simulated<D> for R {
-    fn velocities(&self) -> D {
-        self.size()
-    }
-}
-
-#[cfg(feature = "std")]
-impl<R: FloatingEquations<D, V>, D: Size, V: Size> Simulated<OnBase<D, V>> for R {
-    fn velocities(&self) -> V {
-        self.freedoms()
-    }
 }
 
 /// An arm besides its equations: its table, the names of its joints, and its energies.

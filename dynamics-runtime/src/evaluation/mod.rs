@@ -1,88 +1,120 @@
 //! The values of all generated functions at a state.
 
-mod floating;
 mod value;
 
 use std::collections::BTreeMap;
 
-use nalgebra::{SVector, Vector6};
+use nalgebra::{Matrix3, SVector, Vector3, Vector6};
 
 use crate::function::functions;
-use crate::{Model, Scalar, SingularMassMatrix, State};
+use crate::{FloatingState, Model, Pose, Scalar, SingularMassMatrix, State};
 
-pub use floating::{FloatingArguments, FloatingEvaluate};
 pub use value::{FunctionValue, Numbers};
 pub(crate) use value::{flat, read};
 
-/// An arm that evaluates all of its generated functions at a state, as the checks need it.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is no robot that `robot_dynamics!` made",
-    note = "checks compare what the macro generated with the table that it was generated from"
-)]
-pub trait Evaluate<const N: usize>: Model<N> {
-    /// Every function at one state; without a value where the function was not generated.
-    ///
-    /// `tau` are the joint torques at which the forward dynamics is evaluated. By default, the values are those of
-    /// [`evaluate_in`](Evaluate::evaluate_in): an arm of your own implements one of the two.
-    fn evaluate(&self, state: &State<N>, tau: &SVector<f64, N>) -> Evaluation {
-        self.evaluate_in(state, tau, |x| x)
-    }
+/// A trait of robots with so many joints and velocities, which evaluate their functions at such states.
+macro_rules! evaluate {
+    ($(#[$text:meta])* $name:ident<$($size:ident),+>, $state:ty, $v:ident) => {
+        $(#[$text])*
+        pub trait $name<$(const $size: usize),+>: Model<$($size),+> {
+            /// Every function at one state; without a value where the function was not generated.
+            ///
+            /// `tau` are the forces at which the forward dynamics is evaluated. By default, the values are those of
+            #[doc = concat!("[`evaluate_in`](", stringify!($name), "::evaluate_in): a robot of your own implements one of the two.")]
+            fn evaluate(&self, state: &$state, tau: &SVector<f64, $v>) -> Evaluation {
+                self.evaluate_in(state, tau, |x| x)
+            }
 
-    /// The same in the arithmetic `T`; `real` turns the doubles of the state into its numbers. In
-    /// [`Certified`](crate::Certified) numbers the values carry bounds of their rounding errors.
-    ///
-    /// Generated arms implement it. By default, no function has a value.
-    fn evaluate_in<T: Scalar>(
-        &self,
-        state: &State<N>,
-        tau: &SVector<f64, N>,
-        real: fn(f64) -> T,
-    ) -> Evaluation<T> {
-        let _ = (state, tau, real);
-        Evaluation::default()
-    }
+            /// The same in the arithmetic `T`; `real` turns the doubles of the state into its numbers. In
+            /// [`Certified`](crate::Certified) numbers the values carry bounds of their rounding errors.
+            ///
+            /// Generated robots implement it. By default, no function has a value.
+            fn evaluate_in<T: Scalar>(
+                &self,
+                state: &$state,
+                tau: &SVector<f64, $v>,
+                real: fn(f64) -> T,
+            ) -> Evaluation<T> {
+                let _ = (state, tau, real);
+                Evaluation::default()
+            }
 
-    /// Calls `found` for each method that returns several functions, with its name and the values of these functions
-    /// at one state.
-    fn evaluate_parts(
-        &self,
-        state: &State<N>,
-        tau: &SVector<f64, N>,
-        found: &mut dyn FnMut(&str, Evaluation),
-    ) {
-        let _ = (state, tau, found);
-    }
+            /// Calls `found` for each method that returns several functions, with its name and the values of these
+            /// functions at one state.
+            fn evaluate_parts(
+                &self,
+                state: &$state,
+                tau: &SVector<f64, $v>,
+                found: &mut dyn FnMut(&str, Evaluation),
+            ) {
+                let _ = (state, tau, found);
+            }
+        }
+    };
+}
+
+evaluate! {
+    /// An arm that evaluates all of its generated functions at a state, as the checks need it.
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` is no robot that `robot_dynamics!` made",
+        note = "checks compare what the macro generated with the table that it was generated from"
+    )]
+    Evaluate<N>, State<N>, N
+}
+
+evaluate! {
+    /// A robot on a base that moves that evaluates all of its generated functions at a state, as the checks need it. `V` is
+    /// 6 + N.
+    #[diagnostic::on_unimplemented(
+        message = "`{Self}` is no robot with `base: floating` that `robot_dynamics!` made",
+        note = "checks compare what the macro generated with the table that it was generated from"
+    )]
+    FloatingEvaluate<N, V>, FloatingState<N, V>, V
 }
 
 /// The arguments of the generated functions at one state, by the names that the methods give them.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]
-pub struct Arguments<const N: usize, T: Scalar> {
+pub struct Arguments<const N: usize, T: Scalar, const V: usize = N> {
+    pub base: Pose<T>,
     pub q: SVector<T, N>,
-    pub qd: SVector<T, N>,
-    pub qdd: SVector<T, N>,
-    pub tau: SVector<T, N>,
-    pub qd_r: SVector<T, N>,
-    pub qdd_r: SVector<T, N>,
-    pub jerk: SVector<T, N>,
-    pub snap: SVector<T, N>,
+    pub qd: SVector<T, V>,
+    pub qdd: SVector<T, V>,
+    pub tau: SVector<T, V>,
+    pub qd_r: SVector<T, V>,
+    pub qdd_r: SVector<T, V>,
+    pub jerk: SVector<T, V>,
+    pub snap: SVector<T, V>,
     pub wrench: Vector6<T>,
     pub order: usize,
 }
 
-impl<const N: usize, T: Scalar> Arguments<N, T> {
+/// The arguments of a robot on a base that moves.
+#[doc(hidden)]
+pub type FloatingArguments<const N: usize, const V: usize, T> = Arguments<N, T, V>;
+
+impl<const N: usize, const V: usize, T: Scalar> Arguments<N, T, V> {
     /// The arguments at a state, in numbers that `real` makes of the state's.
-    pub fn new(state: &State<N>, tau: &SVector<f64, N>, real: fn(f64) -> T) -> Self {
+    pub fn new<S>(state: &S, tau: &SVector<f64, V>, real: fn(f64) -> T) -> Self
+    where
+        S: Copy + Into<FloatingState<N, V>>,
+    {
+        let state: FloatingState<N, V> = (*state).into();
+        let motion = state.motion();
         Arguments {
+            base: Pose {
+                rotation: Matrix3::from_fn(|i, j| real(state.base.rotation[(i, j)])),
+                position: Vector3::from_fn(|i, _| real(state.base.position[i])),
+            },
             q: state.q.map(real),
-            qd: state.qd.map(real),
-            qdd: state.qdd.map(real),
+            qd: state.v.map(real),
+            qdd: state.a.map(real),
             tau: tau.map(real),
-            qd_r: state.reference_velocity().map(real),
-            qdd_r: state.reference_acceleration().map(real),
-            jerk: state.jerk().map(real),
-            snap: state.snap().map(real),
-            wrench: State::<N>::wrench().map(real),
+            qd_r: motion.reference_velocity().map(real),
+            qdd_r: motion.reference_acceleration().map(real),
+            jerk: motion.jerk().map(real),
+            snap: motion.snap().map(real),
+            wrench: State::<V>::wrench().map(real),
             // The order of a Taylor series: accelerations and jerks are compared.
             order: 3,
         }

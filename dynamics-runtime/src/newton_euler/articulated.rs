@@ -6,29 +6,31 @@
 
 use core::ops::Add;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
-use super::NumericArm;
+use super::base::twist;
 use super::inertia::{Inertia, Wrench};
 use super::joint::Joint;
 use super::walk::Place;
+use super::{NumericArm, Placed};
+use crate::factorisation::{factor, substitute};
 use crate::size::Size;
 use crate::{JointType, SingularMassMatrix};
 
 /// Angular acceleration, and linear acceleration of a frame's origin.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Acceleration {
-    pub(super) angular: Vector3<f64>,
-    pub(super) linear: Vector3<f64>,
+struct Acceleration {
+    angular: Vector3<f64>,
+    linear: Vector3<f64>,
 }
 
 /// The wrench that moves a body whose joints further out are free:
 /// `n = A angular + B linear`, `f = B^T angular + D linear`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Articulated {
-    pub(super) a: Matrix3<f64>,
-    pub(super) b: Matrix3<f64>,
-    pub(super) d: Matrix3<f64>,
+struct Articulated {
+    a: Matrix3<f64>,
+    b: Matrix3<f64>,
+    d: Matrix3<f64>,
 }
 
 /// The acceleration that velocities add to that of the link before, and the wrench that the link needs for them:
@@ -60,10 +62,10 @@ struct Pass {
 
 /// A link and all beyond it: with the joints further out free, and as one rigid body, and the wrench that it needs.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Beyond {
-    pub(super) body: Articulated,
-    pub(super) composite: Inertia,
-    pub(super) needed: Wrench,
+struct Beyond {
+    body: Articulated,
+    composite: Inertia,
+    needed: Wrench,
 }
 
 impl Add for Beyond {
@@ -80,6 +82,39 @@ impl Add for Beyond {
             composite: self.composite + other.composite,
             needed: self.needed + other.needed,
         }
+    }
+}
+
+impl Beyond {
+    /// The body of a base, and the wrench that it needs for its angular velocity.
+    fn held(inertia: &Inertia, angular: &Vector3<f64>) -> Beyond {
+        let body = Articulated::rigid(inertia);
+        Beyond {
+            body,
+            composite: *inertia,
+            needed: Wrench {
+                force: angular.cross(&angular.cross(&inertia.first_moment)),
+                moment: angular.cross(&(body.a * angular)),
+            },
+        }
+    }
+
+    /// Linear and angular acceleration of a base that carries this, under a force and a moment: those of a body whose joints
+    /// are free (Featherstone 2008, table 9.4). Pivots are measured by the entries of the composite body, as those of M are.
+    fn free(&self, applied: &Vector6<f64>) -> Result<Vector6<f64>, SingularMassMatrix> {
+        let Articulated { a, b, d } = &self.body;
+        let mut inertia = Matrix6::zeros();
+        inertia.fixed_view_mut::<3, 3>(0, 0).copy_from(d);
+        inertia.fixed_view_mut::<3, 3>(3, 0).copy_from(b);
+        inertia
+            .fixed_view_mut::<3, 3>(0, 3)
+            .copy_from(&b.transpose());
+        inertia.fixed_view_mut::<3, 3>(3, 3).copy_from(a);
+        let mut pivots = self.composite.matrix().diagonal();
+        factor(6, &mut inertia, &mut pivots)?;
+        let mut acceleration = applied - Vector6::from(self.needed.entries());
+        substitute(6, &inertia, &pivots, &mut acceleration);
+        Ok(acceleration)
     }
 }
 
@@ -114,7 +149,7 @@ impl Acceleration {
 
 impl Articulated {
     /// A rigid body: A = J, B = [h]x, D = m 1.
-    pub(super) fn rigid(inertia: &Inertia) -> Self {
+    fn rigid(inertia: &Inertia) -> Self {
         let s = &inertia.second_moment;
         Articulated {
             a: Matrix3::from_diagonal_element(s.trace()) - s,
@@ -165,43 +200,59 @@ impl Articulated {
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`, by articulated bodies: the time grows
-    /// with the number of joints, and not with its cube. `tau` in N m or N.
-    ///
-    /// # Errors
-    ///
-    /// [`SingularMassMatrix`] where M is not positive definite to working precision, or holds a
-    /// NaN.
-    pub fn forward_dynamics_aba(
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    pub(crate) fn forward_dynamics_aba(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        tau: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix> {
-        if self.count > self.dof() {
+        qd: &V::Vector,
+        tau: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix> {
+        let arm = self.arm;
+        if arm.count > arm.size.value() {
             // Articulated bodies are of joints that move by themselves.
             return self.forward_dynamics(q, qd, tau);
         }
-        let available = tau.clone() - self.joint_forces(q, qd);
-        self.at(q, |joints| self.articulated_bodies(joints, qd, &available))
+        let available = tau.clone() - arm.joint_forces(q, qd);
+        let accelerations = arm.at(q, |joints| self.articulated_bodies(joints, qd, &available));
+        accelerations.map_err(|error| self.named(error))
     }
 
-    /// The accelerations that these torques give the joints where they are so.
+    /// The accelerations that these forces give the base and the joints where they are so.
     #[inline(always)]
     fn articulated_bodies(
         &self,
         joints: &D::Links<Joint>,
-        qd: &D::Vector,
-        available: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix> {
-        let still = Vector3::zeros();
-        self.accelerations(joints, qd, available, &still, |_| {
+        qd: &V::Vector,
+        available: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix> {
+        let (arm, gravity) = (self.arm, self.base.gravity);
+        let Some(body) = arm.body() else {
+            let still = Vector3::zeros();
+            return arm.accelerations(joints, qd, available, &still, |_| {
+                Ok(Acceleration {
+                    angular: still,
+                    linear: -gravity,
+                })
+            });
+        };
+        let [linear, angular] = twist(qd);
+        let mut of_base = Vector6::zeros();
+        let mut accelerations = arm.accelerations(joints, qd, available, &angular, |links| {
+            let own = Beyond::held(&body.inertia, &angular);
+            let whole = links.map_or(own, |links| links + own);
+            of_base = whole.free(&Vector6::from_fn(|i, _| available[i]))?;
             Ok(Acceleration {
-                angular: still,
-                linear: -self.gravity,
+                linear: of_base.fixed_rows::<3>(0).into_owned(),
+                angular: of_base.fixed_rows::<3>(3).into_owned(),
             })
-        })
+        })?;
+        // a = dv/dt + w x v - g.
+        let apart = gravity - angular.cross(&linear);
+        for i in 0..3 {
+            accelerations[i] = of_base[i] + apart[i];
+            accelerations[3 + i] = of_base[3 + i];
+        }
+        Ok(accelerations)
     }
 }
 
@@ -209,7 +260,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
     /// The accelerations that these torques give the joints, on a base with this angular velocity. `base` is given what the
     /// base carries, if it moves and carries links, and says how it accelerates against gravity.
     #[inline(always)]
-    pub(super) fn accelerations(
+    fn accelerations(
         &self,
         joints: &D::Links<Joint>,
         qd: &V::Vector,

@@ -1,45 +1,39 @@
-//! Linear momentum, and angular momentum about the centre of mass, of an arm.
+//! Linear momentum, and angular momentum about the centre of mass.
 //!
 //! Source: D. E. Orin, A. Goswami, S.-H. Lee, *Centroidal dynamics of a humanoid robot*, Autonomous Robots 35 (2013), 161-176.
 
 use nalgebra::{Vector3, Vector6};
 
-use super::NumericArm;
-use super::kinematics::{center, column, joined};
-use super::rates::FrameJets;
+use super::Placed;
+use super::kinematics::joined;
 use crate::size::Size;
 
-impl<D: Size> NumericArm<D> {
-    /// Centroidal momentum matrix A, 6 x N: A qd is the linear momentum of all links, then their angular momentum about the
-    /// centre of mass, in the world, kg m/s and kg m^2/s. Reflected inertias of motors have no part in it.
-    ///
-    /// A link with its centre at c_k has `m v_k` and `(c_k - c) x m v_k + I w_k`.
-    pub fn centroidal_momentum_matrix(&self, q: &D::Vector) -> D::Columns<6> {
-        let (poses, whole) = (self.poses_in_world(q), self.center_of_mass(q));
-        let mut matrix = self.size.columns();
-        self.walk_outward(|body| {
-            let (link, rotation) = (body.link, &poses[body.k].rotation);
-            let center = center(link, &poses[body.k]);
-            let tensor = rotation * link.tensor * rotation.transpose();
-            self.walk_to_base(body.k, |place| {
-                let velocity = column(place.link, &poses[place.k], &center);
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    /// A body with its centre at c_k has `m v_k` and `(c_k - c) x m v_k + I w_k`.
+    pub(crate) fn centroidal_momentum_matrix(&self, q: &D::Vector) -> V::Columns<6> {
+        let (poses, whole) = (self.poses(q), self.center_of_mass(q));
+        let mut matrix = self.arm.freedoms.columns();
+        self.bodies(&poses, |body| {
+            let tensor = body.tensor();
+            self.columns(body.link, &body.center, &poses, |j, velocity| {
                 let [linear, angular] = [0, 3].map(|k| velocity.fixed_rows::<3>(k).into_owned());
-                let momentum = linear * link.mass;
-                let about = (center - whole).cross(&momentum) + tensor * angular;
+                let momentum = linear * body.mass;
+                let about = (body.center - whole).cross(&momentum) + tensor * angular;
                 let momenta = joined(&momentum, &about);
-                place.add_column(&mut matrix, 6, |row| momenta[row]);
+                (0..6).for_each(|row| matrix[(row, j)] += momenta[row]);
             });
         });
         matrix
     }
 
-    /// dA/dt qd: the rate of that momentum without acceleration, by Newton and Euler for each link.
-    pub fn centroidal_momentum_bias(&self, q: &D::Vector, qd: &D::Vector) -> Vector6<f64> {
-        let still = self.size.vector();
-        let base = FrameJets::at_rest(&Vector3::zeros());
-        let (_, wrench) = self.force_rates(q, [qd, &still, &still, &still], &base);
-        let [force, moment] = wrench.map(|[value, ..]| self.base.rotation * value);
-        let arm = self.center_of_mass(q) - self.base.position;
+    /// By Newton and Euler for each body.
+    pub(crate) fn centroidal_momentum_bias(&self, q: &D::Vector, qd: &V::Vector) -> Vector6<f64> {
+        let still = self.arm.freedoms.vector();
+        let rates = [qd, &still, &still, &still];
+        let (_, wrench) = self.arm.force_rates(q, rates, &Vector3::zeros());
+        let place = &self.base.place;
+        let [force, moment] = wrench.map(|[value, ..]| place.rotation * value);
+        let arm = self.center_of_mass(q) - place.position;
         joined(&force, &(moment - arm.cross(&force)))
     }
 }

@@ -32,26 +32,11 @@ impl Inertia {
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// M at the joints' positions (Featherstone 2008, table 6.2).
-    #[inline(always)]
-    pub(super) fn composite_bodies(&self, joints: &D::Links<Joint>) -> D::Matrix {
-        self.composites(joints).0
-    }
-
-    /// G at the joints' positions.
-    #[inline(always)]
-    pub(super) fn weights(&self, joints: &D::Links<Joint>) -> D::Vector {
-        self.weights_under(joints, &self.gravity).0
-    }
-}
-
 impl<D: Size, V: Size> NumericArm<D, V> {
-    /// M at the joints' positions (Featherstone 2008, table 6.2), and all links as one body in the frame of a base that
-    /// moves. The rows of the base have the wrenches that it needs for a unit acceleration of each joint; what it needs to be
-    /// accelerated itself is left out.
+    /// M at the joints' positions (Featherstone 2008, table 6.2). The rows of a base that moves have the wrenches that it needs
+    /// for a unit acceleration of each joint. All links and the base as one body resist its own acceleration.
     #[inline(always)]
-    pub(super) fn composites(&self, joints: &D::Links<Joint>) -> (V::Matrix, Option<Inertia>) {
+    pub(super) fn composite_bodies(&self, joints: &D::Links<Joint>) -> V::Matrix {
         let mut mass_matrix = self.freedoms.matrix();
         let links = self.inward(
             #[inline(always)]
@@ -85,17 +70,21 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                 place.hand_on(|| joints[place.k].inertia_inward(&body))
             },
         );
-        (mass_matrix, links)
+        if let Some(body) = self.body() {
+            let own = body.inertia;
+            let whole = links.map_or(own, |links| links + own).matrix();
+            for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
+                mass_matrix[(i, j)] = whole[(i, j)];
+            }
+        }
+        mass_matrix
     }
 
-    /// G at the joints' positions under a gravity in the axes of the base, and what a base that moves carries. The weight `m g` of all links beyond a joint acts at their
-    /// centre of mass: joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic).
+    /// G at the joints' positions under a gravity in the axes of the base. The weight `m g` of all links beyond a joint acts at
+    /// their centre of mass: joint i carries `-(h x g)_z` (revolute) or `-m g_z` (prismatic), and a base that moves carries
+    /// `f = -m g`, `n = -h x g` of all bodies.
     #[inline(always)]
-    pub(super) fn weights_under(
-        &self,
-        joints: &D::Links<Joint>,
-        of_base: &Vector3<f64>,
-    ) -> (V::Vector, Option<Moments>) {
+    pub(super) fn weights(&self, joints: &D::Links<Joint>, of_base: &Vector3<f64>) -> V::Vector {
         let mut gravity = self.per_link(Vector3::zeros());
         self.outward(
             *of_base,
@@ -126,15 +115,27 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                 })
             },
         );
-        (torques, carried)
+        if let Some(body) = self.body() {
+            let own = Moments {
+                mass: body.mass,
+                first: body.inertia.first_moment,
+            };
+            let Moments { mass, first } = carried.map_or(own, |links| links + own);
+            let weight = Wrench {
+                force: of_base * -mass,
+                moment: of_base.cross(&first),
+            };
+            weight.set(&mut torques);
+        }
+        torques
     }
 }
 
 /// The mass of bodies, and their first moment about the origin of a frame.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moments {
-    pub(super) mass: f64,
-    pub(super) first: Vector3<f64>,
+struct Moments {
+    mass: f64,
+    first: Vector3<f64>,
 }
 
 impl Add for Moments {

@@ -4,13 +4,19 @@
 //! polynomial of degree two in each joint angle, and a polynomial of degree two in each displacement and each velocity.
 //! Differences over distances that may be large give the derivatives of such functions exactly, with roundings as small
 //! as those of tau itself.
+//!
+//! Displacements of a base that moves are in its own axes: a derivative by the position is that of f(p + R d, R exp(phi), q)
+//! at d = phi = 0. Gravity is then `exp(-phi) R' g`, of which the forces are a linear function, and nothing else depends on
+//! the base.
 
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use core::ops::{Add, Mul, Sub};
 
-use super::NumericArm;
+use nalgebra::Vector3;
+
 use super::angle::SinCos;
 use super::joint::Joint;
+use super::{NumericArm, Placed};
 use crate::JointType;
 use crate::size::Size;
 
@@ -22,22 +28,17 @@ const EIGHTH: SinCos = SinCos {
 /// A turn by 90 degrees.
 const QUARTER: SinCos = SinCos { sin: 1.0, cos: 0.0 };
 
-impl<D: Size> NumericArm<D> {
-    /// d tau/dq and d tau/dqd of the inverse dynamics; row i belongs to tau_i, column j to joint j.
-    ///
-    /// The stiffness of springs is on the diagonal of d tau/dq, viscous friction on that of d tau/dqd.
-    /// Coulomb friction is taken as constant.
-    pub fn inverse_dynamics_derivatives(
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    pub(crate) fn inverse_dynamics_derivatives(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        qdd: &D::Vector,
-    ) -> (D::Matrix, D::Matrix) {
-        let joints = self.joints(q);
-        let mut by_position = self.slopes(&joints, qd, qdd);
-        // C = 1/2 dV/dqd, for the symbols of Christoffel.
-        let mut by_velocity = self.coriolis_matrix_of(&joints, qd) * 2.0;
-        self.walk_outward(|place| {
+        qd: &V::Vector,
+        qdd: &V::Vector,
+    ) -> (V::Matrix, V::Matrix) {
+        let joints = self.arm.joints(q);
+        let mut by_position = self.slopes(&joints, [qd, qdd]);
+        let mut by_velocity = self.arm.by_velocity(&joints, qd);
+        self.arm.walk_outward(|place| {
             let (link, square) = (place.link, place.factor * place.factor);
             let diagonal = (place.joint, place.joint);
             by_position[diagonal] += square * link.spring.stiffness;
@@ -46,21 +47,29 @@ impl<D: Size> NumericArm<D> {
         (by_position, by_velocity)
     }
 
-    /// d tau/dq without springs, where the joints are so.
-    pub(super) fn slopes(
-        &self,
-        joints: &D::Links<Joint>,
-        qd: &D::Vector,
-        qdd: &D::Vector,
-    ) -> D::Matrix {
-        let mut slopes = self.size.matrix();
-        let tau = |joints: &D::Links<Joint>| self.recursion(joints, qd, qdd, &self.gravity);
-        self.walk_outward(|place| {
-            let column = self.slope(joints, place.k, tau);
-            place.add_column(&mut slopes, self.dof(), |i| column[i]);
+    /// The derivative by positions without springs, where the joints are so.
+    pub(super) fn slopes(&self, joints: &D::Links<Joint>, motion: [&V::Vector; 2]) -> V::Matrix {
+        let (arm, gravity) = (self.arm, &self.base.gravity);
+        let mut slopes = arm.freedoms.matrix();
+        if arm.floats() {
+            for axis in 0..3 {
+                // d(exp(-phi) g) = g x phi.
+                let column = arm.weights(joints, &gravity.cross(&unit(axis)));
+                (0..arm.dof()).for_each(|i| slopes[(i, 3 + axis)] = column[i]);
+            }
+        }
+        let tau = |joints: &D::Links<Joint>| arm.forces(joints, motion, gravity);
+        arm.walk_outward(|place| {
+            let column = arm.slope(joints, place.k, tau);
+            place.add_column(&mut slopes, arm.dof(), |i| column[i]);
         });
         slopes
     }
+}
+
+/// One of the three axes.
+pub(super) fn unit(axis: usize) -> Vector3<f64> {
+    Vector3::ith(axis, 1.0)
 }
 
 impl<D: Size, V: Size> NumericArm<D, V> {

@@ -2,41 +2,25 @@
 
 use nalgebra::Vector3;
 
-use super::NumericArm;
-use super::pose::Pose;
+use super::Placed;
+use super::base::twist;
 use crate::JointType;
 use crate::size::Size;
 
-impl<D: Size> NumericArm<D> {
-    /// Kinetic energy, the sum of 1/2 m v_c^2 + 1/2 w.I w over the links and of 1/2 J qd^2 over
-    /// the reflected inertias.
-    pub fn kinetic_energy(&self, q: &D::Vector, qd: &D::Vector) -> f64 {
-        self.energy_of_motion(q, qd, [Vector3::zeros(); 2])
-    }
-
-    /// Potential energy of gravity and springs, U = -sum m g.c + sum 1/2 stiffness (q - rest)^2. The energy of
-    /// gravity is zero if all centres of mass are at the world's origin.
-    pub fn potential_energy(&self, q: &D::Vector) -> f64 {
-        self.energy_of_place(q, &self.base)
-    }
-}
-
-impl<D: Size, V: Size> NumericArm<D, V> {
-    /// Kinetic energy of the links on a base with this angular and linear velocity.
-    ///
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
     /// Velocities go outwards by Craig (5.45) to (5.48):
     /// `w_{i+1} = R w_i + qd z`, `v_{i+1} = R (v_i + w_i x p)` for a revolute joint,
     /// `w_{i+1} = R w_i`, `v_{i+1} = R (v_i + w_i x p) + qd z` for a prismatic one.
-    #[inline(always)]
-    pub(super) fn energy_of_motion(
-        &self,
-        q: &D::Vector,
-        qd: &V::Vector,
-        base: [Vector3<f64>; 2],
-    ) -> f64 {
-        let mut energy = 0.0;
-        self.at(q, |joints| {
-            self.outward(
+    pub(crate) fn kinetic_energy(&self, q: &D::Vector, qd: &V::Vector) -> f64 {
+        let (mut energy, mut base) = (0.0, [Vector3::zeros(); 2]);
+        if let Some(body) = self.arm.body() {
+            let [linear, angular] = twist(qd);
+            let centre = linear + angular.cross(&body.com);
+            energy = body.mass * centre.norm_squared() + angular.dot(&(body.tensor * angular));
+            base = [angular, linear];
+        }
+        self.arm.at(q, |joints| {
+            self.arm.outward(
                 base,
                 #[inline(always)]
                 |place, [angular, linear]| {
@@ -58,16 +42,17 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         0.5 * energy
     }
 
-    /// Potential energy of the links and of the springs on a base at this place.
-    #[inline(always)]
-    pub(super) fn energy_of_place(&self, q: &D::Vector, base: &Pose) -> f64 {
+    pub(crate) fn potential_energy(&self, q: &D::Vector) -> f64 {
+        let (place, gravity) = (self.base.place, &self.arm.world_gravity);
         let mut energy = 0.0;
-        self.at(q, |joints| {
-            self.outward(*base, |place, before| {
+        if let Some(body) = self.arm.body() {
+            energy -= body.mass * gravity.dot(&(place.rotation * body.com + place.position));
+        }
+        self.arm.at(q, |joints| {
+            self.arm.outward(place, |place, before| {
                 let (link, pose) = (place.link, before.then(&joints[place.k].pose()));
                 let centre = pose.rotation * link.com + pose.position;
-                energy += link.spring.energy(place.position(q))
-                    - link.mass * self.world_gravity.dot(&centre);
+                energy += link.spring.energy(place.position(q)) - link.mass * gravity.dot(&centre);
                 pose
             });
         });

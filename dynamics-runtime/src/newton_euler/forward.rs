@@ -1,32 +1,36 @@
 //! Forward dynamics: M by composite bodies, V + G + K + F by the recursion, and one factorisation.
 
-use super::NumericArm;
+use super::{Placed, base};
 use crate::factorisation::solve;
 use crate::size::Size;
 use crate::{Conditioning, SingularMassMatrix};
 
-impl<D: Size> NumericArm<D> {
-    /// Joint accelerations qdd of `M qdd + V + G + K + F = tau`; `tau` in N m or N.
-    ///
-    /// # Errors
-    ///
-    /// [`SingularMassMatrix`] where M is not positive definite to working precision, or holds a
-    /// NaN.
-    pub fn forward_dynamics(
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    pub(crate) fn forward_dynamics(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        tau: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix> {
-        self.at(q, |joints| {
-            let bias = self.recursion(joints, qd, &self.size.vector(), &self.gravity);
-            let available = tau.clone() - bias - self.joint_forces(q, qd);
-            solve(self.composite_bodies(joints), &available)
-        })
+        qd: &V::Vector,
+        tau: &V::Vector,
+    ) -> Result<V::Vector, SingularMassMatrix> {
+        let (arm, gravity) = (self.arm, &self.base.gravity);
+        let accelerations = arm.at(q, |joints| {
+            let bias = arm.forces(joints, [qd, &arm.freedoms.vector()], gravity);
+            let available = tau.clone() - bias - arm.joint_forces(q, qd);
+            solve(arm.composite_bodies(joints), &available)
+        });
+        accelerations.map_err(|error| self.named(error))
     }
 
-    /// How near M(q) is to singular: which joint, and how many digits accelerations lose there.
-    pub fn conditioning(&self, q: &D::Vector) -> Conditioning {
-        Conditioning::of_joints(self.dof(), &self.mass_matrix(q))
+    /// Says which number of a base that moves it is.
+    pub(super) fn named(&self, error: SingularMassMatrix) -> SingularMassMatrix {
+        if self.arm.floats() {
+            base::named(error)
+        } else {
+            error
+        }
+    }
+
+    pub(crate) fn conditioning(&self, q: &D::Vector) -> Conditioning {
+        Conditioning::of_joints(self.arm.dof(), &self.mass_matrix(q))
     }
 }

@@ -1,159 +1,276 @@
 //! Places of the frames, and the Jacobian.
 
-use nalgebra::{Matrix4, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix4, Vector3, Vector6};
 
-use super::NumericArm;
 use super::angle::SinCos;
 use super::joint::Joint;
 use super::link::Link;
 use super::pose::Pose;
 use super::walk::Place;
+use super::{NumericArm, Placed};
 use crate::JointType;
 use crate::size::Size;
 use crate::table::{AsArm as _, FixedFrame};
 
 /// A frame in the world, and the link that carries it; none for a frame on the base.
-pub(super) struct Carried {
+struct Carried {
+    link: Option<usize>,
+    pose: Pose,
+}
+
+/// A body in the world.
+pub(super) struct BodyInWorld<'a> {
+    /// The link that it is; none for that of the base.
     pub(super) link: Option<usize>,
-    pub(super) pose: Pose,
+    pub(super) mass: f64,
+    /// The centre of mass.
+    pub(super) center: Vector3<f64>,
+    rotation: &'a Matrix3<f64>,
+    tensor: &'a Matrix3<f64>,
 }
 
-/// How a base moves: the velocity of its origin and its angular velocity, in the axes of the world.
-pub(super) struct Ground {
-    pub(super) origin: Vector3<f64>,
-    pub(super) linear: Vector3<f64>,
-    pub(super) angular: Vector3<f64>,
-}
-
-impl Ground {
-    /// A base that stands.
-    const AT_REST: Ground = Ground {
-        origin: Vector3::new(0.0, 0.0, 0.0),
-        linear: Vector3::new(0.0, 0.0, 0.0),
-        angular: Vector3::new(0.0, 0.0, 0.0),
-    };
-
-    /// The velocity of a point of the base above the angular velocity.
-    fn velocity(&self, point: &Vector3<f64>) -> Vector6<f64> {
-        let linear = self.linear + self.angular.cross(&(point - self.origin));
-        joined(&linear, &self.angular)
+impl BodyInWorld<'_> {
+    /// The inertia tensor about the centre of mass.
+    pub(super) fn tensor(&self) -> Matrix3<f64> {
+        self.rotation * self.tensor * self.rotation.transpose()
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// The joints' frames in the world.
-    pub(super) fn poses_in_world(&self, q: &D::Vector) -> D::Links<Pose> {
-        self.poses_on(&self.base, q)
+/// The joints' frames and what they carry, in the world.
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    pub(crate) fn link_poses(&self, q: &D::Vector) -> D::Each<Matrix4<f64>> {
+        let poses = self.poses(q);
+        self.arm
+            .per_joint(|k| homogeneous(&self.arm.table_frame(k, &poses)))
     }
 
-    fn tip(&self, poses: &D::Links<Pose>) -> Option<Carried> {
-        self.tip_on(&self.base, poses)
-    }
-
-    fn frame(&self, frame: usize, poses: &D::Links<Pose>) -> Carried {
-        self.frame_on(&self.base, frame, poses)
-    }
-
-    /// Homogeneous transforms of the link frames in the world, of those joints that move by themselves.
-    pub fn link_poses(&self, q: &D::Vector) -> D::Each<Matrix4<f64>> {
-        let poses = self.poses_in_world(q);
-        self.per_joint(|k| homogeneous(&self.table_frame(k, &poses)))
-    }
-
-    /// Homogeneous transform of the tip in the world: of the tool, or else of the only link frame that carries no other
-    /// link. For no joints, that of the base.
-    pub fn forward_kinematics(&self, q: &D::Vector) -> Matrix4<f64> {
-        let tip = self.tip(&self.poses_in_world(q));
+    pub(crate) fn forward_kinematics(&self, q: &D::Vector) -> Matrix4<f64> {
+        let tip = self.tip(&self.poses(q));
         tip.map_or(Matrix4::repeat(f64::NAN), |tip| homogeneous(&tip.pose))
     }
 
-    /// Homogeneous transform of a frame in the world.
-    pub fn frame_pose(&self, frame: usize, q: &D::Vector) -> Matrix4<f64> {
-        homogeneous(&self.frame(frame, &self.poses_in_world(q)).pose)
+    pub(crate) fn frame_pose(&self, frame: usize, q: &D::Vector) -> Matrix4<f64> {
+        homogeneous(&self.frame(frame, &self.poses(q)).pose)
     }
 
-    /// Geometric Jacobian of the tip's origin p: rows vx vy vz wx wy wz in the world.
-    ///
-    /// Column i is `(z_i x (p - p_i), z_i)` for a revolute joint, `(z_i, 0)` for a prismatic one
-    /// (Craig, section 5.8).
-    pub fn jacobian(&self, q: &D::Vector) -> D::Columns<6> {
-        let poses = self.poses_in_world(q);
+    pub(crate) fn jacobian(&self, q: &D::Vector) -> V::Columns<6> {
+        let poses = self.poses(q);
         let tip = self.tip(&poses);
-        tip.map_or_else(|| self.no_columns(), |tip| self.jacobian_of(&tip, &poses))
+        tip.map_or_else(
+            || self.arm.no_columns(),
+            |tip| self.jacobian_of(&tip, &poses),
+        )
     }
 
-    /// Geometric Jacobian of a frame's origin. The columns of joints that do not carry it are zero.
-    pub fn frame_jacobian(&self, frame: usize, q: &D::Vector) -> D::Columns<6> {
-        let poses = self.poses_in_world(q);
+    pub(crate) fn frame_jacobian(&self, frame: usize, q: &D::Vector) -> V::Columns<6> {
+        let poses = self.poses(q);
         self.jacobian_of(&self.frame(frame, &poses), &poses)
     }
 
-    /// J' w: the torques of a wrench w = (fx fy fz nx ny nz), N and N m, on a frame, about its origin and in the axes of
-    /// the world.
-    pub fn frame_wrench_torques(
+    pub(crate) fn frame_wrench_torques(
         &self,
         frame: usize,
         q: &D::Vector,
         wrench: &Vector6<f64>,
-    ) -> D::Vector {
+    ) -> V::Vector {
         let jacobian = self.frame_jacobian(frame, q);
         let torque = |joint| (0..6).map(|row| jacobian[(row, joint)] * wrench[row]).sum();
-        self.size.vector_of(torque)
+        self.arm.freedoms.vector_of(torque)
     }
 
-    /// The rate of the geometric Jacobian along a motion.
-    pub fn jacobian_rate(&self, q: &D::Vector, qd: &D::Vector) -> D::Columns<6> {
-        let poses = self.poses_in_world(q);
+    pub(crate) fn jacobian_rate(&self, q: &D::Vector, qd: &V::Vector) -> V::Columns<6> {
+        let poses = self.poses(q);
         let tip = self.tip(&poses);
         tip.map_or_else(
-            || self.no_columns(),
-            |tip| self.jacobian_rate_of(&tip, &poses, qd, &Ground::AT_REST),
+            || self.arm.no_columns(),
+            |tip| self.jacobian_rate_of(&tip, &poses, qd),
         )
     }
 
-    /// The rate of the geometric Jacobian of a frame along a motion.
-    pub fn frame_jacobian_rate(
+    pub(crate) fn frame_jacobian_rate(
         &self,
         frame: usize,
         q: &D::Vector,
-        qd: &D::Vector,
-    ) -> D::Columns<6> {
-        let poses = self.poses_in_world(q);
-        self.jacobian_rate_of(&self.frame(frame, &poses), &poses, qd, &Ground::AT_REST)
+        qd: &V::Vector,
+    ) -> V::Columns<6> {
+        let poses = self.poses(q);
+        self.jacobian_rate_of(&self.frame(frame, &poses), &poses, qd)
     }
 
-    /// Geometric Jacobians of the origins of the link frames, of those joints that move by themselves; joints that do not
-    /// carry a link do not move it.
-    pub fn link_jacobians(&self, q: &D::Vector) -> D::Each<D::Columns<6>> {
-        let poses = self.poses_in_world(q);
-        self.per_joint(|k| {
-            let pose = self.table_frame(k, &poses);
+    pub(crate) fn link_jacobians(&self, q: &D::Vector) -> D::Each<V::Columns<6>> {
+        let poses = self.poses(q);
+        self.arm.per_joint(|k| {
+            let pose = self.arm.table_frame(k, &poses);
             let link = Some(k);
             self.jacobian_of(&Carried { link, pose }, &poses)
         })
     }
 
-    /// Centre of mass of all links, of the tool and of the bodies of frames in the world, `sum m c / sum m`.
-    pub fn center_of_mass(&self, q: &D::Vector) -> Vector3<f64> {
-        let poses = self.poses_in_world(q);
-        let mut moment = Vector3::zeros();
-        self.walk_outward(|Place { k, link, .. }| moment += center(link, &poses[k]) * link.mass);
-        moment / self.total_mass()
+    pub(crate) fn center_of_mass(&self, q: &D::Vector) -> Vector3<f64> {
+        let (mut moment, mut total) = (Vector3::zeros(), 0.0);
+        self.bodies(&self.poses(q), |body| {
+            moment += body.center * body.mass;
+            total += body.mass;
+        });
+        moment / total
     }
 
-    /// Jacobian of the centre of mass: column i is the sum of what joint i gives the centres of the
-    /// links beyond it.
-    pub fn center_of_mass_jacobian(&self, q: &D::Vector) -> D::Columns<3> {
-        let (poses, total) = (self.poses_in_world(q), self.total_mass());
-        let mut jacobian = self.size.columns();
-        self.walk_outward(|body| {
-            let center = center(body.link, &poses[body.k]);
-            self.walk_to_base(body.k, |place| {
-                let column = column(place.link, &poses[place.k], &center);
-                place.add_column(&mut jacobian, 3, |row| column[row] * body.link.mass / total);
+    /// Each velocity is the sum of what it gives the centres of the bodies that it moves.
+    pub(crate) fn center_of_mass_jacobian(&self, q: &D::Vector) -> V::Columns<3> {
+        let (poses, mut total) = (self.poses(q), 0.0);
+        self.bodies(&poses, |body| total += body.mass);
+        let mut jacobian = self.arm.freedoms.columns();
+        self.bodies(&poses, |body| {
+            self.columns(body.link, &body.center, &poses, |j, column| {
+                (0..3).for_each(|row| jacobian[(row, j)] += column[row] * body.mass / total);
             });
         });
         jacobian
+    }
+
+    /// The joints' frames in the world.
+    pub(super) fn poses(&self, q: &D::Vector) -> D::Links<Pose> {
+        self.arm.poses_on(&self.base.place, q)
+    }
+
+    /// The tip in the world, and the link that carries it. There is none where several rows carry no other.
+    fn tip(&self, poses: &D::Links<Pose>) -> Option<Carried> {
+        let arm = self.arm;
+        let pose = match (arm.tip_link, arm.body()) {
+            (Some(link), _) => poses[link].then(&arm.links[link].tip),
+            (None, _) if arm.count > 0 => return None,
+            (None, Some(body)) => self.base.place.then(&body.tip),
+            (None, None) => self.base.place,
+        };
+        let link = arm.tip_link;
+        Some(Carried { link, pose })
+    }
+
+    /// A frame of the table in the world, and the link that carries it.
+    fn frame(&self, frame: usize, poses: &D::Links<Pose>) -> Carried {
+        let FixedFrame { on, place, .. } = &self.arm.table.arm().frames[frame];
+        let carrier = on.map_or(self.base.place, |k| self.arm.table_frame(k, poses));
+        Carried {
+            link: *on,
+            pose: carrier.then(&place.into()),
+        }
+    }
+
+    /// All bodies that move: that of the base, if it does, and the links.
+    pub(super) fn bodies(&self, poses: &D::Links<Pose>, mut visit: impl FnMut(BodyInWorld<'_>)) {
+        if let Some(body) = self.arm.body() {
+            let Pose { rotation, position } = &self.base.place;
+            visit(BodyInWorld {
+                link: None,
+                mass: body.mass,
+                center: rotation * body.com + position,
+                rotation,
+                tensor: &body.tensor,
+            });
+        }
+        self.arm.walk_outward(|Place { k, link, .. }| {
+            let Pose { rotation, position } = &poses[k];
+            visit(BodyInWorld {
+                link: Some(k),
+                mass: link.mass,
+                center: rotation * link.com + position,
+                rotation,
+                tensor: &link.tensor,
+            });
+        });
+    }
+
+    /// The velocity of a point that a link or the base carries above the angular velocity there, for a unit of each of the
+    /// velocities that move it.
+    ///
+    /// Column i is `(z_i x (p - p_i), z_i)` for a revolute joint, `(z_i, 0)` for a prismatic one (Craig, section 5.8). With
+    /// the rotation R of a base that moves and r from its origin to the point, the base has the columns
+    /// `[R, -[r]x R; 0, R]`.
+    pub(super) fn columns(
+        &self,
+        link: Option<usize>,
+        point: &Vector3<f64>,
+        poses: &D::Links<Pose>,
+        mut add: impl FnMut(usize, Vector6<f64>),
+    ) {
+        if self.arm.floats() {
+            let Pose { rotation, position } = self.base.place;
+            for j in 0..3 {
+                let axis = rotation.column(j).into_owned();
+                add(j, joined(&axis, &Vector3::zeros()));
+                add(3 + j, joined(&axis.cross(&(point - position)), &axis));
+            }
+        }
+        self.arm.walk_from(link, |place| {
+            let column = column(place.link, &poses[place.k], point);
+            add(place.joint, column * place.factor);
+        });
+    }
+
+    /// Geometric Jacobian of a frame's origin.
+    fn jacobian_of(&self, frame: &Carried, poses: &D::Links<Pose>) -> V::Columns<6> {
+        let mut jacobian = self.arm.freedoms.columns();
+        self.columns(frame.link, &frame.pose.position, poses, |j, column| {
+            (0..6).for_each(|row| jacobian[(row, j)] += column[row]);
+        });
+        jacobian
+    }
+
+    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do: `dz_i/dt = w_i x z_i`, and `dr_i/dt` is
+    /// the velocity of the frame less that of a point of axis i. The columns of the base change likewise.
+    fn jacobian_rate_of(
+        &self,
+        Carried { link, pose: frame }: &Carried,
+        poses: &D::Links<Pose>,
+        qd: &V::Vector,
+    ) -> V::Columns<6> {
+        let mut rate = self.arm.freedoms.columns();
+        let velocity = |link, point: &Vector3<f64>| self.velocity(link, point, poses, qd);
+        let [of_frame, _] = velocity(*link, &frame.position);
+        // The columns of a push along an axis through a place, and of a turn about it.
+        let changed = |axis: Vector3<f64>, place: &Vector3<f64>, carrier: Option<usize>| {
+            let [v, w] = velocity(carrier, place);
+            let turning = w.cross(&axis);
+            let lever = turning.cross(&(frame.position - place)) + axis.cross(&(of_frame - v));
+            [
+                joined(&turning, &Vector3::zeros()),
+                joined(&lever, &turning),
+            ]
+        };
+        if self.arm.floats() {
+            let Pose { rotation, position } = &self.base.place;
+            for j in 0..3 {
+                let [push, turn] = changed(rotation.column(j).into_owned(), position, None);
+                for row in 0..6 {
+                    rate[(row, j)] = push[row];
+                    rate[(row, 3 + j)] = turn[row];
+                }
+            }
+        }
+        self.arm.walk_from(*link, |joint| {
+            let Pose { rotation, position } = &poses[joint.k];
+            // The velocity of the axis and of its point, by the joints before it.
+            let [push, turn] = changed(rotation.column(2).into_owned(), position, joint.carrier);
+            let column = match joint.link.joint_type {
+                JointType::Revolute => turn,
+                JointType::Prismatic => push,
+            };
+            joint.add_column(&mut rate, 6, |row| column[row]);
+        });
+        rate
+    }
+
+    /// Linear and angular velocity of a point that a link or the base carries.
+    fn velocity(
+        &self,
+        link: Option<usize>,
+        point: &Vector3<f64>,
+        poses: &D::Links<Pose>,
+        qd: &V::Vector,
+    ) -> [Vector3<f64>; 2] {
+        let mut velocity = Vector6::zeros();
+        self.columns(link, point, poses, |j, column| velocity += column * qd[j]);
+        [0, 3].map(|first| velocity.fixed_rows::<3>(first).into_owned())
     }
 }
 
@@ -208,82 +325,6 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         poses[k].then(&self.links[k].table_frame)
     }
 
-    /// The tip in the world, and the link that carries it. There is none where several rows carry no other.
-    pub(super) fn tip_on(&self, base: &Pose, poses: &D::Links<Pose>) -> Option<Carried> {
-        let tip = |link: usize| poses[link].then(&self.links[link].tip);
-        let is_there = self.tip_link.is_some() || self.count == 0;
-        is_there.then(|| Carried {
-            link: self.tip_link,
-            pose: self.tip_link.map_or(*base, tip),
-        })
-    }
-
-    /// A frame of the table in the world, and the link that carries it.
-    pub(super) fn frame_on(&self, base: &Pose, frame: usize, poses: &D::Links<Pose>) -> Carried {
-        let FixedFrame { on, place, .. } = &self.table.arm().frames[frame];
-        let carrier = on.map_or(*base, |k| self.table_frame(k, poses));
-        Carried {
-            link: *on,
-            pose: carrier.then(&place.into()),
-        }
-    }
-
-    /// Column i, `(z_i x r_i, z_i)` with `r_i = p - p_i`, changes as its vectors do:
-    /// `dz_i/dt = w_i x z_i`, and `dr_i/dt` is the velocity of the frame less that of a point of axis i.
-    pub(super) fn jacobian_rate_of(
-        &self,
-        Carried { link, pose: frame }: &Carried,
-        poses: &D::Links<Pose>,
-        qd: &V::Vector,
-        base: &Ground,
-    ) -> V::Columns<6> {
-        let mut rate = self.freedoms.columns();
-        let [velocity_of_frame, _] = self.velocity(*link, &frame.position, poses, qd, base);
-        self.walk_from(*link, |joint| {
-            let axis = poses[joint.k].rotation.column(2).into_owned();
-            let place = poses[joint.k].position;
-            // The velocity of the axis and of its point, by the joints before it.
-            let [v, w] = self.velocity(joint.carrier, &place, poses, qd, base);
-            let turning = w.cross(&axis);
-            let column = match joint.link.joint_type {
-                JointType::Revolute => {
-                    let arm = frame.position - place;
-                    let linear = turning.cross(&arm) + axis.cross(&(velocity_of_frame - v));
-                    joined(&linear, &turning)
-                }
-                JointType::Prismatic => joined(&turning, &Vector3::zeros()),
-            };
-            joint.add_column(&mut rate, 6, |row| column[row]);
-        });
-        rate
-    }
-
-    /// Linear and angular velocity of a point that a link or the base carries.
-    pub(super) fn velocity(
-        &self,
-        link: Option<usize>,
-        point: &Vector3<f64>,
-        poses: &D::Links<Pose>,
-        qd: &V::Vector,
-        base: &Ground,
-    ) -> [Vector3<f64>; 2] {
-        let mut velocity = base.velocity(point);
-        self.walk_from(link, |place| {
-            velocity += column(place.link, &poses[place.k], point) * place.of(qd);
-        });
-        [0, 3].map(|first| velocity.fixed_rows::<3>(first).into_owned())
-    }
-
-    /// Geometric Jacobian of a frame's origin, the columns of the joints.
-    pub(super) fn jacobian_of(&self, frame: &Carried, poses: &D::Links<Pose>) -> V::Columns<6> {
-        let mut jacobian = self.freedoms.columns();
-        self.walk_from(frame.link, |place| {
-            let column = column(place.link, &poses[place.k], &frame.pose.position);
-            place.add_column(&mut jacobian, 6, |row| column[row]);
-        });
-        jacobian
-    }
-
     /// The columns of a tip that is not there.
     pub(super) fn no_columns(&self) -> V::Columns<6> {
         let mut columns = self.freedoms.columns();
@@ -292,18 +333,6 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         }
         columns
     }
-
-    /// Mass of all links.
-    pub(super) fn total_mass(&self) -> f64 {
-        let mut mass = 0.0;
-        self.walk_outward(|place| mass += place.link.mass);
-        mass
-    }
-}
-
-/// The centre of mass of a link whose joint's frame is at `pose`.
-pub(super) fn center(link: &Link, pose: &Pose) -> Vector3<f64> {
-    pose.rotation * link.com + pose.position
 }
 
 /// The velocity of a point beyond a joint at unit speed, above the angular velocity of the link. The joint's frame is at

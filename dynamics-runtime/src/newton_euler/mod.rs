@@ -16,8 +16,10 @@
 
 mod angle;
 mod articulated;
+mod base;
 mod centroidal;
 mod composite;
+mod coriolis;
 mod derivatives;
 mod energy;
 mod floating;
@@ -28,6 +30,7 @@ mod kinematics;
 mod linear;
 mod link;
 mod lock;
+mod methods;
 mod pose;
 mod rates;
 mod recursion;
@@ -45,10 +48,10 @@ use crate::table::AsArm as _;
 use crate::{Model, SizedKinematics, Table, Tool};
 pub use angle::turned;
 #[cfg(feature = "std")]
-pub use floating::NAMES_OF_BASE;
+pub use base::NAMES_OF_BASE;
+use base::{Body, Footing};
 pub use floating::{FloatingNewtonEuler, NumericFloating};
 use link::Link;
-use pose::Pose;
 pub use regressor::StandardParameters;
 
 /// The numeric dynamics of an arm, read from its [`Table`].
@@ -108,12 +111,20 @@ pub struct NumericArm<D: Size, V: Size = D> {
     has_branches: bool,
     /// The link that carries the tip, if there is a tip.
     tip_link: Option<usize>,
-    /// In the axes of the base.
-    gravity: Vector3<f64>,
     /// In the axes of the world.
     world_gravity: Vector3<f64>,
-    /// In the world.
-    base: Pose,
+    /// A base that stands.
+    base: Footing,
+    /// The body of a base that moves.
+    body: Option<Body>,
+}
+
+/// A robot whose base is at a place: where the table says that it stands, or where a base that moves is. The algorithms are
+/// those of both: the equations of an arm are those without the rows of the base.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placed<'a, 'b, D: Size, V: Size> {
+    arm: &'a NumericArm<D, V>,
+    base: &'b Footing,
 }
 
 impl<D: Size> NumericArm<D> {
@@ -125,6 +136,14 @@ impl<D: Size> NumericArm<D> {
     /// rows carry no other, so that there is no tip.
     pub fn new(table: &D::Table) -> Self {
         Self::read(table, D::from_usize(table.arm().rows.len()))
+    }
+}
+
+#[cfg(feature = "std")]
+impl NumericArm<nalgebra::Dyn> {
+    /// Reads the table of a robot whose base stands or moves.
+    pub(crate) fn on_any_base(table: &crate::RuntimeTable) -> Self {
+        Self::read(table, nalgebra::Dyn(table.arm().freedoms()))
     }
 }
 
@@ -148,8 +167,8 @@ impl<D: Size, V: Size> NumericArm<D, V> {
             link.joint += first;
             links[k] = link;
         }
-        let base = Pose::from(arm.base);
         let world_gravity = Vector3::from(arm.gravity);
+        let body = arm.base_body().filter(|_| first > 0);
         NumericArm {
             size,
             freedoms,
@@ -158,9 +177,9 @@ impl<D: Size, V: Size> NumericArm<D, V> {
             links,
             count,
             tip_link,
-            gravity: base.rotation.tr_mul(&world_gravity),
             world_gravity,
-            base,
+            base: Footing::new(arm.base.into(), &world_gravity),
+            body: body.as_ref().map(Body::from),
         }
     }
 
@@ -179,6 +198,34 @@ impl<D: Size, V: Size> NumericArm<D, V> {
     #[inline(always)]
     fn floats(&self) -> bool {
         self.first() > 0
+    }
+
+    /// The body of a base that moves: the compiler knows that an arm has none.
+    #[inline(always)]
+    fn body(&self) -> Option<&Body> {
+        self.body.as_ref().filter(|_| self.floats())
+    }
+
+    /// The arm where its table says that it stands.
+    #[inline(always)]
+    fn standing(&self) -> Placed<'_, '_, D, V> {
+        self.placed(&self.base)
+    }
+
+    /// Where the base is: there if it moves.
+    #[cfg(feature = "std")]
+    pub(crate) fn footing(&self, base: &crate::Pose<f64>) -> Footing {
+        if self.floats() {
+            Footing::new(base.into(), &self.world_gravity)
+        } else {
+            self.base
+        }
+    }
+
+    /// The robot with its base there.
+    #[inline(always)]
+    pub(crate) fn placed<'b>(&self, base: &'b Footing) -> Placed<'_, 'b, D, V> {
+        Placed { arm: self, base }
     }
 }
 

@@ -7,15 +7,16 @@ use core::ops::{Add, Mul};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::NumericArm;
+use super::base::{Body, twist};
 use super::link::Link;
 use super::pose::Pose;
 use super::walk::Place;
+use super::{NumericArm, Placed};
 use crate::JointType;
 use crate::size::Size;
 
 /// A value and its first two derivatives.
-pub(super) type Jet<X> = [X; 3];
+type Jet<X> = [X; 3];
 
 /// (a b)'' = a'' b + 2 a' b' + a b'', for any product.
 fn product<A: Copy, B: Copy, C: Add<Output = C> + Mul<f64, Output = C>>(
@@ -30,15 +31,15 @@ fn product<A: Copy, B: Copy, C: Add<Output = C> + Mul<f64, Output = C>>(
     ]
 }
 
-pub(super) fn sum<X: Copy + Add<Output = X>>(a: Jet<X>, b: Jet<X>) -> Jet<X> {
+fn sum<X: Copy + Add<Output = X>>(a: Jet<X>, b: Jet<X>) -> Jet<X> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub(super) type Vector = Jet<Vector3<f64>>;
+type Vector = Jet<Vector3<f64>>;
 
 const REST: Vector = [Vector3::new(0.0, 0.0, 0.0); 3];
 
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+fn cross(a: Vector, b: Vector) -> Vector {
     product(|a: Vector3<f64>, b: Vector3<f64>| a.cross(&b), a, b)
 }
 
@@ -50,7 +51,7 @@ fn times(a: Vector, k: Jet<f64>) -> Vector {
     product(|a: Vector3<f64>, k: f64| a * k, a, k)
 }
 
-pub(super) fn apply(m: Jet<Matrix3<f64>>, v: Vector) -> Vector {
+fn apply(m: Jet<Matrix3<f64>>, v: Vector) -> Vector {
     product(|m: Matrix3<f64>, v: Vector3<f64>| m * v, m, v)
 }
 
@@ -58,44 +59,50 @@ fn chained(a: Jet<Matrix3<f64>>, b: Jet<Matrix3<f64>>) -> Jet<Matrix3<f64>> {
     product(|a: Matrix3<f64>, b: Matrix3<f64>| a * b, a, b)
 }
 
-pub(super) fn minus(v: Vector) -> Vector {
+fn minus(v: Vector) -> Vector {
     v.map(|x| -x)
 }
 
-pub(super) fn fixed(v: Vector3<f64>) -> Vector {
+fn fixed(v: Vector3<f64>) -> Vector {
     [v, Vector3::zeros(), Vector3::zeros()]
 }
 
+/// A force and a moment as they are seen from a frame.
+fn seen_from(frame: &FrameJets, wrench: [Vector; 2]) -> [Vector; 2] {
+    let transposed = frame.rotation.map(|r| r.transpose());
+    wrench.map(|part| apply(transposed, part))
+}
+
 /// The sum of two forces and of two moments.
-pub(super) fn added([f, n]: [Vector; 2], [g, m]: [Vector; 2]) -> [Vector; 2] {
+fn added([f, n]: [Vector; 2], [g, m]: [Vector; 2]) -> [Vector; 2] {
     [sum(f, g), sum(n, m)]
 }
 
 /// A frame and its motion, in a frame at rest: an arm's base frame, or the place of a base that moves at this moment.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FrameJets {
-    pub(super) rotation: Jet<Matrix3<f64>>,
-    pub(super) position: Vector,
+struct FrameJets {
+    rotation: Jet<Matrix3<f64>>,
+    position: Vector,
     /// Angular velocity.
-    pub(super) velocity: Vector,
-    pub(super) acceleration: Vector,
+    velocity: Vector,
+    acceleration: Vector,
     /// Acceleration of the origin, less that of gravity.
-    pub(super) linear: Vector,
+    linear: Vector,
 }
 
 /// The force and the moment about its centre of mass that the motion of a link takes.
 #[derive(Clone, Copy)]
-pub(super) struct Load {
+struct Load {
     center: Vector,
     force: Vector,
     moment: Vector,
 }
 
 /// The mass properties of a body in its frame, the tensor about the centre of mass.
-pub(super) struct Solid {
-    pub(super) mass: f64,
-    pub(super) com: Vector3<f64>,
-    pub(super) tensor: Matrix3<f64>,
+struct Solid {
+    mass: f64,
+    com: Vector3<f64>,
+    tensor: Matrix3<f64>,
 }
 
 impl From<&Link> for Solid {
@@ -108,9 +115,19 @@ impl From<&Link> for Solid {
     }
 }
 
+impl From<&Body> for Solid {
+    fn from(body: &Body) -> Self {
+        Solid {
+            mass: body.mass,
+            com: body.com,
+            tensor: body.tensor,
+        }
+    }
+}
+
 impl Load {
     /// The force, and the moment about a point.
-    pub(super) fn about(&self, point: &Vector) -> [Vector; 2] {
+    fn about(&self, point: &Vector) -> [Vector; 2] {
         let lever = sum(self.center, minus(*point));
         [self.force, sum(self.moment, cross(lever, self.force))]
     }
@@ -118,13 +135,34 @@ impl Load {
 
 impl FrameJets {
     /// A base that stands.
-    pub(super) fn at_rest(gravity: &Vector3<f64>) -> Self {
+    fn at_rest(gravity: &Vector3<f64>) -> Self {
         FrameJets {
             rotation: [Matrix3::identity(), Matrix3::zeros(), Matrix3::zeros()],
             position: REST,
             velocity: REST,
             acceleration: REST,
             linear: minus(fixed(*gravity)),
+        }
+    }
+
+    /// A base that moves by this twist, which changes so, in its own axes. Newton and Euler are written down in a frame at rest
+    /// that it passes at this moment. Its axes turn against that frame by `R' = R [w]x`.
+    fn moving(rates: [[Vector3<f64>; 2]; 4], gravity: &Vector3<f64>) -> Self {
+        let part = |k: usize, first: usize| -> Vector {
+            core::array::from_fn(|derivative| rates[first + derivative][k])
+        };
+        let ([linear, linear_rate], [angular, angular_rate]) =
+            ([part(0, 0), part(0, 1)], [part(1, 0), part(1, 1)]);
+        let (w, wd) = (angular[0].cross_matrix(), angular[1].cross_matrix());
+        let rotation = [Matrix3::identity(), w, w * w + wd];
+        let velocity = apply(rotation, linear);
+        let acceleration = sum(linear_rate, cross(angular, linear));
+        FrameJets {
+            rotation,
+            position: [Vector3::zeros(), velocity[0], velocity[1]],
+            velocity: apply(rotation, angular),
+            acceleration: apply(rotation, angular_rate),
+            linear: sum(apply(rotation, acceleration), minus(fixed(*gravity))),
         }
     }
 
@@ -172,7 +210,7 @@ impl FrameJets {
     }
 
     /// Newton and Euler for a body at its centre of mass.
-    pub(super) fn load(&self, link: &Solid) -> Load {
+    fn load(&self, link: &Solid) -> Load {
         let lever = apply(self.rotation, fixed(link.com));
         let (w, e) = (self.velocity, self.acceleration);
         let of_center = sum(cross(e, lever), cross(w, cross(w, lever)));
@@ -187,34 +225,37 @@ impl FrameJets {
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// First and second derivative by time of the torques M qdd + V + G + K + F along a motion. Coulomb
-    /// friction counts as constant.
-    pub fn inverse_dynamics_rates(
+impl<D: Size, V: Size> Placed<'_, '_, D, V> {
+    pub(crate) fn inverse_dynamics_rates(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        qdd: &D::Vector,
-        jerk: &D::Vector,
-        snap: &D::Vector,
-    ) -> (D::Vector, D::Vector) {
-        let base = FrameJets::at_rest(&self.gravity);
-        self.force_rates(q, [qd, qdd, jerk, snap], &base).0
+        qd: &V::Vector,
+        qdd: &V::Vector,
+        jerk: &V::Vector,
+        snap: &V::Vector,
+    ) -> (V::Vector, V::Vector) {
+        let rates = [qd, qdd, jerk, snap];
+        self.arm.force_rates(q, rates, &self.base.gravity).0
     }
 }
 
 impl<D: Size, V: Size> NumericArm<D, V> {
-    /// The first two derivatives of the joint torques on a base that moves so, and the force and the moment about its origin
-    /// that the links need, in the axes in which the base is given.
+    /// The first two derivatives of the forces under a gravity in the axes of the base, and the force and the moment about the
+    /// origin of the base that all bodies need, in its axes.
     pub(super) fn force_rates(
         &self,
         q: &D::Vector,
         rates: [&V::Vector; 4],
-        base: &FrameJets,
+        gravity: &Vector3<f64>,
     ) -> ((V::Vector, V::Vector), [Vector; 2]) {
         let joints = self.joints(q);
-        let mut frames = self.per_link(*base);
-        self.outward(*base, |place, frame| {
+        let base = if self.floats() {
+            FrameJets::moving(rates.map(twist), gravity)
+        } else {
+            FrameJets::at_rest(gravity)
+        };
+        let mut frames = self.per_link(base);
+        self.outward(base, |place, frame| {
             let [v, a, jerk, snap] = rates.map(|rate| place.of(rate));
             let pose = joints[place.k].pose();
             frames[place.k] = frame.next(place.link, &pose, [v, a, jerk], [a, jerk, snap]);
@@ -259,6 +300,16 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                 add(carrier, [torque[1], torque[2]]);
             });
         });
+        if let Some(body) = self.body() {
+            let of_body = base.load(&Solid::from(body)).about(&base.position);
+            of_base = seen_from(&base, added(of_base, of_body));
+            for (i, [_, first, second]) in of_base.into_iter().enumerate() {
+                for k in 0..3 {
+                    torques.0[3 * i + k] = first[k];
+                    torques.1[3 * i + k] = second[k];
+                }
+            }
+        }
         (torques, of_base)
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::NumericArm;
+use super::base::twist;
 use super::inertia::Wrench;
 use super::joint::Joint;
 use super::linear::{cross, times};
@@ -23,7 +24,7 @@ pub(super) struct FrameMotion {
 
 impl FrameMotion {
     /// A base at rest. Gravity acts on the links as an acceleration of the base against it.
-    pub(super) fn base(gravity: &Vector3<f64>) -> Self {
+    fn base(gravity: &Vector3<f64>) -> Self {
         FrameMotion {
             angular_velocity: Vector3::zeros(),
             angular_acceleration: Vector3::zeros(),
@@ -33,16 +34,12 @@ impl FrameMotion {
     }
 
     /// A base that moves with the twist (v, w) and its rate, in its own axes: `a = dv/dt + w x v - g`.
-    pub(super) fn moving(
-        [v, w]: &[Vector3<f64>; 2],
-        [vd, wd]: &[Vector3<f64>; 2],
-        gravity: &Vector3<f64>,
-    ) -> Self {
+    fn moving([[v, w], [vd, wd]]: [[Vector3<f64>; 2]; 2], gravity: &Vector3<f64>) -> Self {
         FrameMotion {
-            angular_velocity: *w,
-            angular_acceleration: *wd,
-            linear_acceleration: vd + w.cross(v) - gravity,
-            spread: spread(w, wd),
+            angular_velocity: w,
+            angular_acceleration: wd,
+            linear_acceleration: vd + w.cross(&v) - gravity,
+            spread: spread(&w, &wd),
         }
     }
 
@@ -106,31 +103,17 @@ impl Wrench {
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// Joint torques of a motion under a gravity of any strength, without springs and friction.
-    #[inline(always)]
-    pub(super) fn recursion(
-        &self,
-        joints: &D::Links<Joint>,
-        qd: &D::Vector,
-        qdd: &D::Vector,
-        gravity: &Vector3<f64>,
-    ) -> D::Vector {
-        let base = FrameMotion::base(gravity);
-        self.forces(joints, [qd, qdd], base).0
-    }
-}
-
 impl<D: Size, V: Size> NumericArm<D, V> {
-    /// Joint torques of a motion on a base that moves so, without springs and friction, and the wrench that the links need
-    /// of a base that moves.
+    /// Joint torques of a motion under a gravity in the axes of the base, without springs and friction; before them the wrench
+    /// that a base that moves needs.
     #[inline(always)]
     pub(super) fn forces(
         &self,
         joints: &D::Links<Joint>,
         [qd, qdd]: [&V::Vector; 2],
-        base: FrameMotion,
-    ) -> (V::Vector, Option<Wrench>) {
+        gravity: &Vector3<f64>,
+    ) -> V::Vector {
+        let base = self.motion_of_base([qd, qdd], gravity);
         let mut wrenches = self.per_link(Wrench::ZERO);
         self.move_frames(
             joints,
@@ -155,7 +138,31 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                 place.hand_on(|| wrench.inward(&joints[place.k]))
             },
         );
-        (tau, of_links)
+        if let Some(body) = self.body() {
+            let own = (body.inertia).wrench(&base.linear_acceleration, &base.spread);
+            of_links.map_or(own, |links| links + own).set(&mut tau);
+        }
+        tau
+    }
+
+    /// V.
+    #[inline(always)]
+    pub(super) fn velocity_forces(&self, joints: &D::Links<Joint>, qd: &V::Vector) -> V::Vector {
+        self.forces(joints, [qd, &self.freedoms.vector()], &Vector3::zeros())
+    }
+
+    /// How the base moves against gravity.
+    #[inline(always)]
+    pub(super) fn motion_of_base(
+        &self,
+        motion: [&V::Vector; 2],
+        gravity: &Vector3<f64>,
+    ) -> FrameMotion {
+        if self.floats() {
+            FrameMotion::moving(motion.map(twist), gravity)
+        } else {
+            FrameMotion::base(gravity)
+        }
     }
 
     /// How the link frames move, from the base outwards.

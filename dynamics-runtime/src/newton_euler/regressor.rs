@@ -6,11 +6,11 @@
 
 use nalgebra::{Matrix3, SVector, Vector3};
 
-use super::NumericArm;
 use super::inertia::Inertia;
 use super::joint::Joint;
 use super::pose::Pose;
 use super::recursion::FrameMotion;
+use super::{NumericArm, Placed};
 use crate::size::Size;
 use crate::table::{Arm, AsArm as _};
 use crate::{Row, Table};
@@ -35,6 +35,12 @@ impl<const N: usize> Table<N> {
     pub fn standard_parameters_of_followers(&self) -> impl Iterator<Item = StandardParameters> {
         standard_parameters(self.arm(), true)
     }
+
+    /// The ten standard inertial parameters of a base that moves, with those of the bodies that are fixed to it; `None` if it
+    /// stands.
+    pub fn standard_parameters_of_base(&self) -> Option<StandardParameters> {
+        self.arm().base_body().map(|body| parameters(&body))
+    }
 }
 
 #[cfg(feature = "std")]
@@ -44,6 +50,11 @@ impl crate::RuntimeTable {
     pub fn standard_parameters(&self) -> Vec<StandardParameters> {
         let links = [false, true].map(|of_followers| standard_parameters(self.arm(), of_followers));
         links.into_iter().flatten().collect()
+    }
+
+    /// As [`Table::standard_parameters_of_base`].
+    pub fn standard_parameters_of_base(&self) -> Option<StandardParameters> {
+        self.arm().base_body().map(|body| parameters(&body))
     }
 }
 
@@ -58,7 +69,7 @@ fn standard_parameters(
 }
 
 /// The standard parameters of a row's link.
-pub(super) fn parameters(row: &Row) -> StandardParameters {
+fn parameters(row: &Row) -> StandardParameters {
     let (m, c) = (row.mass, Vector3::from(row.com));
     let [xx, yy, zz, xy, yz, xz] = row.inertia;
     SVector::from([
@@ -112,64 +123,61 @@ impl Inertia {
     }
 }
 
-impl<D: Size> NumericArm<D> {
-    /// The standard regressor, a block of ten columns for each link: with the
-    /// [standard parameters](Table::standard_parameters) x_k of the links,
-    ///
-    /// `sum_k Y_k x_k = M qdd + V + G - J qdd`,
-    ///
-    /// the torques without friction, springs and the reflected inertias J of the motors.
-    ///
-    /// `q` in rad or m, `qd` per second, `qdd` per second squared. None of the columns depends on the
-    /// masses of the table. They are not independent: [`base_parameter_map`](crate::check::base_parameter_map) says
-    /// which combinations a motion shows. Input that is not finite propagates; never panics, never allocates.
-    ///
-    /// Where joints follow others, the terms of their links belong to the sum too
-    /// ([`standard_regressor_of_followers`](NumericArm::standard_regressor_of_followers)), and the motor of a follower
-    /// adds factor^2 times its reflected inertia to J of the joint that leads.
-    pub fn standard_regressor(
+impl<'a, D: Size, V: Size> Placed<'a, '_, D, V> {
+    pub(crate) fn standard_regressor(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        qdd: &D::Vector,
-    ) -> D::Each<D::Rows<10>> {
-        let joints = self.joints(q);
-        let motions = self.motions(&joints, [qd, qdd], FrameMotion::base(&self.gravity));
-        self.per_joint(|k| self.block(k, &joints, &motions))
+        qd: &V::Vector,
+        qdd: &V::Vector,
+    ) -> D::Each<V::Rows<10>> {
+        let joints = self.arm.joints(q);
+        let motions = self.motions(&joints, [qd, qdd]);
+        self.arm.per_joint(|k| self.arm.block(k, &joints, &motions))
     }
 
-    /// The blocks of the [standard regressor](Self::standard_regressor) for the links of joints that follow others, in
-    /// the order of [their parameters](Table::standard_parameters_of_followers). Empty where nothing is coupled.
-    pub fn standard_regressor_of_followers(
+    pub(crate) fn standard_regressor_of_followers(
         &self,
         q: &D::Vector,
-        qd: &D::Vector,
-        qdd: &D::Vector,
-    ) -> impl Iterator<Item = D::Rows<10>> {
-        let joints = self.joints(q);
-        let motions = self.motions(&joints, [qd, qdd], FrameMotion::base(&self.gravity));
-        let followers = (0..self.count).filter(|k| self.links[*k].is_follower);
-        followers.map(move |k| self.block(k, &joints, &motions))
+        qd: &V::Vector,
+        qdd: &V::Vector,
+    ) -> impl Iterator<Item = V::Rows<10>> + use<'a, D, V> {
+        let (arm, joints) = (self.arm, self.arm.joints(q));
+        let motions = self.motions(&joints, [qd, qdd]);
+        let followers = (0..arm.count).filter(|k| arm.links[*k].is_follower);
+        followers.map(move |k| arm.block(k, &joints, &motions))
     }
-}
 
-impl<D: Size, V: Size> NumericArm<D, V> {
-    /// How the link frames move on a base that moves so.
-    pub(super) fn motions(
+    /// The block of the base's own body. The rows of joints are zero.
+    pub(crate) fn standard_regressor_of_base(
         &self,
-        joints: &D::Links<Joint>,
-        [qd, qdd]: [&V::Vector; 2],
-        base: FrameMotion,
-    ) -> D::Links<FrameMotion> {
-        let mut motions = self.per_link(base);
-        self.move_frames(joints, [qd, qdd], base, |place, motion| {
+        qd: &V::Vector,
+        qdd: &V::Vector,
+    ) -> V::Rows<10> {
+        let mut block = self.arm.freedoms.rows();
+        let motion = self.arm.motion_of_base([qd, qdd], &self.base.gravity);
+        for parameter in 0..10 {
+            let inertia = Inertia::unit(parameter);
+            let wrench = inertia.wrench(&motion.linear_acceleration, &motion.spread);
+            let entries = wrench.entries().into_iter().enumerate();
+            entries.for_each(|(i, entry)| block[(i, parameter)] = entry);
+        }
+        block
+    }
+
+    /// How the link frames move.
+    fn motions(&self, joints: &D::Links<Joint>, motion: [&V::Vector; 2]) -> D::Links<FrameMotion> {
+        let base = self.arm.motion_of_base(motion, &self.base.gravity);
+        let mut motions = self.arm.per_link(base);
+        self.arm.move_frames(joints, motion, base, |place, motion| {
             motions[place.k] = *motion;
         });
         motions
     }
+}
 
+impl<D: Size, V: Size> NumericArm<D, V> {
     /// The columns of a link's parameters.
-    pub(super) fn block(
+    fn block(
         &self,
         k: usize,
         joints: &D::Links<Joint>,

@@ -40,9 +40,7 @@ use plan::{Plan, plan_setters};
 use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
 
-pub use crate::equations_of_motion::{
-    EquationsOfMotion, FloatingEquations, Responses, Simulated, SizedModel,
-};
+pub use crate::equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
 pub use crate::model::{Momenta, SizedKinematics, SizedMomenta};
 pub use crate::stand::{OnBase, Stand};
 pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
@@ -106,10 +104,10 @@ pub struct Simulation<'a, R, L, K: Stand, W = NoToolWrench, S = Continuous> {
     start: K::Start,
 }
 
-impl<'a, R: Simulated<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
+impl<'a, R: EquationsOfMotion<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
     /// Free motion of the robot.
     pub fn new(robot: &'a R) -> Self {
-        let size = robot.velocities();
+        let size = robot.size();
         let setting = Setting {
             method: Method::default(),
             friction: Law::sign(size),

@@ -1,9 +1,8 @@
 //! A robot on a base that moves, as equations of motion in charts.
 
 use crate::size::Size;
-use crate::stand::{Charted, Charts};
-use crate::{EquationsOfMotion, Responses, SingularMassMatrix, SizedMomenta};
-use crate::{Pose, equations_of_motion::FloatingEquations};
+use crate::stand::{Charted, Charts, OnBase};
+use crate::{EquationsOfMotion, Pose, Responses, SingularMassMatrix};
 
 /// A robot, and the charts in which its base is followed.
 pub(super) struct OnCharts<'a, R, D: Size, V: Size> {
@@ -17,9 +16,12 @@ impl<R, D: Size, V: Size> OnCharts<'_, R, D, V> {
     }
 }
 
-impl<R: FloatingEquations<D, V>, D: Size, V: Size> EquationsOfMotion<V> for OnCharts<'_, R, D, V> {
+impl<R, D: Size, V: Size> EquationsOfMotion<V> for OnCharts<'_, R, D, V>
+where
+    R: EquationsOfMotion<OnBase<D, V>>,
+{
     fn size(&self) -> V {
-        self.robot.freedoms()
+        self.robot.size()
     }
 
     fn accelerations(
@@ -29,7 +31,7 @@ impl<R: FloatingEquations<D, V>, D: Size, V: Size> EquationsOfMotion<V> for OnCh
         tau: &V::Vector,
     ) -> Result<V::Vector, SingularMassMatrix> {
         let (base, q) = self.place(positions);
-        self.robot.accelerations_on(&base, &q, v, tau)
+        self.robot.accelerations((&base, &q), v, tau)
     }
 
     fn accelerations_and_responses(
@@ -40,11 +42,8 @@ impl<R: FloatingEquations<D, V>, D: Size, V: Size> EquationsOfMotion<V> for OnCh
         freedoms: &V::Each<bool>,
     ) -> Result<Responses<V>, SingularMassMatrix> {
         let (base, q) = self.place(positions);
-        self.robot.responses_on(&base, &q, v, tau, freedoms)
-    }
-
-    fn in_momenta(&self) -> Option<&dyn SizedMomenta<V>> {
-        None
+        self.robot
+            .accelerations_and_responses((&base, &q), v, tau, freedoms)
     }
 
     fn charts(&self) -> Option<&dyn Charted<V>> {

@@ -24,7 +24,7 @@ use crate::stand::Stand;
 use crate::table::AsArm as _;
 use crate::taylor::{FEWEST_ORDERS, MAX_TAYLOR_ORDER, SeriesStepper, Steady, mass_matrix, order};
 use crate::{
-    SingularMassMatrix, SizedMomenta,
+    SingularMassMatrix,
     simulation::{EquationsOfMotion, Responses, TaylorDynamics},
 };
 
@@ -271,10 +271,6 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySte
         let factors = JointFactors::new(N, mass_matrix(self.0, q))?;
         let columns = inverse_columns(Const, &factors, joints);
         Ok((qdd, columns))
-    }
-
-    fn in_momenta(&self) -> Option<&dyn SizedMomenta<Const<N>>> {
-        None
     }
 }
 

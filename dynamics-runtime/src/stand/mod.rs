@@ -1,14 +1,19 @@
 //! The base of a simulated robot: it stands or moves.
 
+#[cfg(feature = "std")]
 mod charts;
 
 use core::fmt::Debug;
+#[cfg(feature = "std")]
 use core::marker::PhantomData;
 
+#[cfg(feature = "std")]
 use nalgebra::Matrix3;
 
+#[cfg(feature = "std")]
 pub(crate) use charts::{Charted, Charts};
 
+#[cfg(feature = "std")]
 use crate::Pose;
 use crate::size::Size;
 
@@ -17,6 +22,7 @@ mod sealed {
 
     impl<D: crate::Size> Sealed for D {}
 
+    #[cfg(feature = "std")]
     impl<D: crate::Size, V: crate::Size> Sealed for super::OnBase<D, V> {}
 }
 
@@ -78,8 +84,10 @@ impl<D: Size> Stand for D {
 
 /// A base that moves, below `D` joints: the robot has `V` = 6 + `D` velocities.
 #[derive(Clone, Copy, Debug)]
+#[cfg(feature = "std")]
 pub struct OnBase<D, V>(PhantomData<(D, V)>);
 
+#[cfg(feature = "std")]
 impl<D: Size, V: Size> Stand for OnBase<D, V> {
     type Joints = D;
     type Freedoms = V;

@@ -18,7 +18,6 @@ pub use crate::function::Form;
 use crate::function::{self, Argument, Function};
 use crate::linear::Vector3;
 use crate::mechanism::Frame;
-use crate::robot::Base;
 
 /// A function, of a frame where it is about one, and how it is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -346,12 +345,10 @@ impl<'g> Equations<'_, 'g> {
         if !self.has_base() {
             return matrix;
         }
-        let (rate, zero, one) = (self.symbols.base_rate(), self.chain.zero, self.chain.one);
+        let rate = self.symbols.base_rate();
         for (row, multiplied) in matrix.iter_mut().zip(multiplied()) {
-            for k in 0..Base::FREEDOMS {
-                let unit = core::array::from_fn(|i| if i == k { one } else { zero });
-                row[k] = row[k] + sum_of_products(zero, &multiplied, &rate.times(unit));
-            }
+            let of_base = core::array::from_fn(|k| multiplied[k]);
+            add_first(row, rate.transposed_times(of_base));
         }
         matrix
     }
@@ -382,9 +379,7 @@ impl<'g> Equations<'_, 'g> {
             let momentum = momenta::generalized_momentum(self.chain, &self.qd);
             let momentum = core::array::from_fn(|k| momentum[k]);
             let added = self.symbols.base_rate().transposed_times(momentum);
-            for (entry, added) in gradient.iter_mut().zip(added) {
-                *entry = *entry + added;
-            }
+            add_first(&mut gradient, added);
         }
         let conservative = difference(gradient, energy::gravity_vector(self.chain));
         difference(conservative, joint_forces::both(self.symbols))
@@ -463,11 +458,7 @@ impl<'g> Equations<'_, 'g> {
         let applied = self.symbols.all(|joint| joint.tau);
         let net = difference(applied, joint_forces::both(self.symbols));
         let (qdd, pivots) = articulated::forward_dynamics(self.chain, &self.qd, &net);
-        let qdd = if self.has_base() {
-            difference(qdd, self.still.clone())
-        } else {
-            qdd
-        };
+        let qdd = difference(qdd, self.still.clone());
         let diagonal = diagonal(&composite::mass_matrix(self.chain));
         let of_rows = [qdd, pivots, diagonal];
         of_rows.map(|x| self.joints().entries(x)).concat()
@@ -520,10 +511,7 @@ impl<'g> Equations<'_, 'g> {
         let matrix = joints.block(composite::mass_matrix(self.chain));
         let net = joints.entries(self.net_force());
         let (factors, qdd) = self.factored(matrix.clone(), net);
-        let mut qdd = self.symbols.of_all(&qdd);
-        if self.has_base() {
-            qdd = sum(qdd, &self.still);
-        }
+        let qdd = sum(self.symbols.of_all(&qdd), &self.still);
         let of_links = derivatives::recursion(self.chain, &self.qd, &qdd);
         let forces = self.force_derivatives(of_links.of_joints(self.symbols), Held::Accelerations);
         let mut values = forces.clone();
@@ -543,6 +531,13 @@ impl<'g> Equations<'_, 'g> {
             diagonal(&matrix),
         ]
         .concat()
+    }
+}
+
+/// Adds to the first of all entries.
+fn add_first<'g>(entries: &mut [Expr<'g>], added: impl IntoIterator<Item = Expr<'g>>) {
+    for (entry, added) in entries.iter_mut().zip(added) {
+        *entry = *entry + added;
     }
 }
 

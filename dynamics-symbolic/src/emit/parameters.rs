@@ -72,6 +72,7 @@ fn legend(robot: &Robot) -> String {
         "; where joint i is locked, its position is added to theta or d"
     };
     let locked = shown_if(is_locked, position);
+    let base = shown_if(robot.floating().is_some(), "; frame 0 is that of the base");
     let coupled = shown_if(
         robot.is_coupled(),
         ". Links of joints that follow others have parameters of their own as far as the forces depend on \
@@ -79,7 +80,7 @@ fn legend(robot: &Robot) -> String {
     );
     format!(
         "Jixx to Jizz (kg m^2) are the entries of link i's inertia tensor about the origin of frame i, hix to hiz \
-         (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}. \
+         (kg m) its first moments mass * com from there, mi (kg) its mass{motor}. Frame i is {frame}{base}. \
          {cells}{turn}{locked}{coupled}."
     )
 }
@@ -158,8 +159,13 @@ fn columns<'p>(
 ) -> (Vec<Polynomial<'p>>, Vec<Step<'p>>) {
     let geometry = named_geometry(all, robot);
     let links = geometry.tree.len();
-    let variables = |i| Parameter::ALL.map(|parameter| all.variable(parameter.name(i)));
-    let own: Vec<_> = (1..=links).map(variables).collect();
+    // The last joint of a base that moves carries its body, which has the number 0; the joints before carry nothing.
+    let number = |i: usize| (i + 1).checked_sub(robot.freedoms().base);
+    let variables = |i| match number(i) {
+        Some(number) => Parameter::ALL.map(|parameter| all.variable(parameter.name(number))),
+        None => Parameter::ALL.map(|_| all.number(0)),
+    };
+    let own: Vec<_> = (0..links).map(variables).collect();
     let (mut columns, mut steps) = (vec![Vec::new(); links], Vec::new());
     let none = Body::splat(geometry.zero);
     geometry.tree.inward(none, Body::joined, |i, outer| {
@@ -169,8 +175,8 @@ fn columns<'p>(
                 continue;
             }
             whole[k] = whole[k] + moved;
-            if in_steps {
-                let name = format!("{}'", Parameter::ALL[k].name(i + 1));
+            if let (true, Some(number)) = (in_steps, number(i)) {
+                let name = format!("{}'", Parameter::ALL[k].name(number));
                 let sum = core::mem::replace(&mut whole[k], all.variable(name.clone()));
                 steps.push((name, sum));
             }
@@ -285,21 +291,26 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
         }
     };
     let one = graph.one();
+    let known = |value: Expr<'_>| match value {
+        x if x.is_zero() => Some(all.number(0)),
+        x if x == one => Some(all.number(1)),
+        x if x == -one => Some(all.number(-1)),
+        _ => None,
+    };
     let turn = |turn: Turn<Expr<'_>>, name: String| {
         let (s, c) = all.circle([format!("s{name}"), format!("c{name}")]);
-        let known = |value: Expr<'_>, named| match value {
-            x if x.is_zero() => all.number(0),
-            x if x == one => all.number(1),
-            x if x == -one => all.number(-1),
-            _ => named,
-        };
         Turn {
-            s: known(turn.s, s),
-            c: known(turn.c, c),
+            s: known(turn.s).unwrap_or(s),
+            c: known(turn.c).unwrap_or(c),
         }
     };
     let cells = geometry(&mut symbols, &arm);
+    let of_base = robot.freedoms().base;
     let links = cells.links.into_iter().enumerate().map(|(i, link)| {
+        let Some(i) = i.checked_sub(of_base) else {
+            // Along the axes of the base or about them: quarter turns at its origin.
+            return link.map(|value| known(value).expect("0, 1 or -1"));
+        };
         // The row that has the a and the alpha before the axis of joint i + 1.
         let row = match robot.convention {
             Convention::Standard => robot.parent(i).map_or(0, |parent| parent + 1),

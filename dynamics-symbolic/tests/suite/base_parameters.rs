@@ -5,8 +5,8 @@ use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::prove::prove;
+use dynamics_symbolic::robot::{Base, Body, Convention, JointType, Parameter, Robot, Row, Value};
 use dynamics_symbolic::robot::{Coefficient, Grouping};
-use dynamics_symbolic::robot::{Convention, JointType, Parameter, Robot, Row, Value};
 use dynamics_symbolic::{Function, expand};
 use std::collections::HashMap;
 
@@ -242,49 +242,83 @@ fn other_columns_are_refused() {
 #[test]
 fn formulas_in_the_documentation_are_right() {
     for name in arms::NAMES {
-        let robot = arms::robot(name);
-        let path = quote::quote!(robot_dynamics);
-        let methods = expand(&robot, &[Function::BaseParameters], &path).expect("proven");
-        let file = syn::parse2(methods[0].tokens.clone()).expect("a method");
-        let syn::ImplItem::Fn(method) = file else {
-            panic!("a method")
-        };
-        let text = prettyplease::unparse(&syn::parse2(quote::quote!(impl R { #method })).unwrap());
-        let mut values = Names::of(&robot);
-        let lines: Vec<_> = text
-            .lines()
-            .map(|line| line.trim().trim_start_matches("///"))
-            .collect();
-        // Steps are written from the base outwards, and read those further out.
-        for (name, formula) in lines
-            .iter()
-            .rev()
-            .filter_map(|line| line.split_once("' = "))
-        {
-            let value = values.evaluate(formula);
-            values.0.insert(format!("{}'", name.trim()), value);
-        }
-        let columns = (1..).map_while(|k| {
-            let start = format!(" {k:3}  ");
-            lines.iter().find_map(|line| line.strip_prefix(&start))
-        });
-        let program = derive(&robot, Function::BaseParameters);
-        let constants = program.rounded_constants();
-        let mut checked = 0;
-        for (formula, output) in columns.zip(&program.outputs) {
-            let dynamics_symbolic::program::Operand::Constant(id) = output.operand else {
-                panic!("a number")
-            };
-            let expected = constants[id.index()] * if output.negative { -1.0 } else { 1.0 };
-            let value = values.evaluate(formula);
-            assert!(
-                (value - expected).abs() < 1e-13 * (1.0 + expected.abs()),
-                "{name} {formula}"
-            );
-            checked += 1;
-        }
-        assert_eq!(checked, count(&robot), "{name}");
+        assert_documented(&arms::robot(name));
     }
+}
+
+/// The ten parameters of the base's body have the number 0.
+#[test]
+fn formulas_on_a_base_that_moves_are_right() {
+    let ratio = |a: i64, b: i64| Value::Rational(Rational::from(a) / Rational::from(b));
+    let body = Body {
+        mass: ratio(7, 2),
+        com: [ratio(1, 5), ratio(-3, 7), ratio(2, 9)],
+        inertia: [(5, 2), (7, 3), (9, 4), (1, 5), (-1, 6), (1, 7)].map(|(a, b)| ratio(a, b)),
+    };
+    for name in [
+        "elbow_3r",
+        "stanford",
+        "puma560",
+        "generic_mixed_n6_standard",
+    ] {
+        let base = Some(Base::Floating(body.clone()));
+        let robot = Robot {
+            base,
+            ..arms::robot(name)
+        };
+        assert_documented(&robot);
+        // A body alone.
+        assert_documented(&Robot {
+            rows: Vec::new(),
+            tool: None,
+            ..robot
+        });
+    }
+}
+
+fn assert_documented(robot: &Robot) {
+    let name = &robot.name;
+    let path = quote::quote!(robot_dynamics);
+    let methods = expand(robot, &[Function::BaseParameters], &path).expect("proven");
+    let file = syn::parse2(methods[0].tokens.clone()).expect("a method");
+    let syn::ImplItem::Fn(method) = file else {
+        panic!("a method")
+    };
+    let text = prettyplease::unparse(&syn::parse2(quote::quote!(impl R { #method })).unwrap());
+    let mut values = Names::of(robot);
+    let lines: Vec<_> = text
+        .lines()
+        .map(|line| line.trim().trim_start_matches("///"))
+        .collect();
+    // Steps are written from the base outwards, and read those further out.
+    for (name, formula) in lines
+        .iter()
+        .rev()
+        .filter_map(|line| line.split_once("' = "))
+    {
+        let value = values.evaluate(formula);
+        values.0.insert(format!("{}'", name.trim()), value);
+    }
+    let columns = (1..).map_while(|k| {
+        let start = format!(" {k:3}  ");
+        lines.iter().find_map(|line| line.strip_prefix(&start))
+    });
+    let program = derive(robot, Function::BaseParameters);
+    let constants = program.rounded_constants();
+    let mut checked = 0;
+    for (formula, output) in columns.zip(&program.outputs) {
+        let dynamics_symbolic::program::Operand::Constant(id) = output.operand else {
+            panic!("a number")
+        };
+        let expected = constants[id.index()] * if output.negative { -1.0 } else { 1.0 };
+        let value = values.evaluate(formula);
+        assert!(
+            (value - expected).abs() < 1e-13 * (1.0 + expected.abs()),
+            "{name} {formula}"
+        );
+        checked += 1;
+    }
+    assert_eq!(checked, count(robot), "{name}");
 }
 
 /// The values of the names in formulas.
@@ -293,21 +327,22 @@ struct Names(HashMap<String, f64>);
 impl Names {
     /// Cells by their names, and every link's parameters about its frame's origin.
     fn of(robot: &Robot) -> Self {
-        let mut names = HashMap::new();
+        let mut names = Names(HashMap::new());
+        let number = |value: &Value| value.to_f64(&[]);
+        if let Some(Body { mass, com, inertia }) = robot.floating() {
+            let [xx, yy, zz, xy, yz, xz] = inertia.each_ref().map(number);
+            let tensor = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+            names.add_body(0, number(mass), com.each_ref().map(number), tensor);
+        }
         for (i, row) in robot.rows.iter().enumerate() {
             let i = i + 1;
-            let number = |value: &Value| value.to_f64(&[]);
             let [a, d, alpha, theta] = [&row.a, &row.d, &row.alpha, &row.theta].map(number);
             let (sine, cosine) = alpha.sin_cos();
-            let mut name = |name: &str, value: f64| {
-                let (letter, entry) = name.split_at(name.find('_').unwrap());
-                names.insert(format!("{letter}{i}{}", &entry[1..]), value);
-            };
             for (key, value) in [("a_", a), ("d_", d), ("sa_", sine), ("ca_", cosine)] {
-                name(key, value);
+                names.add(i, key, value);
             }
-            name("st_", theta.sin());
-            name("ct_", theta.cos());
+            names.add(i, "st_", theta.sin());
+            names.add(i, "ct_", theta.cos());
             let mass = number(&row.mass);
             let [x, y, z] = [0, 1, 2].map(|k| number(&row.com[k]));
             let [xx, yy, zz, xy, yz, xz] = [0, 1, 2, 3, 4, 5].map(|k| number(&row.inertia[k]));
@@ -324,26 +359,37 @@ impl Names {
                         .sum();
                 }
             }
-            let square: f64 = com.iter().map(|c| c * c).sum();
-            for (k, l, entry) in [
-                (0, 0, "J_xx"),
-                (1, 1, "J_yy"),
-                (2, 2, "J_zz"),
-                (0, 1, "J_xy"),
-                (1, 2, "J_yz"),
-                (0, 2, "J_xz"),
-            ] {
-                let diagonal = if k == l { square } else { 0.0 };
-                name(entry, tensor[k][l] + mass * (diagonal - com[k] * com[l]));
-            }
-            for (entry, c) in ["h_x", "h_y", "h_z"].into_iter().zip(com) {
-                name(entry, mass * c);
-            }
-            name("m_", mass);
+            names.add_body(i, mass, com, tensor);
             let ratio = number(&row.gear_ratio);
-            name("I_", ratio * ratio * number(&row.motor_inertia));
+            names.add(i, "I_", ratio * ratio * number(&row.motor_inertia));
         }
-        Names(names)
+        names
+    }
+
+    /// A name, the letters before and behind the number of its link.
+    fn add(&mut self, i: usize, name: &str, value: f64) {
+        let (letter, entry) = name.split_at(name.find('_').unwrap());
+        self.0.insert(format!("{letter}{i}{}", &entry[1..]), value);
+    }
+
+    /// The parameters of a body with this tensor about its centre of mass.
+    fn add_body(&mut self, i: usize, mass: f64, com: [f64; 3], tensor: [[f64; 3]; 3]) {
+        let square: f64 = com.iter().map(|c| c * c).sum();
+        for (k, l, entry) in [
+            (0, 0, "J_xx"),
+            (1, 1, "J_yy"),
+            (2, 2, "J_zz"),
+            (0, 1, "J_xy"),
+            (1, 2, "J_yz"),
+            (0, 2, "J_xz"),
+        ] {
+            let diagonal = if k == l { square } else { 0.0 };
+            self.add(i, entry, tensor[k][l] + mass * (diagonal - com[k] * com[l]));
+        }
+        for (entry, c) in ["h_x", "h_y", "h_z"].into_iter().zip(com) {
+            self.add(i, entry, mass * c);
+        }
+        self.add(i, "m_", mass);
     }
 
     /// A sum of products, the last factor of which may be a sum in parentheses.

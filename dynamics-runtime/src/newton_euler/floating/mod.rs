@@ -2,32 +2,15 @@
 //!
 //! The recursions are those of an arm. They begin with the twist and the acceleration of the base, and what the links hand on
 //! to the base is what moves it.
-//!
-//! Source: R. Featherstone, *Rigid Body Dynamics Algorithms*, Springer 2008, chapter 9: the base is body 0, and gravity is an
-//! acceleration of it.
 
-mod body;
-mod centroidal;
-mod coriolis;
-mod derivatives;
-mod energy;
-mod forces;
-mod forward;
-mod kinematics;
-mod rates;
-mod regressor;
-mod second_derivatives;
+use nalgebra::Const;
 
-use nalgebra::{Const, Vector3};
-
-use super::NumericArm;
+use super::base::Footing;
 use super::pose::Pose as Place;
+use super::{NumericArm, Placed};
 use crate::Pose;
-use crate::size::Size;
+use crate::size::{JointMatrix as _, Size};
 use crate::table::AsArm as _;
-use body::Body;
-#[cfg(feature = "std")]
-pub use forward::NAMES_OF_BASE;
 
 /// The numeric dynamics of a robot with `N` joints on a base that moves, read from its [`Table`](crate::Table). `V` is
 /// 6 + N.
@@ -66,14 +49,7 @@ pub type FloatingNewtonEuler<const N: usize, const V: usize> = NumericFloating<C
 /// The numeric dynamics of a robot on a base that moves: [`FloatingNewtonEuler`] where the compiler knows the numbers of
 /// joints and of velocities. Where they are known at run time alone, `NumericFloating<Dyn, Dyn>` has the same methods.
 #[derive(Clone, Debug)]
-pub struct NumericFloating<D: Size, V: Size> {
-    /// The links, in the frame of the base.
-    arm: NumericArm<D, V>,
-    /// The base's own body, and what is fixed to it.
-    body: Body,
-    /// The tip of a robot without joints in the frame of the base.
-    tip: Place,
-}
+pub struct NumericFloating<D: Size, V: Size>(NumericArm<D, V>);
 
 impl<D: Size, V: Size> NumericFloating<D, V> {
     /// Reads the table.
@@ -82,37 +58,65 @@ impl<D: Size, V: Size> NumericFloating<D, V> {
     ///
     /// If the base of the table stands, or V is not 6 + N; as [`NewtonEuler::new`](crate::NewtonEuler::new) besides.
     pub fn new(table: &D::Table) -> Self {
-        let arm = table.arm();
-        let freedoms = 6 + arm.rows.len();
+        let freedoms = 6 + table.arm().rows.len();
         let declared = V::try_to_usize().unwrap_or(freedoms);
         assert_eq!(
             declared, freedoms,
             "velocities of the base and of the joints"
         );
-        let body = arm
-            .base_body()
-            .expect("a table with `floating`: its base moves");
-        NumericFloating {
-            arm: NumericArm::read(table, V::from_usize(freedoms)),
-            tip: body.tip_in_link(),
-            body: Body::from(&body),
-        }
+        let arm = NumericArm::read(table, V::from_usize(freedoms));
+        assert!(
+            arm.body.is_some(),
+            "a table with `floating`: its base moves"
+        );
+        NumericFloating(arm)
     }
 
     /// The number of its velocities, 6 + N.
     pub fn dof(&self) -> usize {
-        self.arm.dof()
+        self.0.dof()
     }
 
-    /// Gravity in the axes of the base.
-    fn gravity(&self, base: &Pose<f64>) -> Vector3<f64> {
-        base.rotation.tr_mul(&self.arm.world_gravity)
+    /// Generalized momentum p = M v: linear and angular momentum of all bodies about the origin of the base's frame, in the
+    /// axes of the base, then the momenta of the joints.
+    pub fn generalized_momentum(&self, q: &D::Vector, v: &V::Vector) -> V::Vector {
+        self.mass_matrix(q).times(v)
     }
-}
 
-/// Linear and angular part of the six numbers of the base.
-fn twist<V: Size>(velocities: &V::Vector) -> [Vector3<f64>; 2] {
-    [0, 3].map(|k| Vector3::new(velocities[k], velocities[k + 1], velocities[k + 2]))
+    /// Rate of the generalized momentum without applied forces, C' v - G - K - F, with the C of
+    /// [`coriolis_matrix`](Self::coriolis_matrix): d(M v)/dt is the sum of it and tau.
+    pub fn momentum_bias(&self, base: &Pose<f64>, q: &D::Vector, v: &V::Vector) -> V::Vector {
+        let (coriolis, size) = (self.coriolis_matrix(q, v), self.0.freedoms);
+        let of_velocity = size.vector_of(|j| size.joints().map(|i| coriolis[(i, j)] * v[i]).sum());
+        of_velocity - self.gravity_vector(base, q) - self.0.joint_forces(q, v)
+    }
+
+    /// The block of the [standard regressor](Self::standard_regressor) for the
+    /// [parameters of the base](crate::Table::standard_parameters_of_base). The rows of joints are zero.
+    pub fn standard_regressor_of_base(
+        &self,
+        base: &Pose<f64>,
+        v: &V::Vector,
+        a: &V::Vector,
+    ) -> V::Rows<10> {
+        let base = self.footing(base);
+        self.0.placed(&base).standard_regressor_of_base(v, a)
+    }
+
+    /// Where the base is.
+    pub(super) fn footing(&self, base: &Pose<f64>) -> Footing {
+        Footing::new(base.into(), &self.0.world_gravity)
+    }
+
+    /// The robot with its base at a place that does not matter.
+    pub(super) fn anywhere(&self) -> Placed<'_, '_, D, V> {
+        self.0.standing()
+    }
+
+    /// The robot with its base there.
+    pub(super) fn placed<'b>(&self, base: &'b Footing) -> Placed<'_, 'b, D, V> {
+        self.0.placed(base)
+    }
 }
 
 /// The base, as a frame to calculate with.

@@ -14,7 +14,7 @@ use super::torque::{Laws, SampledLaws, TorqueLaw};
 use super::{Continuous, ContinuousWrench, Sampled, Setting, Simulation, ToolWrench, WrenchAt};
 use crate::Pose;
 use crate::closed_form::is_rotation;
-use crate::equations_of_motion::FloatingEquations;
+use crate::equations_of_motion::EquationsOfMotion;
 use crate::integrate::Phase;
 use crate::size::Size;
 use crate::stand::{Charts, OnBase};
@@ -138,7 +138,7 @@ impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, Sample
 
 impl<R, L, W, D: Size, V: Size> Simulation<'_, R, L, OnBase<D, V>, W, Continuous>
 where
-    R: FloatingEquations<D, V>,
+    R: EquationsOfMotion<OnBase<D, V>>,
     L: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
     W: ToolWrench<R, OnBase<D, V>> + ContinuousWrench,
 {
@@ -166,7 +166,7 @@ where
 
 impl<R, L, W, D: Size, V: Size> Simulation<'_, R, L, OnBase<D, V>, W, Sampled>
 where
-    R: FloatingEquations<D, V>,
+    R: EquationsOfMotion<OnBase<D, V>>,
     L: FnMut(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
     W: ToolWrench<R, OnBase<D, V>>,
 {
@@ -178,7 +178,7 @@ where
     pub fn run(&mut self) -> Outcome<D, V> {
         let charts = Charts::around(self.start);
         let laws = SampledLaws::<_, _, _, OnBase<D, V>>::new(
-            self.robot.freedoms(),
+            self.robot.size(),
             (self.robot, &charts),
             Some(self.asked.period),
             &mut self.torque,
@@ -192,7 +192,7 @@ where
 
 impl<V: Size> Setting<V> {
     /// A run in charts, if it begins at a rotation.
-    fn run_on<R: FloatingEquations<D, V>, D: Size>(
+    fn run_on<R: EquationsOfMotion<OnBase<D, V>>, D: Size>(
         &self,
         robot: &R,
         start: &Matrix3<f64>,

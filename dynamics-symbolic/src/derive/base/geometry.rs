@@ -33,6 +33,23 @@ pub(crate) struct Geometry<R> {
     pub(crate) links: Vec<LinkGeometry<R>>,
 }
 
+impl<R: Ring> LinkGeometry<R> {
+    /// The same in other numbers.
+    pub(crate) fn map<S>(&self, number: impl Fn(R) -> S) -> LinkGeometry<S> {
+        LinkGeometry {
+            joint_type: self.joint_type,
+            stands: self.stands,
+            is_of_base: self.is_of_base,
+            before: Place {
+                origin: Vector3(self.before.origin.0.map(&number)),
+                turns: self.before.turns.map(|turn| turn.map(&number)),
+            },
+            d: number(self.d),
+            turn: self.turn.map(&number),
+        }
+    }
+}
+
 impl<R: Ring> Geometry<R> {
     /// Joint i where its variable is zero.
     pub(crate) fn joint(&self, i: usize) -> Joint<R> {
@@ -70,17 +87,7 @@ impl<R: Ring> Geometry<R> {
 
     /// The same in other numbers.
     pub(crate) fn map<S>(&self, number: impl Fn(R) -> S) -> Geometry<S> {
-        let links = self.links.iter().map(|link| LinkGeometry {
-            joint_type: link.joint_type,
-            stands: link.stands,
-            is_of_base: link.is_of_base,
-            before: Place {
-                origin: Vector3(link.before.origin.0.map(&number)),
-                turns: link.before.turns.map(|turn| turn.map(&number)),
-            },
-            d: number(link.d),
-            turn: link.turn.map(&number),
-        });
+        let links = self.links.iter().map(|link| link.map(&number));
         Geometry {
             zero: number(self.zero),
             one: number(self.one),
