@@ -87,6 +87,7 @@ impl<const N: usize> Table<N> {
         };
         Table {
             floating: Some(read.base(&base)),
+            tip: read.tip_on_base(),
             ..Self::of_rows(convention, gravity, &rows, &motions, &frames)
         }
     }
@@ -189,6 +190,7 @@ impl RuntimeTable {
         };
         RuntimeTable {
             floating: Some(read.base(base)),
+            tip: read.tip_on_base(),
             ..Self::with_frames(convention, gravity, rows, motions, frames)
         }
     }
@@ -311,10 +313,22 @@ impl Rows<'_> {
         }
         let is_behind = |at: &usize| *at != row && moves_with(at);
         if let Some(at) = tip_row(self.rows.iter()).filter(is_behind) {
-            let tip = self.in_mover(at).then(&self.rows[at].tip_in_link());
-            joined.tip = Some(tip.placement());
+            joined.tip = Some(self.tip_in_mover(at));
         }
         joined
+    }
+
+    /// The tip, which is on a row, in the link frame of the moving row with which it moves, or in the base frame.
+    fn tip_in_mover(&self, row: usize) -> Placement {
+        let tip = self.rows[row].tip_in_link();
+        self.in_mover(row).then(&tip).placement()
+    }
+
+    /// The tip in the base frame, where all rows are locked.
+    fn tip_on_base(&self) -> Option<Placement> {
+        let is_fixed = |row: &usize| self.mover(*row).is_none();
+        let tip = tip_row(self.rows.iter()).filter(is_fixed);
+        tip.map(|row| self.tip_in_mover(row))
     }
 
     /// The body of a base that moves, with the links that are locked to it.
@@ -391,6 +405,7 @@ impl Arm<'_> {
     pub(super) fn base_body(self) -> Option<Row> {
         let mut body = self.floating?.row();
         if self.rows.is_empty() {
+            body.tip = self.tip.copied();
             body = self.tool.joined(&body);
         }
         for frame in self.frames.iter().filter(|frame| frame.on.is_none()) {

@@ -1,6 +1,6 @@
 //! Tables of any number of joints, as the numeric algorithms read them.
 
-use super::{Convention, FixedFrame, Follower, Row, Table};
+use super::{Convention, FixedFrame, Follower, Placement, Row, Table};
 use crate::frame::{FloatingBase, Frame, Tool};
 
 /// The contents of a table, whatever its size.
@@ -14,6 +14,7 @@ pub struct Arm<'t> {
     pub(crate) followers: &'t [Option<Follower>],
     pub(crate) frames: &'t [FixedFrame],
     pub(crate) tool: &'t Tool,
+    pub(crate) tip: Option<&'t Placement>,
 }
 
 /// A row of the whole arm, and how its joint moves: at `factor * q + offset` with the position q of a joint that moves
@@ -122,6 +123,7 @@ impl<const N: usize> AsArm for Table<N> {
             followers: &self.followers.list,
             frames: &self.frames,
             tool: &self.tool,
+            tip: self.tip.as_ref(),
         }
     }
 }

@@ -229,6 +229,10 @@ pub struct Table<const N: usize> {
     /// The tool at the tip: on the link of the only row that carries no other, whether its joint is locked or not. A robot
     /// in which several rows carry no other has no tip, and no tool.
     pub tool: Tool,
+    /// The tip in frame 0 of a robot on a base that moves whose rows are all locked; none is written where it has other rows,
+    /// or none at all.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub tip: Option<Placement>,
     /// New entries break no literal that ends with `..Table::new(convention, gravity, rows)`.
     #[doc(hidden)]
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -247,6 +251,7 @@ impl<const N: usize> Table<N> {
             followers: Followers::NONE,
             frames: Frames::NONE,
             tool: Tool::NONE,
+            tip: None,
             non_exhaustive: (),
         }
     }

@@ -1,6 +1,6 @@
 //! A table whose number of joints is known at run time alone.
 
-use super::{Arm, AsArm, Convention, FixedFrame, Follower, Frames, Row, Table};
+use super::{Arm, AsArm, Convention, FixedFrame, Follower, Frames, Placement, Row, Table};
 use crate::frame::{FloatingBase, Frame, Tool};
 
 /// The table of a robot whose number of joints is known at run time alone, as numbers. Nothing is validated.
@@ -23,6 +23,9 @@ pub struct RuntimeTable {
     pub frames: Vec<FixedFrame>,
     /// The tool at the tip, as in [`Table::tool`].
     pub tool: Tool,
+    /// The tip of a robot whose rows are all locked, as in [`Table::tip`].
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub tip: Option<Placement>,
     /// Each of them is there.
     pub(crate) followers: Vec<Option<Follower>>,
 }
@@ -38,6 +41,7 @@ impl RuntimeTable {
             rows,
             frames: Vec::new(),
             tool: Tool::NONE,
+            tip: None,
             followers: Vec::new(),
         }
     }
@@ -56,6 +60,7 @@ impl RuntimeTable {
             floating: self.floating,
             frames: Frames::new(&self.frames)?,
             tool: self.tool,
+            tip: self.tip,
             ..Table::new(self.convention, self.gravity, rows)
         };
         let mut followers = self.followers();
@@ -76,6 +81,7 @@ impl<const N: usize> From<&Table<N>> for RuntimeTable {
             rows: table.rows.to_vec(),
             frames: table.frames.to_vec(),
             tool: table.tool,
+            tip: table.tip,
             followers: table.followers.iter().copied().map(Some).collect(),
         }
     }
@@ -92,6 +98,7 @@ impl AsArm for RuntimeTable {
             followers: &self.followers,
             frames: &self.frames,
             tool: &self.tool,
+            tip: self.tip.as_ref(),
         }
     }
 }

@@ -668,3 +668,37 @@ fn a_base_without_mass_is_refused() {
         assert_eq!((error.joint, error.joint_name), (2, Some("base vz")));
     }
 }
+
+/// Where all rows are locked, the tip and the tool on it stay where they are: those of a robot that moves, at its positions.
+#[test]
+fn locked_rows_carry_the_tip() {
+    let moving = floating_table::<2>(Convention::Standard, 1);
+    let q = [0.3, -0.8];
+    let base = moving.floating.expect("a base that moves");
+    let motions = q.map(JointMotion::Locked);
+    let (convention, gravity) = (moving.convention, moving.gravity);
+    let frames = <[_; 3]>::try_from(&moving.frames[..]).expect("three frames");
+    let fixed =
+        Table::<0>::with_floating_base(base, convention, gravity, moving.rows, motions, frames);
+    let fixed = Table {
+        tool: moving.tool,
+        ..fixed
+    };
+    let (moving, fixed) = (
+        FloatingNewtonEuler::<2, 8>::new(&moving),
+        FloatingNewtonEuler::<0, 6>::new(&fixed),
+    );
+    let (q, none, pose) = (SVector::from(q), SVector::zeros(), random_pose(1));
+    assert_near(
+        fixed.forward_kinematics(&pose, &none),
+        moving.forward_kinematics(&pose, &q),
+        1e-14,
+    );
+    let of_base = moving
+        .jacobian(&pose, &q)
+        .fixed_columns::<6>(0)
+        .into_owned();
+    assert_near(fixed.jacobian(&pose, &none), of_base, 1e-14);
+    let of_base = moving.mass_matrix(&q).fixed_view::<6, 6>(0, 0).into_owned();
+    assert_near(fixed.mass_matrix(&none), of_base, 1e-13);
+}
