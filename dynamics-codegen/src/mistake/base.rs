@@ -35,6 +35,9 @@ mistakes! {
     series(function: &str)
         "`{function}` is of a robot whose base stands: `forward_dynamics` is there for one that moves, and explicit \
          methods simulate it";
+    inverse(function: &str)
+        "`{function}` is of a robot whose base stands: one that moves reaches every pose, whatever the positions of its \
+         joints";
     neglect()
         "`neglect` is for robots whose base stands, for it does not know how a base turns: leave it out";
     /// A function of the tip, where there are no joints.

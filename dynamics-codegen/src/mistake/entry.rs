@@ -68,8 +68,8 @@ mistakes! {
         "`{function}` is about all base parameters, some of which `neglect` leaves out: remove one of the two";
     neglect_and_field(name: &impl Display)
         "what may be neglected depends on numbers: the value of the field `{name}` is not known here";
-    neglect_without_limits(name: &impl Display)
-        "`neglect` needs to know how far `{name}` slides: write `limits: [lower, upper]`, in m";
+    neglect_without_limits(name: &impl Display) [limits: cell("limits: [lower, upper]")]
+        "`neglect` needs to know how far `{name}` slides: write {limits}, in m";
     tests_of_one_factor(function: &str, other: &str)
         "`tests: true` has nothing to compare: `{function}` is tested together with `{other}`, request both";
     /// In a call, or in a file, of either format.

@@ -7,7 +7,7 @@ use dynamics_symbolic::robot::{Frame, Row};
 use super::Parts;
 use super::functions::named;
 use super::scope::Scope;
-use crate::description::{Asked, Entry, Name, Place, Table};
+use crate::description::{Asked, Entry, Name, Place, Table, Wanted};
 use crate::limits::MOST_LISTED;
 use crate::mistake::{link as mistake, unknown};
 use crate::words;
@@ -79,7 +79,10 @@ fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Sco
             scope.error(*place, mistake);
         }
     }
-    let asked = named(asked).filter(|wanted| wanted.frame.is_none());
+    // On a base that moves there is no inverse kinematics, at the tip or at a frame.
+    let stands = table.floating().is_none();
+    let is_of_tip = |wanted: &&Wanted| wanted.frame.is_none() && (stands || !wanted.is_inverse);
+    let asked = named(asked).filter(is_of_tip);
     let asked = asked.map(|wanted| (wanted.function, wanted.name(), wanted.place));
     let needed = table.name.iter().zip(&table.needed);
     let needed = needed.map(|(name, function)| (*function, function.name(), Place::from(name)));

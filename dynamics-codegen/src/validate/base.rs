@@ -56,7 +56,12 @@ pub(super) fn report(asked: &[Asked], parts: &Parts, table: &Table, scope: &Scop
         scope.error(*place, mistake::neglect());
     }
     let has_tip = !is_alone(table);
-    let asked = named(asked).map(|wanted| (wanted.function, wanted.frame.is_some(), wanted.place));
+    let (inverses, asked): (Vec<_>, Vec<_>) = named(asked).partition(|wanted| wanted.is_inverse);
+    for wanted in inverses {
+        scope.error(wanted.place, mistake::inverse(wanted.name()));
+    }
+    let asked = asked.into_iter();
+    let asked = asked.map(|wanted| (wanted.function, wanted.frame.is_some(), wanted.place));
     let needed = table.name.iter().zip(&table.needed);
     let needed = needed.map(|(name, function)| (*function, false, Place::from(name)));
     for (function, has_frame, place) in asked.chain(needed) {

@@ -33,7 +33,9 @@ pub(super) fn share(share: Option<&Share>, scope: &mut Scope) -> Option<(Value, 
 
 /// Reports what `neglect` needs and is not there: numbers, ranges.
 pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
-    let Some((_, place)) = &parts.neglect else {
+    // On a base that moves nothing is neglected, whatever else is there.
+    let neglect = parts.neglect.as_ref();
+    let Some((_, place)) = neglect.filter(|_| table.floating().is_none()) else {
         return;
     };
     if let Some(tests) = &parts.tests {
