@@ -1,7 +1,10 @@
 //! Robots on a base that moves, compiled: HyQ beside the values that Pinocchio has from the same file, a free body, and
 //! batches, tuples and other numbers beside single calls.
 
+use std::collections::BTreeSet;
+
 use dynamics_evaluation::{EvaluationError, ReadOptions, RuntimeRobot, Value};
+use dynamics_symbolic::Function;
 use robot_dynamics::check::Check;
 use robot_dynamics::nalgebra::{
     DMatrix, DVector, Matrix3, Quaternion, SVector, UnitQuaternion, Vector3,
@@ -45,6 +48,51 @@ robot_dynamics! {
         slide: prismatic { a: 0.4, alpha: 0.6, mass: 2, com: [0, 0.1, 0.3], inertia: sphere(0.1) },
     ],
     functions: [default, centroidal_momentum_matrix, centroidal_momentum_bias],
+}
+
+/// Robots of `tests/data/files/kinds` with these functions, the second ones at a frame where there is one.
+macro_rules! kinds {
+    ([$($function:ident),* $(,)?], [$($of_tip:ident),* $(,)?]) => {
+        robot_dynamics! {
+            struct MovingTree;
+            file: "../data/files/kinds/moving_tree.toml",
+            functions: [$($function,)* $($of_tip(foot),)*],
+        }
+
+        robot_dynamics! {
+            struct Body;
+            file: "../data/files/kinds/body.toml",
+            functions: [$($function,)* $($of_tip(camera),)*],
+        }
+
+        robot_dynamics! {
+            struct MovingArm { g: f64, trunk: f64, reach: f64 }
+            file: "../data/files/kinds/moving_arm.toml",
+            functions: [$($function,)* $($of_tip,)*],
+        }
+
+        robot_dynamics! {
+            struct LockedArm;
+            file: "../data/files/kinds/locked_arm.toml",
+            functions: [$($function,)* $($of_tip,)*],
+        }
+
+        const FUNCTIONS: &[&str] = &[$(stringify!($function),)* $(stringify!($of_tip)),*];
+    };
+}
+
+kinds! {
+    [
+        mass_matrix, coriolis_vector, gravity_vector, friction_vector, spring_vector, inverse_dynamics, forward_dynamics,
+        kinetic_energy, potential_energy, bias_force, coriolis_matrix, link_poses, inverse_dynamics_derivatives,
+        forward_dynamics_derivatives, regressor, base_parameters, forward_dynamics_aba, link_jacobians, center_of_mass,
+        center_of_mass_jacobian, centroidal_momentum_matrix, centroidal_momentum_bias, generalized_momentum, momentum_bias,
+        passivity_torque, passivity_regressor, energy_regressors, inverse_dynamics_rates, inverse_dynamics_second_derivatives,
+    ],
+    [
+        forward_kinematics, jacobian, wrench_torques, tool_velocity, tool_acceleration, jacobian_rate,
+        operational_inertia_inverse,
+    ]
 }
 
 type Velocity = SVector<f64, 18>;
@@ -117,6 +165,34 @@ fn robots_on_moving_bases_agree_with_newton_euler() {
     for report in [
         check_against_rnea(&Hyq),
         check_against_rnea(&Stone { m: 2.5 }),
+    ] {
+        println!("{report}");
+        report.assert_ok();
+    }
+}
+
+/// Every function that robots on a base that moves have is compiled, for each kind of them.
+#[test]
+fn every_function_on_a_moving_base_agrees_with_newton_euler() {
+    let is_of_standing = |function: &Function| {
+        let name = function.name();
+        name == "taylor_series" || name.ends_with("_coefficients")
+    };
+    let names = Function::ALL
+        .iter()
+        .filter(|function| !is_of_standing(function));
+    let names: BTreeSet<_> = names.map(|function| function.name()).collect();
+    assert_eq!(FUNCTIONS.iter().copied().collect::<BTreeSet<_>>(), names);
+    let arm = MovingArm {
+        g: 9.81,
+        trunk: 4.0,
+        reach: 0.3,
+    };
+    for report in [
+        check_against_rnea(&MovingTree),
+        check_against_rnea(&Body),
+        check_against_rnea(&arm),
+        check_against_rnea(&LockedArm),
     ] {
         println!("{report}");
         report.assert_ok();

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use super::beside;
 use super::reading::{
-    ADDING, bytes, decoded, forget_locks, is_bare_base, joint_names, read, request,
+    ADDING, START, bytes, decoded, forget_locks, is_bare_base, joint_names, read, request,
 };
 use super::report_without_file;
 use super::request::Format;
 use crate::audience::Audience;
 use crate::call::Call;
-use crate::description::{Entry, FileName};
+use crate::description::{Entry, FileName, Joints};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_BYTES;
 use crate::mistake::file as mistake;
@@ -71,6 +71,14 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     let at = table.entries.iter().position(is_file).unwrap_or(0);
     let behind = at + read.entries.len() + in_front.saturating_sub(at + 1);
     table.entries.splice(at..=at, read.entries);
+    let is_joints = |entry: &Entry| matches!(entry, Entry::Joints(..));
+    if table.floating().is_some() && !table.entries.iter().any(is_joints) {
+        // A file of a body that moves alone says nothing of joints, as a call does by `joints: []`.
+        let complete = true;
+        let rows = Vec::new();
+        let none = Joints { rows, complete };
+        table.entries.push(Entry::Joints(START, Some(none)));
+    }
     if in_front > at {
         beside::move_rows(&mut table.entries, behind);
     }

@@ -115,7 +115,7 @@ fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table
 }
 
 /// Where a file begins.
-const START: Place = Place::File { line: 1, column: 1 };
+pub(super) const START: Place = Place::File { line: 1, column: 1 };
 
 /// Entries that are missing are reported at the place of the name.
 fn put_name(name: &str, place: Place, table: &mut Table) {
