@@ -6,7 +6,8 @@ use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{
     CNumbers, c_project, c_source_in, casadi_requests, casadi_source, inverse_in_c,
-    inverse_in_javascript, javascript_module, matlab_files, python_module, snake_case,
+    inverse_in_javascript, javascript_module, matlab_files, python_module, python_module_name,
+    snake_case,
 };
 use dynamics_symbolic::proven_plan;
 
@@ -143,7 +144,10 @@ fn other(
             }
             files
         }
-        Some("python") => vec![(format!("{name}.py"), python_module(robot, &programs))],
+        Some("python") => vec![(
+            format!("{}.py", python_module_name(robot)),
+            python_module(robot, &programs),
+        )],
         Some("matlab") => matlab_files(robot, &programs),
         _ => vec![(format!("{name}.mjs"), javascript_module(robot, &programs))],
     })

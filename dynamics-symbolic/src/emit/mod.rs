@@ -21,7 +21,7 @@ pub use inverse::{inverse_kinematics, stub_of_inverse};
 pub use languages::{
     CNumbers, CSource, CasadiSource, c_project, c_source, c_source_in, casadi_requests,
     casadi_source, description, inverse_in_c, inverse_in_javascript, javascript_module,
-    matlab_files, python_module, snake_case,
+    matlab_files, python_module, python_module_name, snake_case,
 };
 pub use signature::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,

@@ -20,7 +20,7 @@ pub use closed_form::{inverse_in_c, inverse_in_javascript};
 pub use comments::description;
 pub use javascript::javascript_module;
 pub use matlab::matlab_files;
-pub use python::python_module;
+pub use python::{python_module, python_module_name};
 
 use super::documentation;
 use super::inputs::{in_order, input_names};

@@ -3,7 +3,7 @@
 use super::arrangement::Arrangement;
 use super::body::{Body, number};
 use super::comments::{lines as documentation, title_lines};
-use super::{Language, argument_names, argument_sizes, free_name, indented, plain};
+use super::{Language, argument_names, argument_sizes, free_name, indented, plain, snake_case};
 use crate::function::{Argument, Request};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -53,7 +53,7 @@ const ARRANGEMENT: Arrangement = Arrangement {
 /// Words that no function and no field may be named.
 const WORDS: &str = "
 False None True and as assert async await break class continue def del elif else except finally for
-from global if import in is lambda nonlocal not or pass raise return try while with xp zero numpy
+from global if import in is lambda nonlocal not or pass raise return try while with yield xp zero numpy
 ";
 
 const ARRAY: &str = "
@@ -206,6 +206,11 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
         docstring(&documentation(robot, request, proven, REFUSAL), 4),
         indented(&reads, 4)
     )
+}
+
+/// The name of a robot's module: no word of Python, which no statement imports.
+pub fn python_module_name(robot: &Robot) -> String {
+    free_name(&snake_case(&robot.name), WORDS)
 }
 
 /// A string literal. Letters that do not show themselves are written by their numbers.
