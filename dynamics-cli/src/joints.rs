@@ -11,18 +11,33 @@ const TURNS: f64 = 2.0;
 /// Remarks on the first angle that was perhaps meant in degrees; whether there is one.
 pub(crate) fn note_degrees(source: &str, robot: &Robot, positions: &[f64]) -> bool {
     let mut joints = robot.joints().zip(positions);
-    let many_turns = joints.find(|(row, position)| {
-        row.joint_type == JointType::Revolute && position.abs() > TURNS * TAU
-    });
+    let many_turns = joints
+        .find(|(row, position)| row.joint_type == JointType::Revolute && is_in_degrees(**position));
     if let Some((row, position)) = many_turns {
-        // A remark that cannot be written is no failure.
-        let _ = writeln!(
-            std::io::stderr(),
-            "`{source}`: {position} rad of `{}` are {:.1} turns: angles are in radians, and {position} degrees are {:.4}",
-            row.name,
-            position.abs() / TAU,
-            position.to_radians()
-        );
+        remark(source, *position, &row.name);
     }
     many_turns.is_some()
+}
+
+/// Remarks on the first of roll, pitch and yaw of a pose that was perhaps meant in degrees.
+pub(crate) fn note_degrees_of_pose(angles: [f64; 3]) {
+    let mut named = angles.into_iter().zip(["ROLL", "PITCH", "YAW"]);
+    if let Some((angle, name)) = named.find(|(angle, _)| is_in_degrees(*angle)) {
+        remark("--pose", angle, name);
+    }
+}
+
+/// Whether an angle was perhaps meant in degrees.
+fn is_in_degrees(angle: f64) -> bool {
+    angle.abs() > TURNS * TAU
+}
+
+fn remark(source: &str, angle: f64, name: &str) {
+    // A remark that cannot be written is no failure.
+    let _ = writeln!(
+        std::io::stderr(),
+        "`{source}`: {angle} rad of `{name}` are {:.1} turns: angles are in radians, and {angle} degrees are {:.4}",
+        angle.abs() / TAU,
+        angle.to_radians()
+    );
 }

@@ -11,6 +11,7 @@ use dynamics_symbolic::{Function, Request};
 
 use crate::columns::{aligned, significant};
 use crate::failure::Failure;
+use crate::joints::note_degrees_of_pose;
 use crate::load::{arm, count, file_of, read_on_standing_base};
 use crate::state::positions;
 
@@ -58,6 +59,7 @@ fn target(given: &ArgMatches) -> Result<(Target, usize), Failure> {
     match numbers[..] {
         [x, y, z] => Ok((Target::position(Vector3::new(x, y, z)), 3)),
         [x, y, z, roll, pitch, yaw] => {
+            note_degrees_of_pose([roll, pitch, yaw]);
             let rotation = Rotation3::from_euler_angles(roll, pitch, yaw).into_inner();
             Ok((Target::rotation(rotation).at(Vector3::new(x, y, z)), 6))
         }

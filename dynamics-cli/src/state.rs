@@ -6,7 +6,7 @@ use dynamics_runtime::nalgebra::{Rotation3, Vector3};
 use dynamics_symbolic::robot::Robot;
 
 use crate::failure::Failure;
-use crate::joints::note_degrees;
+use crate::joints::{note_degrees, note_degrees_of_pose};
 
 /// Positions of the command line, zeros where it has none.
 pub(crate) fn positions(
@@ -62,10 +62,13 @@ pub(crate) fn roll_pitch_yaw(given: &ArgMatches) -> Result<Option<[f64; 6]>, Fai
     };
     let entries: Vec<f64> = entries.copied().collect();
     let found = entries.len();
-    entries.try_into().map(Some).map_err(|_| {
+    let entries: [f64; 6] = entries.try_into().map_err(|_| {
         let message = format!("`--pose` has {found} numbers: expected six, X,Y,Z,ROLL,PITCH,YAW");
         Failure::of_the_command_line(message)
-    })
+    })?;
+    let [.., roll, pitch, yaw] = entries;
+    note_degrees_of_pose([roll, pitch, yaw]);
+    Ok(Some(entries))
 }
 
 /// Poses of a base, twelve numbers each, for as many rotation vectors: the position has the same numbers in another order.

@@ -53,6 +53,22 @@ fn tables_and_files_are_checked() {
     assert!(output(&call).contains("inverse_dynamics"));
 }
 
+/// An angle of a pose that was perhaps meant in degrees is told as one of a joint is.
+#[test]
+fn poses_in_degrees_are_told() {
+    let brick = file("turned_brick.toml", BRICK);
+    let arm = data("files/two_link.toml");
+    for call in [
+        ["evaluate", &*brick, "--pose", "0,0,0,0,0,90"],
+        ["reach", &*arm, "--pose", "1.2,1.3,0,0,0,90"],
+    ] {
+        let told = run(&call).stderr;
+        let told = String::from_utf8_lossy(&told);
+        let expected = "`--pose`: 90 rad of `YAW` are 14.3 turns: angles are in radians, and 90 degrees are 1.5708";
+        assert!(told.contains(expected), "{told}");
+    }
+}
+
 /// Formulas name what a base has by its axes, and count joints from 1: m (dv/dt + w x v) - m g of the whole, and Euler's
 /// equations.
 #[test]
