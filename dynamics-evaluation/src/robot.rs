@@ -2,7 +2,9 @@
 
 use std::sync::{Mutex, OnceLock};
 
-use dynamics_runtime::{Operations, Scalar, SingularMassMatrix, table::RuntimeTable};
+use dynamics_runtime::{
+    NAMES_OF_BASE, Operations, Scalar, SingularMassMatrix, table::RuntimeTable,
+};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request, proven_program};
@@ -367,10 +369,11 @@ impl RuntimeRobot {
         results: &mut [f64],
     ) -> Result<(), EvaluationError> {
         let entries = function.layout.entries();
-        let states = match (function.arguments.first(), arguments.first()) {
-            (Some((_, width)), Some(first)) => first.len() / width,
-            // Base parameters are the same at all states.
-            _ => results.len().checked_div(entries).unwrap_or(0),
+        let mut pairs = function.arguments.iter().zip(arguments);
+        let states = match pairs.find(|((_, width), _)| *width > 0) {
+            Some(((_, width), first)) => first.len() / width,
+            // Base parameters are the same at all states, as are values of joint positions where there are no joints.
+            None => results.len().checked_div(entries).unwrap_or(0),
         };
         let lengths = arguments.iter().map(|entries| entries.len());
         function.check_lengths(lengths, states)?;
@@ -451,7 +454,9 @@ impl RuntimeRobot {
         state: Option<usize>,
         error: SingularMassMatrix,
     ) -> EvaluationError {
-        let joint = self.joint_names().nth(error.joint);
+        // The six of a base that moves are counted first.
+        let of_base = NAMES_OF_BASE.into_iter().take(self.robot.freedoms().base);
+        let joint = of_base.chain(self.joint_names()).nth(error.joint);
         EvaluationError::Singular {
             state,
             joint: joint.unwrap_or_default().to_owned(),

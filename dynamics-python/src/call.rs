@@ -229,6 +229,9 @@ pub(crate) fn bounds(
     _threads: usize,
 ) -> Result<(), EvaluationError> {
     let mut ended = Ok(());
+    if ready.entries == 0 {
+        return ended;
+    }
     for (state, row) in (0..states).zip(results.chunks_exact_mut(ready.entries)) {
         let pairs = ready.arguments.iter().zip(arguments);
         let of_state = pairs.map(|(of, rows)| &rows[state * of.entries..(state + 1) * of.entries]);
@@ -259,10 +262,11 @@ pub(crate) fn evaluate(
     threads: usize,
 ) -> Result<(), EvaluationError> {
     let (name, arm) = (ready.name.as_str(), &ready.arm);
-    if states == 0 {
+    // Link poses of a body without joints have no entries.
+    if states == 0 || ready.entries == 0 {
         return Ok(());
     }
-    let has_width = ready.arguments.first().is_some_and(|of| of.entries > 0);
+    let has_width = ready.arguments.iter().any(|of| of.entries > 0);
     if states == 1 || !has_width {
         let value = arm.evaluate_by_rows(name, arguments, &mut results[..ready.entries]);
         if value.is_err() {

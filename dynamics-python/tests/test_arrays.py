@@ -208,3 +208,20 @@ def test_bounds_have_the_shape_of_the_values(arm: rd.Robot) -> None:
     M = arm.mass_matrix(q)
     assert bounds.shape == M.shape and (bounds < 1e-13).all() and (bounds > 0).any()
     assert arm.bound("inverse_dynamics", q, q, q).shape == (2, 7)
+
+
+def test_a_body_without_joints_has_arrays() -> None:
+    body = rd.Robot.from_toml(
+        """
+        gravity = [0, 0, -9.81]
+        base = { floating = true, mass = 5, inertia = { xx = 0.1, yy = 0.2, zz = 0.25 } }
+        """,
+        functions=["mass_matrix", "coriolis_vector", "link_poses"],
+    )
+    v = np.arange(30.0).reshape(5, 6)
+    many = body.coriolis_vector(np.zeros((5, 0)), v)
+    for found, one in zip(many, v):
+        np.testing.assert_allclose(found, body.coriolis_vector([], one), rtol=1e-12)
+    assert body.mass_matrix(np.zeros((3, 0))).shape == (3, 6, 6)
+    assert body.link_poses(np.eye(4), []).shape == (0, 4, 4)
+    assert body.bound("link_poses", np.eye(4), []).shape == (0, 4, 4)

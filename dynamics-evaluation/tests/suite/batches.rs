@@ -186,3 +186,35 @@ fn threads_share_an_arm() {
         }
     });
 }
+
+/// Positions of no joints do not say how many states there are: another argument does, or the results.
+#[test]
+fn a_body_without_joints_has_batches() {
+    let functions = [
+        Function::MassMatrix,
+        Function::CoriolisVector,
+        Function::LinkPoses,
+    ];
+    let body = RuntimeRobot::new(arms::floating("free_body"), functions).expect("a body");
+    let at_one = |function: &str, arguments: &[&[f64]]| {
+        let value = body.evaluate_in(function, arguments);
+        value.expect("a value")
+    };
+    let mut found = vec![0.0; 3 * 36];
+    body.batch("mass_matrix", &[&[]], &mut found)
+        .expect("values");
+    let m = at_one("mass_matrix", &[&[]]);
+    assert!(found.chunks(36).all(|of_state| of_state == m));
+    let v = entries(18, 0);
+    let mut found = vec![0.0; 18];
+    body.batch("coriolis_vector", &[&[], &v], &mut found)
+        .expect("values");
+    for (found, v) in found.chunks(6).zip(v.chunks(6)) {
+        for (x, y) in found.iter().zip(at_one("coriolis_vector", &[&[], v])) {
+            assert!((x - y).abs() <= 1e-13 * (1.0 + y.abs()), "{x} {y}");
+        }
+    }
+    let poses = entries(36, 1);
+    body.batch("link_poses", &[&poses, &[]], &mut [])
+        .expect("no values");
+}

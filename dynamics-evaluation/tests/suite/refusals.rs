@@ -1,7 +1,7 @@
 //! Refusals, and their messages.
 
 use dynamics_evaluation::dynamics_runtime::nalgebra::Vector6;
-use dynamics_evaluation::dynamics_runtime::{Friction, Simulation};
+use dynamics_evaluation::dynamics_runtime::{Friction, NAMES_OF_BASE, Simulation};
 use dynamics_evaluation::{BuildError, EvaluationError, FileError, ReadOptions, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Mount, Placement, Value};
@@ -194,4 +194,26 @@ fn names_that_are_unknown_are_told_with_the_nearest_one() {
     );
     let (line, text) = told("mass", &options.entries("base = {}\ngravitty = [0, 0, 0]"));
     assert!(line == 2 && text.contains("`gravity`"), "{line}: {text}");
+}
+
+/// The six of a base that moves are counted before the joints, and have names.
+#[test]
+fn what_is_singular_on_a_moving_base_has_a_name() {
+    let mut robot = arms::floating("torso");
+    let last = robot.rows.len() - 1;
+    robot.rows[last].mass = Value::zero();
+    robot.rows[last].inertia = [(); 6].map(|()| Value::zero());
+    let mut names: Vec<_> = NAMES_OF_BASE.map(str::to_owned).to_vec();
+    names.extend(robot.joints().map(|row| row.name.clone()));
+    let arm = RuntimeRobot::new(robot, [Function::ForwardDynamics]).expect("a robot");
+    let joints = arm.joint_names().count();
+    for q in [0.3, f64::NAN] {
+        let (base, q) = ([1.0; 12], vec![q; joints]);
+        let v = vec![0.0; 6 + joints];
+        let refused = arm.evaluate("forward_dynamics", &[&base, &q, &v, &v]);
+        let Err(EvaluationError::Singular { joint, error, .. }) = refused else {
+            panic!("{refused:?}")
+        };
+        assert_eq!(joint, names[error.joint]);
+    }
 }

@@ -217,7 +217,11 @@ impl<'a> Writer<'a> {
             parameters.push(format!("const {}_fields *arm", self.name));
         }
         for (argument, entries) in argument_sizes(request, sizes) {
-            parameters.push(format!("const {word} {}[{entries}]", argument.name()));
+            parameters.push(match entries {
+                // Joint positions where there are no joints: no array of C is without entries.
+                0 => format!("const {word} *{}", argument.name()),
+                _ => format!("const {word} {}[{entries}]", argument.name()),
+            });
         }
         if !is_number(request) {
             let written = self.written(request, proven);

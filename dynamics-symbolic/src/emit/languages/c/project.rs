@@ -63,11 +63,13 @@ impl Writer<'_> {
         let mut gather = Vec::new();
         for (argument, entries) in argument_sizes(request, sizes) {
             let argument = argument.name();
+            // No array of C is without entries.
+            let size = entries.max(1);
             lines.push(format!(
-                "static {word} {argument}_columns[{entries}][{STATES}];"
+                "static {word} {argument}_columns[{size}][{STATES}];"
             ));
-            lines.push(format!("const {word} *{argument}_all[{entries}];"));
-            lines.push(format!("{word} {argument}[{entries}];"));
+            lines.push(format!("const {word} *{argument}_all[{size}];"));
+            lines.push(format!("{word} {argument}[{size}];"));
             gather.push(format!(
                 "fill(&{argument}_columns[0][0], {argument}_all, {entries});"
             ));
