@@ -9,6 +9,7 @@ use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::Scalar;
 use dynamics_runtime::nalgebra::{Isometry3, Rotation3, Translation3};
 use dynamics_symbolic::emit::{matlab_files, python_module};
+use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
@@ -47,6 +48,24 @@ fn number(x: f64, infinity: &str) -> String {
 fn numbers(entries: &[f64], infinity: &str, between: &str) -> String {
     let entries = entries.iter().map(|x| number(*x, infinity));
     format!("[{}]", entries.collect::<Vec<_>>().join(between))
+}
+
+/// An argument: where a base stands is a matrix of 4 by 4, whose rows are told from one another by `of_rows`.
+fn written(
+    (name, entries): &(&str, Vec<f64>),
+    infinity: &str,
+    [between, of_rows]: [&str; 2],
+) -> String {
+    if *name != "base" {
+        return numbers(entries, infinity, between);
+    }
+    let last = [0.0, 0.0, 0.0, 1.0].to_vec();
+    let rows = (0..3).map(|i| [&entries[3 * i..3 * i + 3], &entries[9 + i..10 + i]].concat());
+    let rows: Vec<_> = rows
+        .chain([last])
+        .map(|row| numbers(&row, infinity, ", "))
+        .collect();
+    format!("[{}]", rows.join(of_rows))
 }
 
 /// The beginning of every Python program.
@@ -115,8 +134,8 @@ fn python_program(case: &Case, with_tables: bool) -> String {
         for state in 0..STATES {
             let mut arguments = vec![function.clone()];
             arguments.extend(first.clone());
-            for (k, (_, entries)) in case.arguments(request, state).iter().enumerate() {
-                let entries = numbers(entries, "inf", ", ");
+            for (k, argument) in case.arguments(request, state).iter().enumerate() {
+                let entries = written(argument, "inf", [", ", ", "]);
                 of_states[k].push(entries.clone());
                 arguments.push(entries);
             }
@@ -141,7 +160,13 @@ pub(super) fn assert_python(case: &Case, name: &str) {
     let module = python_module(case.arm.robot(), &case.programs);
     write("robot.py", &module);
     for (file, with_tables) in [("with_tables.py", true), ("with_numpy.py", false)] {
-        if with_tables || OF_OTHER_LIBRARIES.contains(&name) {
+        let is_of_other_library = !case.has_tables || OF_OTHER_LIBRARIES.contains(&name);
+        let is_asked = if with_tables {
+            case.has_tables
+        } else {
+            is_of_other_library
+        };
+        if is_asked {
             write(file, &python_program(case, with_tables));
             let found = run(python().current_dir(&folder).args(["-W", "ignore", file]));
             assert_same(&found, case, name, !with_tables || IS_FUSED);
@@ -211,8 +236,8 @@ fn octave_program(case: &Case) -> String {
         for state in 0..STATES {
             let mut arguments = vec![parts.to_string(), format!("@{name}")];
             arguments.extend((!fields.is_empty()).then(|| "arm".to_owned()));
-            for (k, (_, entries)) in case.arguments(request, state).iter().enumerate() {
-                let entries = numbers(entries, "Inf", "; ");
+            for (k, argument) in case.arguments(request, state).iter().enumerate() {
+                let entries = written(argument, "Inf", ["; ", "; "]);
                 of_states[k].push(entries.clone());
                 arguments.push(entries);
             }
@@ -223,7 +248,8 @@ fn octave_program(case: &Case) -> String {
             .map(|states| states[..STATES - 1].join(", "));
         let finite: Vec<_> = finite.map(|states| format!("[{states}]")).collect();
         // A state at rest is singular for none of the robots; tuples are parts of one program.
-        if !finite.is_empty() && !request.is_tuple() && !request.refuses() {
+        let has_pages = request.arguments().contains(&Argument::Base);
+        if !finite.is_empty() && !request.is_tuple() && !request.refuses() && !has_pages {
             let fields = if fields.is_empty() { "{}" } else { "{arm}" };
             let _ = writeln!(text, "columns(@{name}, {fields}, {});", finite.join(", "));
         }

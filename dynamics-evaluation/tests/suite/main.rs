@@ -6,6 +6,7 @@ mod casadi;
 mod data_files;
 mod generated;
 mod identified;
+mod kinds;
 mod languages;
 mod python_values;
 mod reach;
