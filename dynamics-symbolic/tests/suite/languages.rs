@@ -30,6 +30,28 @@ fn two_link_arm_in_other_languages() {
     expect_file!["../golden/two_link_craig.m"].assert_eq(&texts.join("\n"));
 }
 
+/// A pivot of M that failed is counted among all, those of a base that moves first, and has a name.
+#[test]
+fn pivots_of_a_base_that_moves_have_names() {
+    let robot = arms::floating("free_body");
+    let request = robot.request(Request::from(Function::ForwardDynamics));
+    let program = proven_program(&robot, &request).expect("proven");
+    let programs = [(request, program)];
+    let names = "\"base vx\", \"base vy\", \"base vz\", \"base wx\", \"base wy\", \"base wz\"";
+    let python = python_module(&robot, &programs);
+    let quoted = names.replace('"', "'");
+    assert!(
+        python.contains(&format!("([{quoted}] + JOINT_NAMES)[joint]")),
+        "{python}"
+    );
+    let javascript = javascript_module(&robot, &programs);
+    assert!(
+        javascript.contains(&format!("[{names}, ...JOINT_NAMES][joint]")),
+        "{javascript}"
+    );
+    assert!(javascript.contains("/** Degrees of freedom: six of the base, then"));
+}
+
 /// Entries that are zero always are no part of an output, derivatives stand behind their function.
 #[test]
 fn two_link_arm_for_casadi() {

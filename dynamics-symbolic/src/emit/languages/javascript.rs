@@ -3,7 +3,9 @@
 use super::arrangement::Arrangement;
 use super::body::{Body, number};
 use super::comments::{comment, lines as documentation, title};
-use super::{Language, argument_names, free_name, indented, plain};
+use super::{
+    Language, PIVOTS_OF_BASE, argument_names, free_name, indented, plain, with_pivots_of_base,
+};
 use crate::function::Request;
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -93,13 +95,18 @@ pub fn javascript_module(robot: &Robot, functions: &[(Request, Proven)]) -> Stri
             array(robot.fields.iter().map(quoted))
         )
     };
+    let counted = match robot.freedoms().has_base() {
+        true => "Degrees of freedom: six of the base, then the joints that move.",
+        false => "Number of joints that move.",
+    };
+    let all = format!("[{PIVOTS_OF_BASE}, ...JOINT_NAMES]");
     format!(
-        "{title}\n/** Number of joints that move. */\nexport const DOF = {};\n\n\
+        "{title}\n/** {counted} */\nexport const DOF = {};\n\n\
          /** Names of the joints that move, from the base outwards. */\nexport const JOINT_NAMES = {};\n\
          {fields}{}{bodies}",
         robot.dof(),
         array(joints),
-        JAVASCRIPT.called(&bodies)
+        with_pivots_of_base(robot, JAVASCRIPT.called(&bodies), &all)
     )
 }
 

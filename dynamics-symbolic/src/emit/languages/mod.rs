@@ -99,6 +99,19 @@ fn argument_sizes(request: &Request, sizes: Sizes) -> impl Iterator<Item = (Argu
     })
 }
 
+/// The first six pivots of M on a base that moves, in double quotes.
+const PIVOTS_OF_BASE: &str =
+    "\"base vx\", \"base vy\", \"base vz\", \"base wx\", \"base wy\", \"base wz\"";
+
+/// Functions of a module, in which an error names the pivot of M that failed: those of a base that moves are counted before
+/// the joints, by `all`.
+fn with_pivots_of_base(robot: &Robot, functions: String, all: &str) -> String {
+    match robot.freedoms().has_base() {
+        true => functions.replace("JOINT_NAMES[joint]", &format!("{all}[joint]")),
+        false => functions,
+    }
+}
+
 /// Lines of text behind so many spaces each.
 fn indented(lines: &[String], spaces: usize) -> String {
     let lines = lines.iter();

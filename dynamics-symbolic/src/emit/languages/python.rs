@@ -3,7 +3,10 @@
 use super::arrangement::Arrangement;
 use super::body::{Body, number};
 use super::comments::{lines as documentation, title_lines};
-use super::{Language, argument_names, argument_sizes, free_name, indented, plain, snake_case};
+use super::{
+    Language, PIVOTS_OF_BASE, argument_names, argument_sizes, free_name, indented, plain,
+    snake_case, with_pivots_of_base,
+};
 use crate::function::{Argument, Request};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -157,13 +160,16 @@ pub fn python_module(robot: &Robot, functions: &[(Request, Proven)]) -> String {
             fields.collect::<Vec<_>>().join(", ")
         )
     };
+    // Within a text in double quotes.
+    let of_base = PIVOTS_OF_BASE.replace('"', "'");
+    let all = format!("([{of_base}] + JOINT_NAMES)");
     format!(
         "{}\nimport numpy\n\n# Degrees of freedom, and the names of the joints that move, from the base outwards.\n\
          DOF = {}\nJOINT_NAMES = [{}]\n{fields}{}{bodies}",
         docstring(&title, 0),
         robot.dof(),
         joints.collect::<Vec<_>>().join(", "),
-        PYTHON.called(&bodies)
+        with_pivots_of_base(robot, PYTHON.called(&bodies), &all)
     )
 }
 
@@ -179,13 +185,20 @@ fn function(robot: &Robot, request: &Request, proven: &Proven) -> String {
     let mut zeros = Vec::new();
     for (argument, entries) in argument_sizes(request, sizes) {
         let name = argument.name();
+        if entries == 0 {
+            // Positions of no joints: what has no entries has axes before them.
+            reads.push(format!(
+                "zero_{name} = -xp.zeros(xp.asarray({name}).shape[:-1]) if hasattr(xp, \"stack\") else -0.0"
+            ));
+        }
         reads.push(match argument {
             Argument::Base => format!("{name} = _entries_of_pose(xp, {name})"),
             _ => format!("{name} = _entries(xp, {name}, {entries})"),
         });
-        if entries > 0 {
-            zeros.push(format!("-xp.zeros_like({name}[0])"));
-        }
+        zeros.push(match entries {
+            0 => format!("zero_{name}"),
+            _ => format!("-xp.zeros_like({name}[0])"),
+        });
     }
     // -0 changes no number, not even -0: added to entries it gives all of them the axes before the last.
     let zeros = if zeros.is_empty() {
