@@ -237,7 +237,11 @@ fn octave_program(case: &Case) -> String {
             let mut arguments = vec![parts.to_string(), format!("@{name}")];
             arguments.extend((!fields.is_empty()).then(|| "arm".to_owned()));
             for (k, argument) in case.arguments(request, state).iter().enumerate() {
-                let entries = written(argument, "Inf", ["; ", "; "]);
+                // An empty matrix is no state, and a column without rows is one.
+                let entries = match argument.1.is_empty() {
+                    true => "zeros(0, 1)".to_owned(),
+                    false => written(argument, "Inf", ["; ", "; "]),
+                };
                 of_states[k].push(entries.clone());
                 arguments.push(entries);
             }

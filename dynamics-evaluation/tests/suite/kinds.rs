@@ -261,7 +261,6 @@ fn every_value_in_other_languages_is_that_of_rust() {
         kind.add_tuples();
         let fields = values(&kind.robot);
         let mut case = Case::of_programs(kind.robot, &fields, kind.programs);
-        case.has_tables = false;
         // Poses of the links of a body without joints are no values.
         let arm = &case.arm;
         let has_values = |request: &Request| arm.entries(request.name()) != Ok(0);

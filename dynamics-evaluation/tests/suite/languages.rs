@@ -55,9 +55,12 @@ impl Case {
             (request, program)
         });
         let programs = programs.collect();
-        Case::of_programs(robot, fields, programs)
+        let mut case = Case::of_programs(robot, fields, programs);
+        case.tabulate(fields);
+        case
     }
 
+    /// A case without tables.
     pub(super) fn of_programs(
         robot: Robot,
         fields: &[f64],
@@ -65,11 +68,23 @@ impl Case {
     ) -> Self {
         let mut arm = RuntimeRobot::of_programs(robot, &programs).expect("an arm");
         arm.set_fields(fields).expect("a value for each field");
-        let joints = arm.joint_names().count();
+        Case {
+            arm,
+            programs,
+            angles: Vec::new(),
+            exponents: Vec::new(),
+            has_tables: false,
+        }
+    }
+
+    fn tabulate(&mut self, fields: &[f64]) {
+        let joints = self.arm.dof();
         let of_axes = |name: &str| -> Vec<f64> {
             let states = (0..STATES).map(|state| argument(name, joints, state));
             states
-                .flat_map(|entries| Mechanism::from(arm.robot()).with_followers(&entries, fields))
+                .flat_map(|entries| {
+                    Mechanism::from(self.arm.robot()).with_followers(&entries, fields)
+                })
                 .collect()
         };
         let mut angles = of_axes("q");
@@ -81,13 +96,7 @@ impl Case {
                 .collect(),
             None => Vec::new(),
         };
-        Case {
-            arm,
-            programs,
-            angles,
-            exponents,
-            has_tables: true,
-        }
+        (self.angles, self.exponents, self.has_tables) = (angles, exponents, true);
     }
 
     pub(super) fn arguments(
