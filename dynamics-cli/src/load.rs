@@ -53,6 +53,24 @@ pub(crate) fn read_on_standing_base(path: &Path, given: &ArgMatches) -> Result<M
     Ok(model)
 }
 
+/// As [`read_on_standing_base`]. Links of a URDF file are frames of the robot where something is asked of them, as here of
+/// one that has this name.
+pub(crate) fn read_with_frame(
+    path: &Path,
+    given: &ArgMatches,
+    frame: &str,
+) -> Result<Model, Failure> {
+    let model = read_on_standing_base(path, given)?;
+    if !has_links(path) {
+        return Ok(model);
+    }
+    let mut beside = with_values(given, path, None, "chain")?;
+    let asked = format!("{}({frame:?})", Function::ForwardKinematics.name());
+    beside.options = beside.options.functions([asked]);
+    // If no link has the name, the frames of the robot alone are there.
+    Ok(read_any(path, beside, Vec::new()).unwrap_or(model))
+}
+
 /// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides.
 pub(crate) fn read_with_fields(
     path: &Path,

@@ -9,10 +9,11 @@ use dynamics_runtime::{JointVector as _, SizedKinematics as _};
 use dynamics_symbolic::robot::{JointType, Robot};
 use dynamics_symbolic::{Function, Request};
 
+use crate::beside::has_links;
 use crate::columns::{aligned, significant};
 use crate::failure::Failure;
 use crate::joints::note_degrees_of_pose;
-use crate::load::{arm, count, file_of, read_on_standing_base};
+use crate::load::{arm, count, file_of, read_on_standing_base, read_with_frame};
 use crate::state::positions;
 
 /// The most solutions that are printed, and the most of families without end.
@@ -21,10 +22,14 @@ const MOST: [usize; 2] = [64, 8];
 /// The text of `reach`.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let mut robot = read_on_standing_base(path, given)?.robot;
+    let model = match given.get_one::<String>("frame") {
+        Some(frame) => read_with_frame(path, given, frame)?,
+        None => read_on_standing_base(path, given)?,
+    };
+    let mut robot = model.robot;
     let start = DVector::from_vec(positions(given, "from", &robot)?);
     let (target, rows) = target(given)?;
-    let frame = frame(given, &mut robot)?;
+    let frame = frame(given, has_links(path), &mut robot)?;
     let functions = [Function::ForwardKinematics, Function::Jacobian];
     let requests = functions.map(|function| match &frame {
         None => function.into(),
@@ -71,7 +76,11 @@ fn target(given: &ArgMatches) -> Result<(Target, usize), Failure> {
 }
 
 /// The frame of `--frame`, by its index and its name; `None` of the tip.
-fn frame(given: &ArgMatches, robot: &mut Robot) -> Result<Option<(usize, String)>, Failure> {
+fn frame(
+    given: &ArgMatches,
+    has_links: bool,
+    robot: &mut Robot,
+) -> Result<Option<(usize, String)>, Failure> {
     // Ends of a tree become frames.
     poses(robot);
     let mut frames = robot.frames.iter().enumerate();
@@ -81,13 +90,18 @@ fn frame(given: &ArgMatches, robot: &mut Robot) -> Result<Option<(usize, String)
         Some(name) => match frames.find(|(_, frame)| frame.name == *name) {
             Some((index, frame)) => Ok(Some((index, frame.name.clone()))),
             None => Err(Failure::of_the_command_line(match &names[..] {
+                "" if has_links => format!("`--frame {name}`: the robot has no link of that name"),
                 "" => format!("`--frame {name}`: the robot has no frames, only a tip"),
+                _ if has_links => {
+                    format!("`--frame {name}` is no frame: expected a link, or one of {names}")
+                }
                 _ => format!("`--frame {name}` is no frame: expected one of {names}"),
             })),
         },
         None if robot.tip_row().is_some() => Ok(None),
         None => Err(Failure::of_the_command_line(format!(
-            "the robot has no tip, because several links carry no other: `--frame` names one of {names}"
+            "the robot has no tip, because several links carry no other: `--frame` names {}one of {names}",
+            if has_links { "a link, or " } else { "" }
         ))),
     }
 }

@@ -57,7 +57,7 @@ fn tables_and_files_are_checked() {
 #[test]
 fn poses_in_degrees_are_told() {
     let brick = file("turned_brick.toml", BRICK);
-    let arm = data("files/two_link.toml");
+    let arm = data("robots/scara.json");
     for call in [
         ["evaluate", &*brick, "--pose", "0,0,0,0,0,90"],
         ["reach", &*arm, "--pose", "1.2,1.3,0,0,0,90"],

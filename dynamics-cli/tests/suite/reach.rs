@@ -99,6 +99,31 @@ fn frames_of_trees_are_reached() {
     assert!(text.contains("1, ") || text.contains("\n1  "), "{text}");
 }
 
+/// Every link of a URDF file is a frame.
+#[test]
+fn links_of_files_are_reached() {
+    let hyq = data("urdf/trees/hyq_no_sensors.urdf");
+    let call = |frame: &'static str| {
+        let pose = ["reach", &hyq, "--pose", "0.4,0.2,-0.7", "--frame", frame];
+        let about = ["--gravity", "0,0,-9.81", "--allow", "unphysical_inertia"];
+        pose.iter()
+            .chain(&about)
+            .map(|word| (*word).to_owned())
+            .collect::<Vec<_>>()
+    };
+    let words = call("lf_foot");
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let text = output(&words);
+    assert!(text.contains("solutions"), "{text}");
+    let words = call("lf_fot");
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let message = errors(&words, 2);
+    assert!(
+        message.contains("`--frame lf_fot` is no frame: expected a link, or one of `lf_kfe_joint`"),
+        "{message}"
+    );
+}
+
 #[test]
 fn why_there_is_no_solution_is_told() {
     let pendulum = file("reach.toml", PENDULUM);
