@@ -112,6 +112,15 @@ impl Description {
             };
             return Err(PyValueError::new_err(format!("no frame `{name}`: {hint}")));
         }
+        if frame.is_none() && self.robot.tip_row().is_none() {
+            let names = match &frames[..] {
+                [] => "make one on a link".to_owned(),
+                frames => format!("there are {}", frames.join(", ")),
+            };
+            let message =
+                format!("the robot has no tip, but several ends: name a frame instead, {names}");
+            return Err(PyValueError::new_err(message));
+        }
         let methods = RuntimeRobot::place_methods(frame);
         match methods.each_ref().map(|name| self.place(name)) {
             [Ok(pose), Ok(jacobian)] => Ok([pose, jacobian]),

@@ -96,6 +96,10 @@ fn search<P: Places<Dyn>>(
 impl Arm {
     /// Joint positions at which frames reach their targets; or those that came nearest, and why.
     fn reach(&self, py: Python<'_>, asked: Asked) -> PyResult<(Vec<Found>, Option<Failed>)> {
+        if self.description.robot.freedoms().has_base() {
+            let message = "`reach` is of a robot whose base stands: this one moves";
+            return Err(PyValueError::new_err(message));
+        }
         let mut functions = Vec::new();
         let mut targets = Vec::new();
         for (frame, numbers) in &asked.targets {

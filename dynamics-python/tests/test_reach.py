@@ -115,3 +115,19 @@ def test_what_is_derived_is_kept(reaching: rd.Robot) -> None:
         assert q[0] == pytest.approx(np.pi / 2)
     with pytest.raises(rd.NotReached):
         crank.reach([0, 3, 0])
+
+
+def test_what_has_no_inverse_kinematics_is_told() -> None:
+    base = {"floating": True, "mass": 3, "inertia": {"xx": 0.1, "yy": 0.2, "zz": 0.25}}
+    flying = rd.Robot.from_toml("gravity = [0, 0, -9.81]", base=base)
+    with pytest.raises(ValueError, match="`reach` is of a robot whose base stands: this one moves"):
+        flying.reach(np.eye(4))
+    tree = rd.Robot.from_file(DATA / "files" / "kinds" / "tree.toml", functions="jacobian(hand)")
+    with pytest.raises(ValueError, match="no tip, but several ends: name a frame instead, there are hand, Camera 2"):
+        tree.reach(np.eye(4))
+
+
+def test_one_function_may_stand_alone() -> None:
+    tree = rd.Robot.from_file(DATA / "files" / "kinds" / "tree.toml", functions="mass_matrix")
+    assert tree.functions == ["mass_matrix"]
+    assert "tree.py" in tree.source("python", "mass_matrix")

@@ -185,7 +185,7 @@ class Robot:
     def source(
         self,
         lang: str,
-        functions: Iterable[str] | None = None,
+        functions: str | Iterable[str] | None = None,
         *,
         scalar: str | None = None,
         sines: str | None = None,
@@ -198,7 +198,8 @@ class Robot:
         `scalar="float"`, `sines="libm"` (those of its library, not of the source) and `project=True`, which adds a header
         for C++, `CMakeLists.txt` and a test program.
         """
-        return dict(self._arm.source(lang, list(functions or self.functions), scalar, sines, project))
+        names = _words(functions) or list(self.functions)
+        return dict(self._arm.source(lang, names, scalar, sines, project))
 
     def function(self, name: str) -> Callable[..., Any]:
         """A function as straight lines of Python, compiled: its last argument `xp` is the namespace of arrays.
@@ -389,7 +390,7 @@ class _Source:
         fields = entries.pop("fields", None)
         self.values: dict[str, float] = dict(fields) if isinstance(fields, Mapping) else {}
         names: Iterable[Any] = entries.pop("functions", None) or ()
-        functions = list(names)
+        functions = [names] if isinstance(names, str) else list(names)
         if any(not isinstance(name, str) for name in functions):
             # A method of several functions is an entry.
             entries["functions"], functions = functions, []
