@@ -58,9 +58,9 @@ pub struct FloatingSample<D: Size, V: Size> {
     pub q: D::Vector,
     /// Velocities, m/s and rad/s.
     pub v: V::Vector,
-    /// Accelerations.
+    /// Accelerations; NaN where the trajectory has none.
     pub a: V::Vector,
-    /// Forces on the base and of the motors, N and N m.
+    /// Forces on the base and of the motors, N and N m; NaN where the trajectory has none.
     pub tau: V::Vector,
 }
 
@@ -89,22 +89,25 @@ impl<D: Size, V: Size> SizedFloatingTrajectory<D, V> {
         self.t.is_empty()
     }
 
-    /// The samples, one after the other: as many as the shortest of the lists has.
+    /// The samples, one after the other. There are as many as the shortest of the lists `t`, `base`, `q` and `v` has.
     pub fn samples(
         &self,
     ) -> impl DoubleEndedIterator<Item = FloatingSample<D, V>> + ExactSizeIterator {
-        let of_vectors = [&self.v, &self.a, &self.tau].map(Vec::len);
-        let lists = [self.base.len(), self.q.len()]
-            .into_iter()
-            .chain(of_vectors);
-        let count = lists.fold(self.t.len(), usize::min);
-        (0..count).map(|k| FloatingSample {
-            t: self.t[k],
-            base: self.base[k],
-            q: self.q[k].clone(),
-            v: self.v[k].clone(),
-            a: self.a[k].clone(),
-            tau: self.tau[k].clone(),
+        let places = self.base.iter().zip(&self.q).zip(&self.v);
+        (0..self.t.len().min(places.len())).map(|k| {
+            let v = self.v[k].clone();
+            let unknown = || V::of(&v).vector_of(|_| f64::NAN);
+            let [a, tau] =
+                [&self.a, &self.tau].map(|list| list.get(k).cloned().unwrap_or_else(unknown));
+            let (t, base, q) = (self.t[k], self.base[k], self.q[k].clone());
+            FloatingSample {
+                t,
+                base,
+                q,
+                v,
+                a,
+                tau,
+            }
         })
     }
 
