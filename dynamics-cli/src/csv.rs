@@ -6,7 +6,7 @@ use dynamics_codegen::description::Place;
 use dynamics_codegen::files;
 use dynamics_runtime::nalgebra::Dyn;
 use dynamics_runtime::simulation::{
-    CsvError, CsvMistake, SizedFloatingTrajectory, SizedModel, SizedTrajectory,
+    CsvError, CsvMistake, SizedFloatingTrajectory, SizedModel, SizedTrajectory, Stand,
 };
 
 use crate::failure::Failure;
@@ -17,12 +17,13 @@ pub(crate) use dynamics_runtime::simulation::shortest;
 const MOST_BYTES: usize = 100_000_000;
 
 /// The motion as a table. A number that is not finite is a failure, which names its time and its column.
-pub(crate) fn written(
-    motion: &SizedTrajectory<Dyn>,
-    robot: &impl SizedModel<Dyn>,
+pub(crate) fn written<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+    motion: &SizedTrajectory<K>,
+    robot: &impl SizedModel<K>,
 ) -> Result<String, Failure> {
     let names = robot.names();
-    for sample in motion.samples() {
+    let energies = motion.both_energies(robot);
+    for (sample, energies) in motion.samples().zip(energies) {
         let is_finite = |x: &f64| x.is_finite();
         let quantities = [
             ("q", &sample.q),
@@ -31,10 +32,14 @@ pub(crate) fn written(
             ("tau", &sample.tau),
         ];
         let overflow = quantities.iter().find_map(|(symbol, vector)| {
-            let joint = vector.iter().position(|x| !x.is_finite())?;
-            Some(format!("{symbol}.{}", names[joint]))
+            let place = vector.iter().position(|x| !x.is_finite())?;
+            // The numbers of a base that moves come first.
+            let joint = place.checked_sub(vector.len() - names.len());
+            let of = joint.map_or(" of the base".to_owned(), |joint| {
+                format!(".{}", names[joint])
+            });
+            Some(format!("{symbol}{of}"))
         });
-        let energies = robot.sized_energies(&sample.q, &sample.qd);
         let is_energy = !energies.iter().flatten().all(is_finite);
         if let Some(column) = overflow.or_else(|| is_energy.then(|| "energy".to_owned())) {
             let message = too_large(&column, sample.t);
@@ -47,7 +52,7 @@ pub(crate) fn written(
 }
 
 /// The reason why a motion is no table.
-pub(crate) fn too_large(column: &str, t: f64) -> String {
+fn too_large(column: &str, t: f64) -> String {
     format!(
         "`{column}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its positions \
          are too large, or the numbers of the robot are",

@@ -21,8 +21,8 @@ fn add(motion: &mut Motion, t: f64, base: Pose<f64>, q: Vec<f64>, [v, a]: [Vec<f
     motion.t.push(t);
     motion.base.push(base);
     motion.q.push(q.into());
-    motion.v.push(v.into());
-    motion.a.push(a.into());
+    motion.qd.push(v.into());
+    motion.qdd.push(a.into());
 }
 
 /// The motion of joints on a base that is held.
@@ -71,7 +71,7 @@ pub(super) fn through_waypoints(
             .map(|v| v.rows(6, joints.len()).into_owned())
             .collect()
     };
-    let (qd, qdd) = (of_joints(&points.v), of_joints(&points.a));
+    let (qd, qdd) = (of_joints(&points.qd), of_joints(&points.qdd));
     let of_joints = splines(&points.t, [&points.q, &qd, &qdd], joints.len());
     let [positions, slopes, seconds] = in_world(&points);
     let of_position = splines(&points.t, [&positions, &slopes, &seconds], 3);
@@ -114,7 +114,7 @@ pub(super) fn through_waypoints(
 /// Position, velocity and acceleration of the base in the axes of the world.
 fn in_world(points: &Motion) -> [Vec<DVector<f64>>; 3] {
     let vector = |v: &Vector3<f64>| DVector::from_column_slice(v.as_slice());
-    let rows = points.base.iter().zip(&points.v).zip(&points.a);
+    let rows = points.base.iter().zip(&points.qd).zip(&points.qdd);
     let mut lists = [Vec::new(), Vec::new(), Vec::new()];
     for ((base, v), a) in rows {
         let (linear, angular) = halves(v);
@@ -145,7 +145,7 @@ fn rotation_of(points: &Motion, row: usize, phi: &Vector3<f64>) -> Matrix3<f64> 
 fn turned(points: &Motion, row: usize, t: f64, path: &Path) -> Result<[Vector3<f64>; 3], Failure> {
     let ends = [row, row + 1];
     let times = ends.map(|k| points.t[k]);
-    let rates = ends.map(|k| [halves(&points.v[k]).1, halves(&points.a[k]).1]);
+    let rates = ends.map(|k| [halves(&points.qd[k]).1, halves(&points.qdd[k]).1]);
     let fastest = rates[0][0].norm().max(rates[1][0].norm());
     if fastest * (times[1] - times[0]) > PI {
         let [from, to] = times.map(shortest);
