@@ -77,9 +77,9 @@ impl<K: Stand> SizedTrajectory<K> {
     /// ones back, with a decimal point whatever the language; a number that is not finite is `NaN`, `inf` or `-inf`.
     /// Accelerations or torques have no columns where the trajectory does not have one for each time.
     ///
-    /// On a base that moves, columns of the base come first among those of a quantity: its rotation by rows, `base.r11` to
-    /// `base.r33`, and its position, `base.x [m]` to `base.z`, before `q.NAME`; `base.vx [m/s]` to `base.wz`; `base.vxd` to
-    /// `base.wzd`; and `base.fx` to `base.nz`.
+    /// On a base that moves, its columns come first among those of a quantity. Before `q.NAME` these are the rotation by rows,
+    /// `base.r11` to `base.r33`, and the position, `base.x [m]` to `base.z`. Then they are the velocities, `base.vx [m/s]` to
+    /// `base.wz`; the accelerations, `base.vxd` to `base.wzd`; and the forces, `base.fx` to `base.nz`.
     ///
     /// It needs the feature `csv`.
     ///
@@ -174,7 +174,8 @@ impl<K: Stand<Joints: DimName>> SizedTrajectory<K> {
     /// # Errors
     ///
     /// [`CsvError`] with the line and the column, where the header is not that of a trajectory of as many joints, on a base
-    /// that stands or moves, a line has too few or too many cells, or a cell holds no number; and where the reader fails.
+    /// that stands or moves. The same holds if a line has too few or too many cells, or a cell holds no number. A
+    /// [`CsvError`] is also returned if the reader fails.
     pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
         read(K::Joints::name(), None, input)
     }
