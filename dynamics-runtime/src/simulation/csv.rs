@@ -237,6 +237,7 @@ fn read<K: Stand>(
         if are_points && last.is_some_and(|last| *last >= t) {
             return Err(rows.mistake(0, CsvMistake::Order));
         }
+        // There are twelve of a base that moves, and none of one that stands.
         if let Ok(entries) = numbers[1..=of_pose].try_into() {
             let base = Pose::of_entries(entries);
             if are_points && !is_rotation(&base.rotation) {
