@@ -16,7 +16,6 @@ use dynamics_symbolic::robot::Robot;
 
 use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
-use crate::joints::note_degrees;
 use crate::load::{count, robot_with};
 use crate::plot;
 use crate::spline::Spline;
@@ -174,18 +173,9 @@ fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion
 /// Through the points of a file: with its velocities and accelerations if it has both, else by cubic splines with its
 /// velocities at both ends, or at rest there.
 fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
-    let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
-    let points = read(path, &joints)?;
-    for q in &points.q {
-        if note_degrees(&path.display().to_string(), robot, q.as_slice()) {
-            break;
-        }
-    }
-    let splines = splines(
-        &points.t,
-        [&points.q, &points.qd, &points.qdd],
-        joints.len(),
-    );
+    let points: Motion = read(path, robot)?;
+    let lists = [&points.q, &points.qd, &points.qdd];
+    let splines = splines(&points.t, lists, robot.freedoms().joints);
     let mut motion = Motion::default();
     for t in times(points.t[0], points.t[points.len() - 1], samples) {
         let states: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();

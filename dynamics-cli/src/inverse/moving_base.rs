@@ -9,9 +9,8 @@ use dynamics_runtime::simulation::SizedFloatingTrajectory;
 use dynamics_symbolic::robot::Robot;
 
 use super::{not_finite, splines, times};
-use crate::csv::{read_on_base, shortest};
+use crate::csv::{read, shortest};
 use crate::failure::Failure;
-use crate::joints::note_degrees;
 use crate::state::State;
 
 type Motion = SizedFloatingTrajectory<Dyn, Dyn>;
@@ -59,20 +58,15 @@ pub(super) fn through_waypoints(
     robot: &Robot,
     samples: usize,
 ) -> Result<Motion, Failure> {
-    let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
-    let points = read_on_base(path, &joints)?;
-    for q in &points.q {
-        if note_degrees(&path.display().to_string(), robot, q.as_slice()) {
-            break;
-        }
-    }
+    let points: Motion = read(path, robot)?;
+    let joints = robot.freedoms().joints;
     let of_joints = |list: &[DVector<f64>]| -> Vec<DVector<f64>> {
         list.iter()
-            .map(|v| v.rows(6, joints.len()).into_owned())
+            .map(|v| v.rows(6, joints).into_owned())
             .collect()
     };
     let (qd, qdd) = (of_joints(&points.qd), of_joints(&points.qdd));
-    let of_joints = splines(&points.t, [&points.q, &qd, &qdd], joints.len());
+    let of_joints = splines(&points.t, [&points.q, &qd, &qdd], joints);
     let [positions, slopes, seconds] = in_world(&points);
     let of_position = splines(&points.t, [&positions, &slopes, &seconds], 3);
     let mut motion = Motion::default();
