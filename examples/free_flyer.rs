@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let momenta = motion
         .samples()
-        .map(|at| Cat.generalized_momentum(&at.q, &at.v));
+        .map(|at| Cat.generalized_momentum(&at.q, &at.qd));
     let largest = momenta
         .map(|momentum| momentum.fixed_rows::<6>(0).amax())
         .fold(0.0, f64::max);

@@ -5,11 +5,11 @@ use std::path::Path;
 use dynamics_codegen::description::Place;
 use dynamics_codegen::files;
 use dynamics_runtime::nalgebra::Dyn;
-use dynamics_runtime::simulation::{
-    CsvError, CsvMistake, SizedFloatingTrajectory, SizedModel, SizedTrajectory,
-};
+use dynamics_runtime::simulation::{CsvMistake, SizedModel, SizedTrajectory, Stand};
+use dynamics_symbolic::robot::Robot;
 
 use crate::failure::Failure;
+use crate::joints::note_degrees;
 
 pub(crate) use dynamics_runtime::simulation::shortest;
 
@@ -17,12 +17,13 @@ pub(crate) use dynamics_runtime::simulation::shortest;
 const MOST_BYTES: usize = 100_000_000;
 
 /// The motion as a table. A number that is not finite is a failure, which names its time and its column.
-pub(crate) fn written(
-    motion: &SizedTrajectory<Dyn>,
-    robot: &impl SizedModel<Dyn>,
+pub(crate) fn written<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+    motion: &SizedTrajectory<K>,
+    robot: &impl SizedModel<K>,
 ) -> Result<String, Failure> {
     let names = robot.names();
-    for sample in motion.samples() {
+    let energies = motion.both_energies(robot);
+    for (sample, energies) in motion.samples().zip(energies) {
         let is_finite = |x: &f64| x.is_finite();
         let quantities = [
             ("q", &sample.q),
@@ -31,10 +32,14 @@ pub(crate) fn written(
             ("tau", &sample.tau),
         ];
         let overflow = quantities.iter().find_map(|(symbol, vector)| {
-            let joint = vector.iter().position(|x| !x.is_finite())?;
-            Some(format!("{symbol}.{}", names[joint]))
+            let place = vector.iter().position(|x| !x.is_finite())?;
+            // The numbers of a base that moves come first.
+            let joint = place.checked_sub(vector.len() - names.len());
+            let of = joint.map_or(" of the base".to_owned(), |joint| {
+                format!(".{}", names[joint])
+            });
+            Some(format!("{symbol}{of}"))
         });
-        let energies = robot.sized_energies(&sample.q, &sample.qd);
         let is_energy = !energies.iter().flatten().all(is_finite);
         if let Some(column) = overflow.or_else(|| is_energy.then(|| "energy".to_owned())) {
             let message = too_large(&column, sample.t);
@@ -47,7 +52,7 @@ pub(crate) fn written(
 }
 
 /// The reason why a motion is no table.
-pub(crate) fn too_large(column: &str, t: f64) -> String {
+fn too_large(column: &str, t: f64) -> String {
     format!(
         "`{column}` at t = {} s is beyond the largest number that a computer holds: the motion is too fast, its positions \
          are too large, or the numbers of the robot are",
@@ -55,46 +60,13 @@ pub(crate) fn too_large(column: &str, t: f64) -> String {
     )
 }
 
-/// The points of a file: rows of a time and a position of every joint, with velocities where the file has them.
-pub(crate) fn read(path: &Path, joints: &[&str]) -> Result<SizedTrajectory<Dyn>, Failure> {
-    points(
-        path,
-        |bytes| SizedTrajectory::read_points(joints, bytes),
-        |mistake| {
-            let columns = joints.len() + 1;
-            match mistake {
-                CsvMistake::Cells { expected, .. } if *expected == columns => {
-                    ": a time, and a position of each joint"
-                }
-                _ => "",
-            }
-        },
-    )
-}
-
-/// The points of a file on a base that moves, with velocities and accelerations.
-pub(crate) fn read_on_base(
+/// The points of a file: rows of a time and a position of every joint, with velocities where the file has them. On a base that
+/// moves they have places of the base, velocities and accelerations.
+pub(crate) fn read<K: Stand<Joints = Dyn>>(
     path: &Path,
-    joints: &[&str],
-) -> Result<SizedFloatingTrajectory<Dyn, Dyn>, Failure> {
-    points(
-        path,
-        |bytes| SizedFloatingTrajectory::read_points(joints, bytes),
-        |mistake| match mistake {
-            CsvMistake::Header { .. } | CsvMistake::Joint { .. } => {
-                ": the base moves, and the columns are those that `simulate` writes, with velocities and accelerations"
-            }
-            _ => "",
-        },
-    )
-}
-
-/// The points of a file, or the place of the first mistake with a hint.
-fn points<T>(
-    path: &Path,
-    read: impl FnOnce(&[u8]) -> Result<T, CsvError>,
-    hint: impl FnOnce(&CsvMistake) -> &'static str,
-) -> Result<T, Failure> {
+    robot: &Robot,
+) -> Result<SizedTrajectory<K>, Failure> {
+    let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
     let wrong = |line: usize, column: usize, message: String| {
         let place = format!("{}:{line}:{column}", path.display());
         Failure::after(String::new(), format!("{place}: {message}"))
@@ -105,8 +77,31 @@ fn points<T>(
         Place::File { line, column } => wrong(line, column, error.message),
         Place::Tokens { .. } => wrong(1, 1, error.message),
     })?;
-    read(text.as_bytes()).map_err(|error| {
-        let hint = hint(&error.mistake);
+    let points = SizedTrajectory::<K>::read_points(&joints, text.as_bytes());
+    let points = points.map_err(|error| {
+        let hint = hint(&error.mistake, robot);
         wrong(error.line, error.letter, format!("{}{hint}", error.mistake))
-    })
+    })?;
+    for q in &points.q {
+        if note_degrees(&path.display().to_string(), robot, q.as_slice()) {
+            break;
+        }
+    }
+    Ok(points)
+}
+
+/// The columns that are expected, behind a mistake in them.
+fn hint(mistake: &CsvMistake, robot: &Robot) -> &'static str {
+    let freedoms = robot.freedoms();
+    match mistake {
+        CsvMistake::Header { .. } | CsvMistake::Joint { .. } if freedoms.has_base() => {
+            ": the base moves, and the columns are those that `simulate` writes, with velocities and accelerations"
+        }
+        CsvMistake::Cells { expected, .. }
+            if !freedoms.has_base() && *expected == freedoms.joints + 1 =>
+        {
+            ": a time, and a position of each joint"
+        }
+        _ => "",
+    }
 }

@@ -14,9 +14,8 @@ use dynamics_runtime::table::RuntimeTable;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
-use crate::csv::{read, shortest, too_large, written};
+use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
-use crate::joints::note_degrees;
 use crate::load::{count, robot_with};
 use crate::plot;
 use crate::spline::Spline;
@@ -37,8 +36,17 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         None => joints(given, robot.robot(), samples)?,
     };
     motion.tau = torques(&robot, &[&motion.q, &motion.qd, &motion.qdd], &[])?;
-    let columns = Columns(&robot);
-    let text = written(&motion, &columns)?;
+    told(&motion, &robot, given)
+}
+
+/// The table of a motion, and its figure where one is requested.
+fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+    motion: &SizedTrajectory<K>,
+    robot: &RuntimeRobot,
+    given: &ArgMatches,
+) -> Result<String, Failure> {
+    let columns = Columns(robot);
+    let text = written(motion, &columns)?;
     plot::put(given, || motion.figure(&columns).title(&robot.robot().name))?;
     Ok(text)
 }
@@ -58,20 +66,8 @@ fn on_base(robot: &RuntimeRobot, given: &ArgMatches) -> Result<String, Failure> 
         .iter()
         .flat_map(|base| <[f64; 12]>::from(base.entries()))
         .collect();
-    motion.tau = torques(robot, &[&motion.q, &motion.v, &motion.a], &poses)?;
-    for (t, tau) in motion.t.iter().zip(&motion.tau) {
-        if let Some(freedom) = tau.iter().position(|x| !x.is_finite()) {
-            let joint = freedom.checked_sub(6);
-            let joint = joint.and_then(|joint| robot.joint_names().nth(joint));
-            let column = joint.map_or("tau of the base".to_owned(), |name| format!("tau.{name}"));
-            return Err(Failure::after(String::new(), too_large(&column, *t)));
-        }
-    }
-    let columns = Columns(robot);
-    let mut text = Vec::new();
-    motion.write_csv(&columns, &mut text)?;
-    plot::put(given, || motion.figure(&columns).title(&robot.robot().name))?;
-    Ok(String::from_utf8(text)?)
+    motion.tau = torques(robot, &[&motion.q, &motion.qd, &motion.qdd], &poses)?;
+    told(&motion, robot, given)
 }
 
 /// The columns of a robot of which there are no energies.
@@ -177,18 +173,9 @@ fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion
 /// Through the points of a file: with its velocities and accelerations if it has both, else by cubic splines with its
 /// velocities at both ends, or at rest there.
 fn through_waypoints(path: &Path, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
-    let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
-    let points = read(path, &joints)?;
-    for q in &points.q {
-        if note_degrees(&path.display().to_string(), robot, q.as_slice()) {
-            break;
-        }
-    }
-    let splines = splines(
-        &points.t,
-        [&points.q, &points.qd, &points.qdd],
-        joints.len(),
-    );
+    let points: Motion = read(path, robot)?;
+    let lists = [&points.q, &points.qd, &points.qdd];
+    let splines = splines(&points.t, lists, robot.freedoms().joints);
     let mut motion = Motion::default();
     for t in times(points.t[0], points.t[points.len() - 1], samples) {
         let states: Vec<_> = splines.iter().map(|spline| spline.at(t)).collect();

@@ -1,16 +1,16 @@
 //! The motion of an arm.
 
-use std::fmt::Display;
-
 use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::nalgebra::DVector;
-use dynamics_runtime::simulation::{Cause, DormandPrince, SizedModel, Stand};
+use dynamics_runtime::nalgebra::{DVector, Dyn};
+use dynamics_runtime::simulation::{
+    Cause, DormandPrince, SizedModel, SizedSimulationError, SizedTrajectory, Stand,
+};
 use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
-use crate::csv::{shortest, too_large, written};
+use crate::csv::{shortest, written};
 use crate::failure::Failure;
 use crate::load::{count, robot_with};
 use crate::plot;
@@ -77,19 +77,8 @@ fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<Strin
             start.torque.clone()
         })
         .initial(start.q.clone(), start.velocity.clone());
-    let motion = planned(motion, given).run().map_err(|error| {
-        stopped(
-            &error,
-            error.cause,
-            (error.time, &error.trajectory.t),
-            given,
-        )
-    })?;
-    let text = written(&motion, &arm_in_motion)?;
-    plot::put(given, || {
-        motion.figure(&arm_in_motion).title(&arm.robot().name)
-    })?;
-    Ok(text)
+    let run = planned(motion, given).run();
+    told(run, &arm_in_motion, &arm.robot().name, given)
 }
 
 /// The motion on a base that moves.
@@ -107,40 +96,29 @@ fn motion_on_base(
             start.torque.clone()
         })
         .initial(pose(given)?, start.q.clone(), start.velocity.clone());
-    let motion = planned(motion, given).run().map_err(|error| {
-        stopped(
-            &error,
-            error.cause,
-            (error.time, &error.trajectory.t),
-            given,
-        )
-    })?;
-    let energies = motion.energies(&in_motion);
-    if let Some(k) = energies.iter().position(|energy| !energy.is_finite()) {
-        return Err(failed(too_large("energy", motion.t[k])));
-    }
-    let mut text = Vec::new();
-    motion.write_csv(&in_motion, &mut text)?;
-    plot::put(given, || {
-        motion.figure(&in_motion).title(&robot.robot().name)
-    })?;
-    Ok(String::from_utf8(text)?)
+    let run = planned(motion, given).run();
+    told(run, &in_motion, &robot.robot().name, given)
 }
 
-fn failed(reason: String) -> Failure {
-    Failure::after(String::new(), reason)
-}
-
-/// The failure of a motion that was not followed to its end, and the option to blame. It reached a time, after samples at others.
-fn stopped(
-    error: &dyn Display,
-    cause: Cause,
-    (time, samples): (f64, &[f64]),
+/// A run as a table, and as a figure where one is requested; the failure of one that ended early.
+fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+    run: Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>,
+    robot: &impl SizedModel<K>,
+    name: &str,
     given: &ArgMatches,
-) -> Failure {
+) -> Result<String, Failure> {
+    let motion = run.map_err(|error| stopped(&error, given))?;
+    let text = written(&motion, robot)?;
+    plot::put(given, || motion.figure(robot).title(name))?;
+    Ok(text)
+}
+
+/// The failure of a motion that was not followed to its end, and the option to blame.
+fn stopped<K: Stand>(error: &SizedSimulationError<K>, given: &ArgMatches) -> Failure {
+    let (time, samples) = (error.time, &error.trajectory.t);
     let duration = number(given, "duration");
     let lost = 16.0 * f64::EPSILON * duration;
-    failed(match cause {
+    let reason = match error.cause {
         Cause::StepTooSmall if lost > SHORT => format!(
             "`--duration {}`: beside so long a time steps below {lost:.0e} s are lost in rounding, and the motion at \
              t = {} s needs shorter ones: give a shorter time",
@@ -160,7 +138,8 @@ fn stopped(
             )
         }
         _ => error.to_string(),
-    })
+    };
+    Failure::after(String::new(), reason)
 }
 
 /// Steps of arms are longer, s, unless something is wrong with the motion.

@@ -148,10 +148,6 @@ impl Plan {
 /// The outcome of a run: its samples, and how it stopped where that was before its end.
 type Ran = Result<(Motion, Option<Stopped>), EvaluationError>;
 
-fn is_invalid(cause: &Cause) -> bool {
-    matches!(cause, Cause::InvalidSetting(_))
-}
-
 /// The motion of a robot whose base stands.
 fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
     let places = plan.wrenches.iter();
@@ -212,7 +208,7 @@ where
     let [q, v] = plan.start();
     let simulation = plan.planned(simulation.initial(q, v), kinds);
     let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
-    Ok(ran(dynamics, simulation.torque(law).run()))
+    Ok(ran(dynamics, simulation.torque(law).run(), |()| Vec::new()))
 }
 
 /// The same under laws that are called once a period.
@@ -229,27 +225,27 @@ where
     let [q, v] = plan.start();
     let simulation = plan.planned(simulation.initial(q, v), kinds);
     let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
-    Ok(ran(dynamics, simulation.torque(law).run()))
+    Ok(ran(dynamics, simulation.torque(law).run(), |()| Vec::new()))
 }
 
-/// The samples of a run, with their energies.
-fn ran<K: Stands>(
-    dynamics: &RuntimeDynamics<'_, K>,
-    outcome: Result<SizedTrajectory<Dyn>, Box<SizedSimulationError<Dyn>>>,
+/// The samples of a run, with their energies. `poses` has the poses of a base that moves, by rows.
+fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+    dynamics: &impl SizedModel<K>,
+    outcome: Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>,
+    poses: impl FnOnce(&K::Poses) -> Vec<f64>,
 ) -> (Motion, Option<Stopped>) {
     let (motion, stopped) = match outcome {
         Ok(motion) => (motion, None),
         Err(error) => {
-            let stopped = (error.time, error.to_string(), is_invalid(&error.cause));
+            let is_invalid = matches!(error.cause, Cause::InvalidSetting(_));
+            let stopped = (error.time, error.to_string(), is_invalid);
             (error.trajectory, Some(stopped))
         }
     };
-    let states = motion.q.iter().zip(&motion.qd);
-    let energies = states.map(|(q, v)| SizedModel::<Dyn>::sized_energies(dynamics, q, v));
     let motion = Motion {
-        energies: energies.flatten().collect(),
+        energies: motion.both_energies(dynamics).flatten().collect(),
         t: motion.t,
-        base: Vec::new(),
+        base: poses(&motion.base),
         q: motion.q,
         v: motion.qd,
         a: motion.qdd,
@@ -282,26 +278,8 @@ fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: 
         None => simulation.torque(law).run(),
         Some(period) => simulation.control_period(period).torque(law).run(),
     };
-    let (motion, stopped) = match outcome {
-        Ok(motion) => (motion, None),
-        Err(error) => {
-            let stopped = (error.time, error.to_string(), is_invalid(&error.cause));
-            (error.trajectory, Some(stopped))
-        }
-    };
-    let places = motion.base.iter().zip(&motion.q).zip(&motion.v);
-    let energies = places.map(|(place, v)| dynamics.sized_energies(place, v));
-    let motion = Motion {
-        energies: energies.flatten().collect(),
-        t: motion.t,
-        base: motion.base.iter().flat_map(by_rows).collect(),
-        q: motion.q,
-        v: motion.v,
-        a: motion.a,
-        tau: motion.tau,
-        work: motion.work,
-    };
-    Ok((motion, stopped))
+    let by_rows = |poses: &Vec<Pose<f64>>| poses.iter().flat_map(by_rows).collect();
+    Ok(ran(&dynamics, outcome, by_rows))
 }
 
 /// The entries of a homogeneous matrix by rows.

@@ -133,11 +133,8 @@ pub use function::{Arrangement, Entries, Function, Number, functions};
 pub use inputs::{Evaluated, Inputs};
 #[doc(hidden)]
 pub use model::{Momenta, SizedKinematics, SizedMomenta};
-#[cfg(feature = "std")]
 #[doc(hidden)]
-pub use newton_euler::NAMES_OF_BASE;
-#[doc(hidden)]
-pub use newton_euler::{StandardParameters, turned};
+pub use newton_euler::{NAMES_OF_BASE, StandardParameters, turned};
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use replace::replace_files;

@@ -277,9 +277,9 @@ fn a_robot_at_run_time_falls_like_the_compiled_one() {
     for (one, other) in compiled.samples().zip(read.samples()) {
         let turn = (one.base.rotation - other.base.rotation).amax();
         let speed = one
-            .v
+            .qd
             .iter()
-            .zip(&other.v)
+            .zip(&other.qd)
             .map(|(one, other)| (one - other).abs());
         let speed = speed.fold(0.0, f64::max);
         assert!(

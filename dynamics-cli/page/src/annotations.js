@@ -33,14 +33,15 @@ function parametersOf(table, at, index, format, size) {
   const radius = 0.115 * size;
   const number = index + 1;
   const found = { paths: [], texts: [] };
+  // A modified row has alpha and a of the link before.
+  const of = (name) => (!isStandard && (name === "a" || name === "alpha") ? number - 1 : number);
+  const say = (name, at, text) => found.texts.push({ at, name, sign: SIGNS[name], index: of(name), text });
   const draw = (name, path, place, text) => {
     found.paths.push({ color: COLORS[name], path, width: 3.2 });
     const [left, right] = arrow(path, 0.03 * size);
     const end = path[path.length - 1];
     found.paths.push({ color: COLORS[name], path: [left, end, right], width: 3.2 });
-    // A modified row has alpha and a of the link before.
-    const of = !isStandard && (name === "a" || name === "alpha") ? number - 1 : number;
-    found.texts.push({ at: place, name, sign: SIGNS[name], index: of, text });
+    say(name, place, text);
   };
   const stroke = (from, to) => found.paths.push({ color: PLAIN, path: [from, to], width: 1.4 });
   const middleOf = (path) => path[Math.floor(path.length / 2)];
@@ -59,13 +60,7 @@ function parametersOf(table, at, index, format, size) {
     const out = unit(subtract(middleOf(path), atZ));
     draw("theta", path, add(atZ, scaled(out, 1.2 * radius)), format.angle(theta));
   } else {
-    found.texts.push({
-      at: add(atZ, scaled(zTo.x, 1.3 * radius)),
-      name: "theta",
-      sign: SIGNS.theta,
-      index: number,
-      text: format.angle(0),
-    });
+    say("theta", add(atZ, scaled(zTo.x, 1.3 * radius)), format.angle(0));
   }
   if (Math.abs(d) > 1e-9) {
     draw("d", [zFrom.o, zTo.o], scaled(add(zFrom.o, zTo.o), 0.5), format.length(d));

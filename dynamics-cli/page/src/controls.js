@@ -106,27 +106,19 @@ export function controls(model) {
     if (state.mode !== "pose") {
       asked.push(element("label", { class: "choice" }, element("span", {}, "duration, s"), duration), refusedDuration);
     }
-    if (state.mode === "motion" || state.mode === "reach") {
-      const set = (profile) => {
-        state.profile = profile;
+    const ask = (about, key, options) => {
+      const set = (value) => {
+        state[key] = value;
+        // Under other laws there are other sliders.
+        if (key === "law") build();
         model.changed();
       };
-      asked.push(choice({ about: "profile", key: "profile", options: profiles, get: () => state.profile, set }));
-    }
-    if (state.mode === "reach") {
-      const set = (path) => {
-        state.path = path;
-        model.changed();
-      };
-      asked.push(choice({ about: "way", key: "path", options: paths, get: () => state.path, set }));
-    }
+      asked.push(choice({ about, key, options, get: () => state[key], set }));
+    };
+    if (state.mode === "motion" || state.mode === "reach") ask("profile", "profile", profiles);
+    if (state.mode === "reach") ask("way", "path", paths);
     if (state.mode === "free") {
-      const set = (law) => {
-        state.law = law;
-        build();
-        model.changed();
-      };
-      asked.push(choice({ about: "torques", key: "law", options: laws, get: () => state.law, set }));
+      ask("torques", "law", laws);
       if (hasFriction) {
         const check = element("input", { type: "checkbox", checked: state.hasFriction, "data-key": "friction" });
         check.addEventListener("change", () => {

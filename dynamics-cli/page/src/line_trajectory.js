@@ -3,7 +3,7 @@
 import { add, length, scaled, subtract, turned, unit } from "./frames.js";
 import { solved } from "./linear.js";
 import { PROFILES } from "./profiles.js";
-import { descend, settle, tipAt, turnBetween } from "./reach.js";
+import { approach, tipAt, turnBetween } from "./reach.js";
 import { between, measured, samplesOf } from "./trajectory.js";
 
 /** From one sample to the next no joint goes farther, rad or as a share of the arm's length. */
@@ -46,9 +46,7 @@ export function lineTrajectory(equations, problem, given) {
     const turn = (v) => turned(v, axis, angle * s);
     const target = { x: turn(start.x), y: turn(start.y), z: turn(start.z), o: add(start.o, scaled(way, s)) };
     const asked = { ...problem, target };
-    let next = descend(asked, q);
-    // Where the arm is singular, short steps come nearer slowly.
-    if (!next.isReached) next = settle(asked, q);
+    const next = approach(asked, q);
     const reason = refused(problem, q, next);
     if (reason && k > 0) {
       found.ended = { t: k * h, reason };

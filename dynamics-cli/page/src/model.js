@@ -6,7 +6,7 @@ import { units } from "./format.js";
 import { WORLD, placed, rollPitchYaw } from "./frames.js";
 import { lineTrajectory } from "./line_trajectory.js";
 import { FREEDOMS, poseOf } from "./moving_base.js";
-import { carrying, descend, settle, solutions } from "./reach.js";
+import { approach, carrying, solutions } from "./reach.js";
 import { refusal } from "./refusal.js";
 import { events } from "./store.js";
 import { freeTrajectory, prescribedTrajectory } from "./trajectory.js";
@@ -147,8 +147,7 @@ export function createModel(make, module, first) {
       const problem = model.problem();
       state.isDragged = isDragged;
       if (isDragged) {
-        const near = descend(problem, state.end);
-        const { q, isReached, ...missing } = near.isReached ? near : settle(problem, state.end);
+        const { q, isReached, ...missing } = approach(problem, state.end);
         state.end = q;
         state.reached = { found: isReached ? [q] : [], chosen: 0, missing: isReached ? null : missing };
       } else {
@@ -185,14 +184,10 @@ export function createModel(make, module, first) {
       if (mode === "reach") {
         model.placeTarget();
         model.seek();
-        state.t = 0;
-        tell("mode");
-        tell("time");
-        return;
       }
       state.isPlaying = false;
       state.t = 0;
-      model.recompute();
+      if (mode !== "reach") model.recompute();
       tell("mode");
       tell("time");
       tell("play");

@@ -10,6 +10,18 @@ export function scrolled(label, table) {
   return element("div", { class: "scroll", role: "region", tabIndex: 0, "aria-label": label }, table);
 }
 
+/** A table of numbers below a caption, if there is one: the cells of each line. */
+const grid = (caption, lines, kind = "") =>
+  element(
+    "table",
+    { class: `numbers${kind}` },
+    caption && element("caption", {}, caption),
+    element("tbody", {}, lines.map((cells) => element("tr", {}, cells))),
+  );
+const head = (...content) => element("th", { scope: "row" }, content);
+const sign = (text) => element("i", {}, text);
+const unit = (text, kind = "") => element("td", { class: `unit${kind}` }, text);
+
 /** The panel of numbers. */
 export function numbers(model) {
   const { joints, freedoms, ofBase, table } = model;
@@ -40,7 +52,7 @@ export function numbers(model) {
     element(
       "thead",
       {},
-      element("tr", {}, element("th", { scope: "col" }, "joint"), columns.map(({ sign }) => element("th", { scope: "col" }, element("i", {}, sign)))),
+      element("tr", {}, element("th", { scope: "col" }, "joint"), columns.map((column) => element("th", { scope: "col" }, sign(column.sign)))),
       element("tr", {}, element("th", { class: "unit", scope: "col" }, ""), unitCells),
     ),
     element(
@@ -48,7 +60,7 @@ export function numbers(model) {
       {},
       freedoms.map((row, i) => {
         const joint = i - ofBase;
-        const name = element("th", { scope: "row" }, element("span", { class: "dot" }), joint < 0 ? ["base ", indexed(row.velocity, row.axis)] : row.name);
+        const name = head(element("span", { class: "dot" }), joint < 0 ? ["base ", indexed(row.velocity, row.axis)] : row.name);
         name.style.setProperty("--color", joint < 0 ? `var(--axis-${row.axis})` : `var(--joint-${joint % 8})`);
         // A freedom of the base has no coordinate.
         const cells = columns.map(({ key }) => (key !== "q" ? cell(`${key}-${i}`) : joint < 0 ? element("td") : cell(`q-${joint}`)));
@@ -59,89 +71,43 @@ export function numbers(model) {
 
   const isMixed = types.length > 1;
   const massUnit = isMixed ? "kg m², kg m, kg" : types[0] === "revolute" ? "kg m²" : "kg";
-  const mass = element(
-    "table",
-    { class: "numbers matrix" },
-    element("caption", {}, "Mass matrix ", element("i", {}, "M"), `, ${massUnit}`),
-    element("tbody", {}, freedoms.map((_, i) => element("tr", {}, freedoms.map((__, j) => cell(`mass-${i}-${j}`))))),
+  const mass = grid(
+    ["Mass matrix ", sign("M"), `, ${massUnit}`],
+    freedoms.map((_, i) => freedoms.map((__, j) => cell(`mass-${i}-${j}`))),
+    " matrix",
   );
 
   const tipName = element("span", {}, "Tip");
+  const AXES = ["x", "y", "z"];
   /** A frame in the world, as a position and three angles under these keys. */
   const poseTable = (name, position, angle) =>
-    element(
-      "table",
-      { class: "numbers" },
-      element("caption", {}, name, " in the world"),
-      element(
-        "tbody",
-        {},
-        ["x", "y", "z"].map((axis, k) =>
-          element(
-            "tr",
-            {},
-            element("th", { scope: "row" }, element("i", {}, axis)),
-            cell(position(k)),
-            element("td", { class: "unit" }, "m"),
-            element("th", { scope: "row" }, ["roll", "pitch", "yaw"][k]),
-            cell(angle(k)),
-            element("td", { class: "unit angle" }),
-          ),
-        ),
-      ),
+    grid(
+      [name, " in the world"],
+      AXES.map((axis, k) => [
+        ...[head(sign(axis)), cell(position(k)), unit("m")],
+        ...[head(["roll", "pitch", "yaw"][k]), cell(angle(k)), unit(null, " angle")],
+      ]),
     );
   const pose = poseTable(tipName, (k) => `tip-${k}-3`, (k) => `rpy-${k}`);
   const basePose = ofBase > 0 ? poseTable("Base", (k) => `base-${k}`, (k) => `baserpy-${k}`) : null;
+  const entries = [0, 1, 2, 3].map((i) => [0, 1, 2, 3].map((j) => cell(`T-${i}-${j}`)));
   const rotation = element(
     "details",
     {},
     element("summary", {}, "Transform of the tip, 4 × 4"),
-    scrolled(
-      "Transform of the tip",
-      element(
-        "table",
-        { class: "numbers matrix" },
-        element("tbody", {}, [0, 1, 2, 3].map((i) => element("tr", {}, [0, 1, 2, 3].map((j) => cell(`T-${i}-${j}`))))),
-      ),
-    ),
+    scrolled("Transform of the tip", grid(null, entries, " matrix")),
   );
-  const energies = element(
-    "table",
-    { class: "numbers" },
-    element("caption", {}, "Energies, J"),
-    element(
-      "tbody",
-      {},
-      [
-        ["T", "kinetic"],
-        ["U", "potential"],
-        ["T + U", "total"],
-      ].map(([sign, key]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, sign)), cell(key))),
-    ),
-  );
+  const kinds = Object.entries({ T: "kinetic", U: "potential", "T + U": "total" });
+  const energies = grid("Energies, J", kinds.map(([of, key]) => [head(sign(of)), cell(key)]));
 
   /** Momentum of a robot whose base moves. */
   const momenta = () =>
-    element(
-      "table",
-      { class: "numbers" },
-      element("caption", {}, "Momentum in the world; ", element("i", {}, "L"), " about the centre of mass"),
-      element(
-        "tbody",
-        {},
-        ["x", "y", "z"].map((axis, k) =>
-          element(
-            "tr",
-            {},
-            element("th", { scope: "row" }, indexed("p", axis)),
-            cell(`linear-${k}`),
-            element("td", { class: "unit" }, "kg m/s"),
-            element("th", { scope: "row" }, indexed("L", axis)),
-            cell(`angular-${k}`),
-            element("td", { class: "unit" }, "kg m²/s"),
-          ),
-        ),
-      ),
+    grid(
+      ["Momentum in the world; ", sign("L"), " about the centre of mass"],
+      AXES.map((axis, k) => [
+        ...[head(indexed("p", axis)), cell(`linear-${k}`), unit("kg m/s")],
+        ...[head(indexed("L", axis)), cell(`angular-${k}`), unit("kg m²/s")],
+      ]),
     );
 
   const put = (key, value, factor = 1) => show(data.get(key), value, plain(value * factor));

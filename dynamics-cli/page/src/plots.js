@@ -57,11 +57,11 @@ function plotsOf(model) {
       curves: [0, 1, 2].map((k) => single("xyz"[k], "xyz"[k], axis(k), "m", `--axis-${"xyz"[k]}`, ({ tip }) => tip[k][3])),
     },
   ];
-  return ofBase > 0 ? [...plots.filter(({ curves }) => curves.length > 0), ...plotsOfBase(model, entry)] : plots;
+  return ofBase > 0 ? [...plots.filter(({ curves }) => curves.length > 0), ...plotsOfBase(model, entry, single)] : plots;
 }
 
 /** The plots of a base that moves: where it is, and velocities and forces in its axes. */
-function plotsOfBase({ freedoms, ofBase, units, trajectory }, entry) {
+function plotsOfBase({ freedoms, ofBase, units, trajectory }, entry, single) {
   const of = (key, title, sign, unit, isAngle) => ({
     key: `base-${key}`,
     title,
@@ -75,15 +75,10 @@ function plotsOfBase({ freedoms, ofBase, units, trajectory }, entry) {
       ...entry(key, k, isAngle ? units.factor(freedom.type) : 1),
     })),
   });
-  const where = [0, 1, 2].map((k) => ({
-    joint: null,
-    name: "xyz"[k],
-    sign: "xyz"[k],
-    unit: "m",
-    color: `--axis-${"xyz"[k]}`,
-    values: trajectory.base.map((base) => positionOf(base)[k]),
-    now: ({ base }) => positionOf(base)[k],
-  }));
+  const where = [0, 1, 2].map((k) => {
+    const at = ({ base }) => positionOf(base)[k];
+    return single("xyz"[k], "xyz"[k], trajectory.base.map((base) => at({ base })), "m", `--axis-${"xyz"[k]}`, at);
+  });
   const velocity = ({ velocity: sign, axis }) => `${sign}${axis}`;
   const force = ({ force: sign, axis }) => `${sign}${axis}`;
   return [

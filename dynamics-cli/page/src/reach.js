@@ -100,7 +100,7 @@ function stepped({ limits }, { matrix, descent }, damping, q) {
 const clamped = (x, limits) => (limits ? Math.min(Math.max(x, limits[0]), limits[1]) : x);
 
 /** From a start to where the target is reached, or to where no joint comes nearer. */
-export function descend(problem, start) {
+function descend(problem, start) {
   let q = start.map((x, i) => clamped(x, problem.limits[i]));
   let before = Infinity;
   for (let k = 0; ; k++) {
@@ -116,7 +116,7 @@ export function descend(problem, start) {
 }
 
 /** To the very bottom near a start: never to a greater error. */
-export function settle(problem, start) {
+function settle(problem, start) {
   let q = start.map((x, i) => clamped(x, problem.limits[i]));
   let at = normal(problem, q);
   const most = greatest(at);
@@ -129,6 +129,12 @@ export function settle(problem, start) {
     else [q, at, damping] = [next, there, Math.max(damping / 4, LEAST * most)];
   }
   return { q, ...at };
+}
+
+/** From a start to the target, or to the very bottom near the start: where the arm is singular, short steps come nearer slowly. */
+export function approach(problem, start) {
+  const end = descend(problem, start);
+  return end.isReached ? end : settle(problem, start);
 }
 
 /** Numbers from 0 to 1, the same in each run (mulberry32). */

@@ -134,28 +134,19 @@ export function stage(model) {
       follow(at.base.o);
       arm.put(at, model.table);
       const texts = notes.put(at, model.table, annotated(), model.units);
+      const name = ({ o }, content) => ({ at: o, content, kind: "frame", color: "var(--ink)" });
       const named = state.show.frames
         ? [
-            { at: at.base.o, content: "0", kind: "frame", color: "var(--ink)" },
-            ...links.map(({ row, index }, k) => ({
-              at: at.rows[index].link.o,
-              content: row.isPlace ? "tip" : String(k + 1),
-              kind: "frame",
-              color: "var(--ink)",
-            })),
-            ...(table.tips.length > 1 ? table.tips : []).map(({ name }, k) => ({
-              at: at.tips[k].o,
-              content: name,
-              kind: "frame",
-              color: "var(--ink)",
-            })),
+            name(at.base, "0"),
+            ...links.map(({ row, index }, k) => name(at.rows[index].link, row.isPlace ? "tip" : String(k + 1))),
+            ...(table.tips.length > 1 ? table.tips : []).map((tip, k) => name(at.tips[k], tip.name)),
           ]
         : [];
-      const parameters = texts.map(({ at: place, name, sign, index, text }) => ({
+      const parameters = texts.map(({ at: place, name: parameter, sign, index, text }) => ({
         at: place,
         content: [...indexed(sign, index), text ? ` = ${text}` : ""],
         kind: "parameter",
-        color: COLORS[name],
+        color: COLORS[parameter],
       }));
       marks.put([...named, ...parameters]);
       const [x, y, z] = at.tips[state.tip].o.map((value) => (Math.abs(value) < 5e-7 ? 0 : value).toFixed(4));

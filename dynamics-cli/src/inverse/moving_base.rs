@@ -9,9 +9,8 @@ use dynamics_runtime::simulation::SizedFloatingTrajectory;
 use dynamics_symbolic::robot::Robot;
 
 use super::{not_finite, splines, times};
-use crate::csv::{read_on_base, shortest};
+use crate::csv::{read, shortest};
 use crate::failure::Failure;
-use crate::joints::note_degrees;
 use crate::state::State;
 
 type Motion = SizedFloatingTrajectory<Dyn, Dyn>;
@@ -21,8 +20,8 @@ fn add(motion: &mut Motion, t: f64, base: Pose<f64>, q: Vec<f64>, [v, a]: [Vec<f
     motion.t.push(t);
     motion.base.push(base);
     motion.q.push(q.into());
-    motion.v.push(v.into());
-    motion.a.push(a.into());
+    motion.qd.push(v.into());
+    motion.qdd.push(a.into());
 }
 
 /// The motion of joints on a base that is held.
@@ -59,20 +58,15 @@ pub(super) fn through_waypoints(
     robot: &Robot,
     samples: usize,
 ) -> Result<Motion, Failure> {
-    let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
-    let points = read_on_base(path, &joints)?;
-    for q in &points.q {
-        if note_degrees(&path.display().to_string(), robot, q.as_slice()) {
-            break;
-        }
-    }
+    let points: Motion = read(path, robot)?;
+    let joints = robot.freedoms().joints;
     let of_joints = |list: &[DVector<f64>]| -> Vec<DVector<f64>> {
         list.iter()
-            .map(|v| v.rows(6, joints.len()).into_owned())
+            .map(|v| v.rows(6, joints).into_owned())
             .collect()
     };
-    let (qd, qdd) = (of_joints(&points.v), of_joints(&points.a));
-    let of_joints = splines(&points.t, [&points.q, &qd, &qdd], joints.len());
+    let (qd, qdd) = (of_joints(&points.qd), of_joints(&points.qdd));
+    let of_joints = splines(&points.t, [&points.q, &qd, &qdd], joints);
     let [positions, slopes, seconds] = in_world(&points);
     let of_position = splines(&points.t, [&positions, &slopes, &seconds], 3);
     let mut motion = Motion::default();
@@ -114,7 +108,7 @@ pub(super) fn through_waypoints(
 /// Position, velocity and acceleration of the base in the axes of the world.
 fn in_world(points: &Motion) -> [Vec<DVector<f64>>; 3] {
     let vector = |v: &Vector3<f64>| DVector::from_column_slice(v.as_slice());
-    let rows = points.base.iter().zip(&points.v).zip(&points.a);
+    let rows = points.base.iter().zip(&points.qd).zip(&points.qdd);
     let mut lists = [Vec::new(), Vec::new(), Vec::new()];
     for ((base, v), a) in rows {
         let (linear, angular) = halves(v);
@@ -145,7 +139,7 @@ fn rotation_of(points: &Motion, row: usize, phi: &Vector3<f64>) -> Matrix3<f64> 
 fn turned(points: &Motion, row: usize, t: f64, path: &Path) -> Result<[Vector3<f64>; 3], Failure> {
     let ends = [row, row + 1];
     let times = ends.map(|k| points.t[k]);
-    let rates = ends.map(|k| [halves(&points.v[k]).1, halves(&points.a[k]).1]);
+    let rates = ends.map(|k| [halves(&points.qd[k]).1, halves(&points.qdd[k]).1]);
     let fastest = rates[0][0].norm().max(rates[1][0].norm());
     if fastest * (times[1] - times[0]) > PI {
         let [from, to] = times.map(shortest);

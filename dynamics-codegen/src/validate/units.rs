@@ -96,48 +96,41 @@ fn allowed_at(row: &Row, place: &'static str) -> &'static str {
 
 /// The bodies of the rows, of the tool, of frames and of a base that moves; none where one of them is not known.
 fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
-    let rows = parts.rows.iter().flatten().zip(table.rows());
-    let of_rows = rows.map(|(row, written)| {
+    let mut bodies = Vec::new();
+    let mut judge = |numbers: Numbers<'_>, written: &Body, place_of_allow| {
+        bodies.push(judged(numbers, written, place_of_allow, scope)?);
+        Some(())
+    };
+    for (row, written) in parts.rows.iter().flatten().zip(table.rows()) {
         let row = row.as_ref()?;
         let numbers = (&row.mass, &row.com, &row.inertia);
-        let place_of_allow = allowed_at(written, "on the row");
-        judged(numbers, &written.body, place_of_allow, scope)
-    });
-    let of_tool = parts.tool.iter().zip(table.tool()).map(|(tool, written)| {
+        judge(numbers, &written.body, allowed_at(written, "on the row"))?;
+    }
+    for (tool, written) in parts.tool.iter().zip(table.tool()) {
         let tool = tool.as_ref()?;
         let numbers = (&tool.mass, &tool.com, &tool.inertia);
-        judged(numbers, &written.body, "on the tool", scope)
-    });
-    let of_frames = parts.frames(table).filter_map(|(frame, written)| {
-        let Some(frame) = frame else {
-            return Some(None);
-        };
-        let body = frame.body.as_ref()?;
+        judge(numbers, &written.body, "on the tool")?;
+    }
+    for (frame, written) in parts.frames(table) {
+        if let Some(body) = &frame.as_ref()?.body {
+            let numbers = (&body.mass, &body.com, &body.inertia);
+            judge(numbers, &written.body, "on the frame")?;
+        }
+    }
+    if let (Some(base), Some((_, written))) = (&parts.base, table.floating())
+        && let Base::Floating(body) = base.as_ref()?
+    {
         let numbers = (&body.mass, &body.com, &body.inertia);
-        Some(judged(numbers, &written.body, "on the frame", scope))
-    });
-    let of_base = match (&parts.base, table.floating()) {
-        (Some(base), Some((_, written))) => Some((base, written)),
-        _ => None,
-    };
-    let of_base = of_base
-        .into_iter()
-        .map(|(base, written)| match base.as_ref()? {
-            Base::Standing(_) => None,
-            Base::Floating(body) => {
-                let numbers = (&body.mass, &body.com, &body.inertia);
-                judged(numbers, written, table.place_of_base(), scope)
-            }
-        });
-    of_rows
-        .chain(of_tool)
-        .chain(of_frames)
-        .chain(of_base)
-        .collect()
+        judge(numbers, written, table.place_of_base())?;
+    }
+    Some(bodies)
 }
 
+/// Mass, centre of mass and tensor.
+type Numbers<'v> = (&'v Value, &'v [Value; 3], &'v [Value; 6]);
+
 fn judged(
-    (mass, com, inertia): (&Value, &[Value; 3], &[Value; 6]),
+    (mass, com, inertia): Numbers<'_>,
     written: &Body,
     place_of_allow: &'static str,
     scope: &Scope,

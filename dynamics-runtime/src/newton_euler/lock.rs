@@ -53,7 +53,7 @@ impl<const N: usize> Table<N> {
         rows: &[Row],
         motions: &[JointMotion],
     ) -> Self {
-        Self::of_rows(convention, gravity, rows, motions, &[])
+        Self::of_rows(None, (convention, gravity), rows, motions, &[])
     }
 
     /// As [`Table::couple`], with frames on the rows or on the base. The table has the first 16 of them. The body of any
@@ -67,7 +67,7 @@ impl<const N: usize> Table<N> {
         motions: [JointMotion; L],
         frames: [FixedFrame; F],
     ) -> Self {
-        Self::of_rows(convention, gravity, &rows, &motions, &frames)
+        Self::of_rows(None, (convention, gravity), &rows, &motions, &frames)
     }
 
     /// As [`Table::with_frames`], on a base that moves. The links of rows that are locked to the base become parts of its body.
@@ -79,22 +79,13 @@ impl<const N: usize> Table<N> {
         motions: [JointMotion; L],
         frames: [FixedFrame; F],
     ) -> Self {
-        let read = Rows {
-            convention,
-            rows: &rows,
-            motions: &motions,
-            bodies: frames.get(MOST_FRAMES..).unwrap_or_default(),
-        };
-        Table {
-            floating: Some(read.base(&base)),
-            tip: read.tip_on_base(),
-            ..Self::of_rows(convention, gravity, &rows, &motions, &frames)
-        }
+        let head = (convention, gravity);
+        Self::of_rows(Some(&base), head, &rows, &motions, &frames)
     }
 
     fn of_rows(
-        convention: Convention,
-        gravity: [f64; 3],
+        base: Option<&FloatingBase>,
+        (convention, gravity): (Convention, [f64; 3]),
         rows: &[Row],
         motions: &[JointMotion],
         frames: &[FixedFrame],
@@ -123,6 +114,8 @@ impl<const N: usize> Table<N> {
         }
         assert_eq!(free, N, "so many joints move by themselves");
         Table {
+            floating: base.map(|base| rows.base(base)),
+            tip: base.and_then(|_| rows.tip_on_base()),
             followers,
             frames: kept.iter().map(|frame| rows.frame(frame)).collect(),
             ..Table::new(convention, gravity, joints)
@@ -152,26 +145,9 @@ impl RuntimeTable {
         motions: &[JointMotion],
         frames: &[FixedFrame],
     ) -> Self {
-        let mut table = RuntimeTable::new(convention, gravity, Vec::new());
-        let rows = Rows {
-            convention,
-            rows,
-            motions,
-            bodies: &[],
-        };
-        for row in rows.moving() {
-            match row {
-                Read::Joint(row) => table.rows.push(row),
-                Read::Follower(follower) => table.followers.push(Some(follower)),
-            }
-        }
-        table.frames = frames.iter().map(|frame| rows.frame(frame)).collect();
-        table
+        Self::of_rows(None, (convention, gravity), rows, motions, frames)
     }
-}
 
-#[cfg(feature = "std")]
-impl RuntimeTable {
     /// As [`RuntimeTable::with_frames`], on a base that moves. The links of rows that are locked to the base become parts of
     /// its body.
     pub fn with_floating_base(
@@ -182,17 +158,33 @@ impl RuntimeTable {
         motions: &[JointMotion],
         frames: &[FixedFrame],
     ) -> Self {
-        let read = Rows {
+        Self::of_rows(Some(base), (convention, gravity), rows, motions, frames)
+    }
+
+    fn of_rows(
+        base: Option<&FloatingBase>,
+        (convention, gravity): (Convention, [f64; 3]),
+        rows: &[Row],
+        motions: &[JointMotion],
+        frames: &[FixedFrame],
+    ) -> Self {
+        let mut table = RuntimeTable::new(convention, gravity, Vec::new());
+        let rows = Rows {
             convention,
             rows,
             motions,
             bodies: &[],
         };
-        RuntimeTable {
-            floating: Some(read.base(base)),
-            tip: read.tip_on_base(),
-            ..Self::with_frames(convention, gravity, rows, motions, frames)
+        table.floating = base.map(|base| rows.base(base));
+        table.tip = base.and_then(|_| rows.tip_on_base());
+        for row in rows.moving() {
+            match row {
+                Read::Joint(row) => table.rows.push(row),
+                Read::Follower(follower) => table.followers.push(Some(follower)),
+            }
         }
+        table.frames = frames.iter().map(|frame| rows.frame(frame)).collect();
+        table
     }
 }
 

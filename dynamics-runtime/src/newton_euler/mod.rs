@@ -47,7 +47,6 @@ use crate::size::Size;
 use crate::table::AsArm as _;
 use crate::{Model, SizedKinematics, Table, Tool};
 pub use angle::turned;
-#[cfg(feature = "std")]
 pub use base::NAMES_OF_BASE;
 use base::{Body, Footing};
 pub use floating::{FloatingNewtonEuler, NumericFloating};

@@ -3,7 +3,6 @@
 //! [`Trajectory::plot`] draws a whole run; a [`Figure`] is made of panels of one's own.
 
 mod figure;
-mod floating;
 mod run;
 
 use std::error::Error;

@@ -2,17 +2,20 @@
 
 use std::path::Path;
 
-use nalgebra::{Matrix4, SVector};
+use nalgebra::{Matrix4, Rotation3, SVector, Vector3};
 
-use super::{Curve, Figure, Outcome};
+use super::{Curve, Figure, Outcome, joints};
 use crate::simulation::{SizedModel, SizedTrajectory};
-use crate::size::{JointVector, Size};
+use crate::size::JointVector;
+use crate::stand::{Stand, Velocities};
 use crate::table::{AsArm as _, Row};
-use crate::{JointType, Trajectory};
+use crate::{JointType, Pose, Trajectory};
 
-impl<D: Size> SizedTrajectory<D> {
+impl<K: Stand> SizedTrajectory<K> {
     /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where the robot
     /// knows them ([`Model::energies`](crate::Model::energies)), energies. Joints that turn and joints that slide have panels of their own.
+    /// The first panels are about a base that moves: its position and its roll, pitch and yaw in the world, its velocities and
+    /// the force and moment on it in its own axes.
     ///
     /// ```no_run
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -34,19 +37,53 @@ impl<D: Size> SizedTrajectory<D> {
     /// # Errors
     ///
     /// Where the file cannot be written, or there is nothing to draw.
-    pub fn plot<R: SizedModel<D>>(&self, robot: &R, file: impl AsRef<Path>) -> Outcome {
+    pub fn plot<R: SizedModel<K>>(&self, robot: &R, file: impl AsRef<Path>) -> Outcome {
         self.figure(robot).save(file)
     }
 
     /// The same as a figure without a title, to add panels to.
-    pub fn figure<R: SizedModel<D>>(&self, robot: &R) -> Figure {
-        let lists = [&self.q, &self.qd, &self.qdd, &self.tau].map(|list| of_joints(list, 0));
-        let figure = Figure::new(String::new());
+    pub fn figure<R: SizedModel<K>>(&self, robot: &R) -> Figure {
+        let mut figure = Figure::new(String::new());
+        let (base, q): (Vec<_>, Vec<_>) = self.places().map(K::parts).unzip();
+        let base: Vec<_> = base.into_iter().flatten().collect();
+        if !base.is_empty() {
+            figure = self.with_base(figure, &base);
+        }
+        let q = q.into_iter().map(JointVector::entries).collect();
+        let [qd, qdd, tau] = [&self.qd, &self.qdd, &self.tau].map(|list| {
+            let of_joints = list.iter().map(|vector| &vector.entries()[K::OF_BASE..]);
+            of_joints.collect()
+        });
         let (names, table) = (robot.names(), robot.sized_table());
+        let lists = [q, qd, qdd, tau];
         let figure = with_joints(figure, names.as_ref(), table.arm().rows, &self.t, lists);
-        let states = self.q.iter().zip(&self.qd);
-        let energies = states.map(|(q, qd)| robot.sized_energies(q, qd)).collect();
-        with_energies(figure, &self.t, energies)
+        with_energies(figure, &self.t, self.both_energies(robot).collect())
+    }
+
+    /// Panels of a base that moves.
+    fn with_base(&self, mut figure: Figure, base: &[&Pose<f64>]) -> Figure {
+        let positions = base.iter().map(|base| base.position);
+        let angles = base.iter().map(|base| {
+            let rotation = Rotation3::from_matrix_unchecked(base.rotation);
+            let (roll, pitch, yaw) = rotation.euler_angles();
+            Vector3::new(roll, pitch, yaw)
+        });
+        let three = |list: &[Velocities<K>], first: usize| -> Vec<_> {
+            let three = |v: &Velocities<K>| Vector3::from_fn(|i, _| v[first + i]);
+            list.iter().map(three).collect()
+        };
+        let (t, v, tau) = (&self.t, &self.qd, &self.tau);
+        figure = figure
+            .panel("base, m", joints(["x", "y", "z"], t, positions))
+            .panel("base, rad", joints(["roll", "pitch", "yaw"], t, angles))
+            .panel("base, m/s", joints(["vx", "vy", "vz"], t, three(v, 0)))
+            .panel("base, rad/s", joints(["wx", "wy", "wz"], t, three(v, 3)));
+        if tau.len() == self.len() {
+            figure = figure
+                .panel("base, N", joints(["fx", "fy", "fz"], t, three(tau, 0)))
+                .panel("base, N m", joints(["nx", "ny", "nz"], t, three(tau, 3)));
+        }
+        figure
     }
 }
 
@@ -63,14 +100,8 @@ impl<const N: usize> Trajectory<N> {
     }
 }
 
-/// The numbers of the joints in vectors that begin with so many others.
-pub(super) fn of_joints<X: JointVector>(vectors: &[X], others: usize) -> Vec<&[f64]> {
-    let of_joints = vectors.iter().map(|vector| &vector.entries()[others..]);
-    of_joints.collect()
-}
-
 /// Panels of the joints, apart where they turn and where they slide: positions, velocities, accelerations and torques.
-pub(super) fn with_joints(
+fn with_joints(
     mut figure: Figure,
     names: &[String],
     rows: &[Row],
@@ -107,7 +138,7 @@ pub(super) fn with_joints(
 }
 
 /// A panel of kinetic, potential and total energy, where they are known.
-pub(super) fn with_energies(figure: Figure, t: &[f64], energies: Option<Vec<[f64; 2]>>) -> Figure {
+fn with_energies(figure: Figure, t: &[f64], energies: Option<Vec<[f64; 2]>>) -> Figure {
     let Some(energies) = energies else {
         return figure;
     };

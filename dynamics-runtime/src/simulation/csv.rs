@@ -3,22 +3,72 @@
 use core::fmt;
 use std::io::{self, Read, Write};
 
-use nalgebra::{Const, Dyn};
+use nalgebra::{Dim as _, DimName, Dyn};
 
-use super::trajectory::{SizedTrajectory, Trajectory};
-use crate::size::{JointVector as _, Size};
+use super::trajectory::SizedTrajectory;
+use crate::closed_form::is_rotation;
+use crate::size::{JointVector as _, Size as _};
+use crate::stand::Stand;
 use crate::table::AsArm as _;
-use crate::{simulation::SizedModel, table::JointType};
+use crate::{Pose, simulation::SizedModel, table::JointType};
 
 /// The columns of a joint: the symbol, and the unit of a revolute and of a prismatic one.
-pub(super) const QUANTITIES: [(&str, [&str; 2]); 4] = [
+const QUANTITIES: [(&str, [&str; 2]); 4] = [
     ("q", ["rad", "m"]),
     ("qd", ["rad/s", "m/s"]),
     ("qdd", ["rad/s^2", "m/s^2"]),
     ("tau", ["N m", "N"]),
 ];
 
-impl<D: Size> SizedTrajectory<D> {
+/// The columns of the base before those of the joints: the place, then velocities, accelerations and forces.
+const BASE_COLUMNS: [&[&str]; 4] = [
+    &[
+        "base.r11",
+        "base.r12",
+        "base.r13",
+        "base.r21",
+        "base.r22",
+        "base.r23",
+        "base.r31",
+        "base.r32",
+        "base.r33",
+        "base.x [m]",
+        "base.y [m]",
+        "base.z [m]",
+    ],
+    &[
+        "base.vx [m/s]",
+        "base.vy [m/s]",
+        "base.vz [m/s]",
+        "base.wx [rad/s]",
+        "base.wy [rad/s]",
+        "base.wz [rad/s]",
+    ],
+    &[
+        "base.vxd [m/s^2]",
+        "base.vyd [m/s^2]",
+        "base.vzd [m/s^2]",
+        "base.wxd [rad/s^2]",
+        "base.wyd [rad/s^2]",
+        "base.wzd [rad/s^2]",
+    ],
+    &[
+        "base.fx [N]",
+        "base.fy [N]",
+        "base.fz [N]",
+        "base.nx [N m]",
+        "base.ny [N m]",
+        "base.nz [N m]",
+    ],
+];
+
+/// The columns of the base before those of the joints: none of a base that stands.
+fn of_base<K: Stand>(quantity: usize) -> &'static [&'static str] {
+    let columns = BASE_COLUMNS.get(quantity).filter(|_| K::OF_BASE > 0);
+    columns.copied().unwrap_or_default()
+}
+
+impl<K: Stand> SizedTrajectory<K> {
     /// Writes the samples as comma-separated values: a header, then a line for each sample.
     ///
     /// The columns are `t [s]`; `q.NAME [rad]` of each joint, in m where it is prismatic; `qd.NAME`,
@@ -26,6 +76,10 @@ impl<D: Size> SizedTrajectory<D> {
     /// the robot knows them ([`Model::energies`](crate::Model::energies)). Numbers have as many digits as it takes to read the same
     /// ones back, with a decimal point whatever the language; a number that is not finite is `NaN`, `inf` or `-inf`.
     /// Accelerations or torques have no columns where the trajectory does not have one for each time.
+    ///
+    /// On a base that moves, its columns come first among those of a quantity. Before `q.NAME` these are the rotation by rows,
+    /// `base.r11` to `base.r33`, and the position, `base.x [m]` to `base.z`. Then they are the velocities, `base.vx [m/s]` to
+    /// `base.wz`; the accelerations, `base.vxd` to `base.wzd`; and the forces, `base.fx` to `base.nz`.
     ///
     /// It needs the feature `csv`.
     ///
@@ -58,46 +112,45 @@ impl<D: Size> SizedTrajectory<D> {
     /// # Errors
     ///
     /// The errors of the writer.
-    pub fn write_csv<R: SizedModel<D>>(&self, robot: &R, out: impl Write) -> io::Result<()> {
+    pub fn write_csv<R: SizedModel<K>>(&self, robot: &R, out: impl Write) -> io::Result<()> {
         let (names, table) = (robot.names(), robot.sized_table());
-        let lists = [&self.q, &self.qd, &self.qdd, &self.tau];
-        let is_there = |k: &usize| lists[*k].len() == self.len();
+        let names = names.as_ref();
+        let rates = [&self.qd, &self.qdd, &self.tau];
+        let is_there = |k: &usize| *k == 0 || rates[k - 1].len() == self.len();
         let mut header = vec!["t [s]".to_owned()];
-        for (symbol, units) in (0..4).filter(is_there).map(|k| QUANTITIES[k]) {
-            for (name, row) in names.as_ref().iter().zip(table.arm().rows) {
+        for k in (0..QUANTITIES.len()).filter(is_there) {
+            header.extend(of_base::<K>(k).iter().map(|name| (*name).to_owned()));
+            let (symbol, units) = QUANTITIES[k];
+            for (name, row) in names.iter().zip(table.arm().rows) {
                 let unit = units[usize::from(row.joint_type == JointType::Prismatic)];
                 header.push(format!("{symbol}.{name} [{unit}]"));
             }
         }
-        let rows = (0..self.len()).map(|k| {
-            let vectors = (0..4)
-                .filter(is_there)
-                .flat_map(|list| lists[list][k].entries());
-            let numbers = [&self.t[k]].into_iter().chain(vectors).copied().collect();
-            (numbers, robot.sized_energies(&self.q[k], &self.qd[k]))
-        });
-        let rest = D::from_usize(names.as_ref().len()).vector();
-        write_rows(out, header, robot.sized_energies(&rest, &rest), rows)
+        let (base, q) = (
+            K::pose(Pose::identity()),
+            K::Joints::from_usize(names.len()).vector(),
+        );
+        let rest = K::Freedoms::from_usize(K::OF_BASE + names.len()).vector();
+        if robot.sized_energies(K::place(&base, &q), &rest).is_some() {
+            header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
+        }
+        let mut writer = csv::Writer::from_writer(out);
+        writer.write_record(header)?;
+        for (k, (t, place)) in self.t.iter().zip(self.places()).enumerate() {
+            let energies = robot.sized_energies(place, &self.qd[k]);
+            let (base, q) = K::parts(place);
+            let base = base.map(Pose::entries);
+            let place = [t]
+                .into_iter()
+                .chain(base.iter().flatten())
+                .chain(q.entries());
+            let of_rates = (1..QUANTITIES.len()).filter(is_there);
+            let of_rates = of_rates.flat_map(|quantity| rates[quantity - 1][k].entries());
+            let numbers = place.chain(of_rates).chain(energies.iter().flatten());
+            writer.write_record(numbers.copied().map(shortest))?;
+        }
+        writer.flush()
     }
-}
-
-/// Writes so many rows below a header: the numbers of a row, and energies where they are known at rest.
-pub(super) fn write_rows(
-    out: impl Write,
-    mut header: Vec<String>,
-    at_rest: Option<[f64; 2]>,
-    rows: impl Iterator<Item = (Vec<f64>, Option<[f64; 2]>)>,
-) -> io::Result<()> {
-    if at_rest.is_some() {
-        header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
-    }
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(header)?;
-    for (numbers, energies) in rows {
-        let energies = energies.into_iter().flatten();
-        writer.write_record(numbers.into_iter().chain(energies).map(shortest))?;
-    }
-    writer.flush()
 }
 
 /// A number in as few letters as it takes: `0.5`, `1e-17`.
@@ -111,90 +164,105 @@ pub fn shortest(x: f64) -> String {
     }
 }
 
-impl<const N: usize> Trajectory<N> {
-    /// Reads what [`write_csv`](SizedTrajectory::write_csv) writes: `t`, then `q`, `qd`, and, where the header has
-    /// them, `qdd` and `tau` of `N` joints. Columns after these are passed over, and so are empty lines. The
-    /// work of the run is not in the table.
+impl<K: Stand<Joints: DimName>> SizedTrajectory<K> {
+    /// Reads what [`write_csv`](SizedTrajectory::write_csv) writes: `t`, then places, velocities, and, where the header has
+    /// them, accelerations and torques. Columns after these are passed over, and so are empty lines. The work of the
+    /// run is not in the table.
     ///
     /// It needs the feature `csv`.
     ///
     /// # Errors
     ///
-    /// [`CsvError`] with the line and the column, where the header is not that of a trajectory of `N` joints,
-    /// a line has too few or too many cells, or a cell holds no number; and where the reader fails.
+    /// [`CsvError`] with the line and the column, where the header is not that of a trajectory of as many joints, on a base
+    /// that stands or moves. The same holds if a line has too few or too many cells, or a cell holds no number. A
+    /// [`CsvError`] is also returned if the reader fails.
     pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
-        read(Const, None, input)
+        read(K::Joints::name(), None, input)
     }
 }
 
-impl SizedTrajectory<Dyn> {
-    /// Reads points for an arm to pass: rows of a time in s and a position of each of the `joints`, in rad or m.
+impl<K: Stand<Joints = Dyn>> SizedTrajectory<K> {
+    /// Reads points for a robot to pass: rows of a time in s and a position of each of the `joints`, in rad or m.
     ///
     /// A first row without numbers is a header. It may be that of [`write_csv`](SizedTrajectory::write_csv): velocities,
     /// accelerations and torques are read where they follow, and columns after these are passed over.
-    /// Otherwise the lists `qd`, `qdd` and `tau` are empty.
+    /// Otherwise the lists `qd`, `qdd` and `tau` are empty. On a base that moves the header has to be that one, with
+    /// velocities and accelerations.
     ///
     /// It needs the feature `csv`.
     ///
     /// # Errors
     ///
     /// [`CsvError`] with the line and the column, if the header has the joints in another order, or a line has too
-    /// few or too many cells. The same holds if a cell holds no finite number, times do not grow, or there are fewer
-    /// than two rows. A [`CsvError`] is also returned if the reader fails.
+    /// few or too many cells. The same holds if a cell holds no finite number, a rotation is none within 1e-6, times do not
+    /// grow, or there are fewer than two rows. A [`CsvError`] is also returned if the reader fails.
     pub fn read_points(joints: &[&str], input: impl Read) -> Result<Self, CsvError> {
         read(Dyn(joints.len()), Some(joints), input)
     }
 }
 
 /// A trajectory of samples; or of points to pass, for the joints with these names.
-fn read<D: Size>(
-    size: D,
+fn read<K: Stand>(
+    joints: K::Joints,
     points_of: Option<&[&str]>,
     input: impl Read,
-) -> Result<SizedTrajectory<D>, CsvError> {
+) -> Result<SizedTrajectory<K>, CsvError> {
     let text = text_of(input)?;
     let mut rows = Rows::new(&text);
-    let (joints, mut is_row) = (size.value(), rows.advance());
-    let (mut quantities, mut width) = (1, 1 + joints);
-    if points_of.is_none() || rows.row.iter().all(|cell| cell.parse::<f64>().is_err()) {
-        quantities = rows.quantities(joints, points_of)?;
+    let (n, of_pose) = (joints.value(), of_base::<K>(0).len());
+    let freedoms = K::Freedoms::from_usize(K::OF_BASE + n);
+    let (mut is_row, are_points) = (rows.advance(), points_of.is_some());
+    let (mut quantities, mut width) = (1, 1 + n);
+    let may_lack_header = are_points && of_pose == 0;
+    if !may_lack_header || rows.row.iter().all(|cell| cell.parse::<f64>().is_err()) {
+        quantities = rows.quantities::<K>(n, points_of)?;
         width = rows.row.len();
         is_row = rows.advance();
     }
-    let mut trajectory = SizedTrajectory::default();
+    let of_place = 1 + of_pose + n;
+    let least = of_place + (quantities - 1) * freedoms.value();
+    let mut trajectory = SizedTrajectory::<K>::default();
     while is_row {
         let found = rows.row.len();
-        let number = |cell: usize| rows.number(cell, points_of.is_some());
-        if found < 1 + quantities * joints || found > width {
+        let number = |cell: usize| rows.number(cell, are_points);
+        if found < least || found > width {
             // Cells between other separators are one that is no number.
             number(0)?;
             let (expected, end) = (width, found.min(width));
-            let place = if points_of.is_some() { 0 } else { end };
+            let place = if may_lack_header { 0 } else { end };
             return Err(rows.mistake(place, CsvMistake::Cells { found, expected }));
         }
-        let (t, last) = (number(0)?, trajectory.t.last());
-        if points_of.is_some() && last.is_some_and(|last| *last >= t) {
+        let numbers = (0..least).map(number).collect::<Result<Vec<f64>, _>>()?;
+        let (t, last) = (numbers[0], trajectory.t.last());
+        if are_points && last.is_some_and(|last| *last >= t) {
             return Err(rows.mistake(0, CsvMistake::Order));
         }
+        // There are twelve of a base that moves, and none of one that stands.
+        if let Ok(entries) = numbers[1..=of_pose].try_into() {
+            let base = Pose::of_entries(entries);
+            if are_points && !is_rotation(&base.rotation) {
+                return Err(rows.mistake(1, CsvMistake::Rotation));
+            }
+            trajectory.base.extend([K::pose(base)]);
+        }
         trajectory.t.push(t);
-        let SizedTrajectory {
-            q, qd, qdd, tau, ..
-        } = &mut trajectory;
-        for (k, list) in [q, qd, qdd, tau].into_iter().take(quantities).enumerate() {
-            let cells = 1 + k * joints..1 + (k + 1) * joints;
-            let entries = cells.map(number).collect::<Result<Vec<f64>, _>>()?;
-            list.push(size.vector_of(|i| entries[i]));
+        let q = joints.vector_of(|i| numbers[1 + of_pose + i]);
+        trajectory.q.push(q);
+        let lists = [&mut trajectory.qd, &mut trajectory.qdd, &mut trajectory.tau];
+        for (k, list) in lists.into_iter().take(quantities - 1).enumerate() {
+            let first = of_place + k * freedoms.value();
+            list.push(freedoms.vector_of(|i| numbers[first + i]));
         }
         is_row = rows.advance();
     }
-    if points_of.is_some() && trajectory.len() < 2 {
+    if are_points && trajectory.len() < 2 {
         return Err(Rows::new("").mistake(0, CsvMistake::TooFew));
     }
     Ok(trajectory)
 }
 
 /// The text of a file.
-pub(super) fn text_of(mut input: impl Read) -> Result<String, CsvError> {
+fn text_of(mut input: impl Read) -> Result<String, CsvError> {
     let mut bytes = Vec::new();
     let unread = |good: &[u8], reason: String| CsvError {
         line: 1 + good.iter().filter(|byte| **byte == b'\n').count(),
@@ -211,14 +279,14 @@ pub(super) fn text_of(mut input: impl Read) -> Result<String, CsvError> {
 }
 
 /// The rows of a text.
-pub(super) struct Rows<'t> {
+struct Rows<'t> {
     text: &'t str,
     reader: csv::Reader<&'t [u8]>,
-    pub(super) row: csv::StringRecord,
+    row: csv::StringRecord,
 }
 
 impl<'t> Rows<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
+    fn new(text: &'t str) -> Self {
         let mut settings = csv::ReaderBuilder::new();
         settings
             .has_headers(false)
@@ -232,7 +300,7 @@ impl<'t> Rows<'t> {
     }
 
     /// Goes on to the next row that is not empty; whether there is one.
-    pub(super) fn advance(&mut self) -> bool {
+    fn advance(&mut self) -> bool {
         // A text in memory can be read to its end.
         while self.reader.read_record(&mut self.row).unwrap_or(false) {
             if self.row.len() > 1 || !self.row[0].is_empty() {
@@ -246,7 +314,7 @@ impl<'t> Rows<'t> {
     ///
     /// The reader tells the byte at which a row begins, or the end of the line before or an empty line before. The lines
     /// that it counts are others where lines end in `\r\n` or are empty.
-    pub(super) fn mistake(&self, cell: usize, mistake: CsvMistake) -> CsvError {
+    fn mistake(&self, cell: usize, mistake: CsvMistake) -> CsvError {
         let byte = self.row.position().map_or(0, |place| place.byte() as usize);
         let rest = self.text[byte..].trim_start_matches(['\r', '\n']);
         let before = &self.text[..self.text.len() - rest.len()];
@@ -267,41 +335,63 @@ impl<'t> Rows<'t> {
         }
     }
 
-    /// How many quantities of the joints a header has: `q` and `qd` at least, or `q` where names of joints are given.
-    fn quantities(&self, joints: usize, names: Option<&[&str]>) -> Result<usize, CsvError> {
-        let cell = |index: usize| self.row.get(index).unwrap_or_default();
-        let has = |index: usize, symbol: &str| {
-            cell(index).split(['.', '_', ' ', '[']).next() == Some(symbol)
-        };
-        let expected = |index: usize, symbol: &str| {
-            let expected = symbol.to_owned();
+    /// How many quantities a header has: places and velocities at least. Where names of joints are given, these are places
+    /// alone, or accelerations too if the base moves.
+    fn quantities<K: Stand>(
+        &self,
+        joints: usize,
+        names: Option<&[&str]>,
+    ) -> Result<usize, CsvError> {
+        let word = |cell: &str| cell.split([' ', '[']).next().unwrap_or_default().to_owned();
+        let found = |index: usize| word(self.row.get(index).unwrap_or_default());
+        let has =
+            |index: usize, symbol: &str| found(index).split(['.', '_']).next() == Some(symbol);
+        let expected = |index: usize, column: &str| {
+            let expected = word(column);
             Err(self.mistake(index, CsvMistake::Header { expected }))
         };
-        match names {
-            None if !has(0, "t") => return expected(0, "t"),
-            None => {}
-            Some(names) => self.in_order(1, names)?,
+        let moves = K::OF_BASE > 0;
+        let least = match names {
+            None => 2,
+            Some(_) if moves => 3,
+            Some(_) => 1,
+        };
+        if (names.is_none() || moves) && !has(0, "t") {
+            return expected(0, "t");
         }
-        let least = if names.is_some() { 1 } else { 2 };
+        let mut first = 1;
         for (k, (symbol, _)) in QUANTITIES.iter().enumerate() {
-            let first = 1 + k * joints;
-            // Columns of positions may have other names in points; the last quantities may be missing, as a whole.
-            let is_free = names.is_some() && k == 0;
+            let of_base = of_base::<K>(k);
+            for (i, name) in of_base.iter().enumerate() {
+                match found(first + i) == word(name) {
+                    true => {}
+                    // The last quantities may be missing, as a whole.
+                    false if i == 0 && k >= least => return Ok(k),
+                    false => return expected(first + i, name),
+                }
+            }
+            first += of_base.len();
+            if let (0, Some(names)) = (k, names) {
+                self.in_order(first, names)?;
+            }
+            // Columns of positions may have other names in points.
+            let is_free = names.is_some() && k == 0 && !moves;
             match (0..joints).find(|i| !is_free && !has(first + i, symbol)) {
-                Some(0) if k >= least => return Ok(k),
+                Some(0) if k >= least && !moves => return Ok(k),
                 Some(i) => return expected(first + i, symbol),
                 None => {}
             }
-            if has(first + joints, symbol) {
+            first += joints;
+            if has(first, symbol) {
                 let next = QUANTITIES.get(k + 1).map_or("", |next| next.0);
-                return expected(first + joints, next);
+                return expected(first, self::of_base::<K>(k + 1).first().unwrap_or(&next));
             }
         }
         Ok(QUANTITIES.len())
     }
 
     /// Refuses a header that has another joint in the place of one, from a column on.
-    pub(super) fn in_order(&self, first: usize, names: &[&str]) -> Result<(), CsvError> {
+    fn in_order(&self, first: usize, names: &[&str]) -> Result<(), CsvError> {
         let names_joint = |cell: &str, name: &str| {
             let word = cell.split(" [").next().unwrap_or_default();
             let [dotted, joined] = ["q.", "q_"].map(|symbol| word.strip_prefix(symbol));
@@ -318,7 +408,7 @@ impl<'t> Rows<'t> {
         Ok(())
     }
 
-    pub(super) fn number(&self, cell: usize, is_finite: bool) -> Result<f64, CsvError> {
+    fn number(&self, cell: usize, is_finite: bool) -> Result<f64, CsvError> {
         let number = self.row[cell].parse::<f64>().ok();
         let number = number.filter(|x| !is_finite || x.is_finite());
         number.ok_or_else(|| self.mistake(cell, CsvMistake::Number(self.row[cell].to_owned())))
@@ -415,9 +505,10 @@ impl core::error::Error for CsvError {}
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Vector2;
+    use nalgebra::{Dyn, Vector2};
 
-    use super::{CsvMistake, SizedTrajectory, Trajectory};
+    use super::{CsvMistake, SizedTrajectory};
+    use crate::Trajectory;
     use crate::test_arms::CRAIG_ARM;
 
     fn trajectory() -> Trajectory<2> {
@@ -540,7 +631,7 @@ mod tests {
 
     #[test]
     fn points_have_a_header_or_none() {
-        let read = |text: &str| SizedTrajectory::read_points(&["a", "b,c"], text.as_bytes());
+        let read = |text: &str| SizedTrajectory::<Dyn>::read_points(&["a", "b,c"], text.as_bytes());
         for header in [
             "",
             "t,a,\"b,c\"\n",

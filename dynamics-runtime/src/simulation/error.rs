@@ -8,6 +8,7 @@ use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
 use crate::newton_euler::NAMES_OF_BASE;
 use crate::size::{JointVector as _, Size};
+use crate::stand::{OnBase, Stand, Velocities};
 use crate::taylor::Refusal;
 
 /// A simulation that could not reach its end, with everything that it computed before.
@@ -15,24 +16,29 @@ use crate::taylor::Refusal;
 /// `{:?}`, which `unwrap` and an error of `main` print, is the sentence of `{}` and the number of samples.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
-pub struct SizedSimulationError<D: Size> {
+pub struct SizedSimulationError<K: Stand> {
     /// The time reached, s.
     pub time: f64,
+    /// Where a base that moves stands then.
+    pub base: K::Pose,
     /// The joint positions reached, rad or m.
-    pub q: D::Vector,
-    /// The joint velocities reached, rad/s or m/s.
-    pub qd: D::Vector,
-    /// Why the motion does not go on from there.
+    pub q: <K::Joints as Size>::Vector,
+    /// The velocities reached, rad/s or m/s.
+    pub qd: Velocities<K>,
+    /// Why the motion does not go on from there. Its joints count the six numbers of a base that moves first.
     pub cause: Cause,
     /// The samples up to there.
-    pub trajectory: SizedTrajectory<D>,
+    pub trajectory: SizedTrajectory<K>,
 }
 
 /// A simulation of an arm of `N` joints that could not reach its end.
 pub type SimulationError<const N: usize> = SizedSimulationError<Const<N>>;
 
+/// A simulation on a base that moves that could not reach its end.
+pub type SizedFloatingError<D, V> = SizedSimulationError<OnBase<D, V>>;
+
 /// The result of a simulation.
-pub(super) type Outcome<D> = Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>;
+pub(super) type Outcome<K> = Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>;
 
 /// Why a simulation ended early.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,29 +226,37 @@ pub enum InvalidSetting {
     Rotation,
 }
 
-impl<D: Size> fmt::Display for SizedSimulationError<D> {
+impl<K: Stand> fmt::Display for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the simulation ended at t = {:?} s: {} (q = {:?}, qd = {:?})",
-            self.time,
-            self.cause,
-            self.q.entries(),
-            self.qd.entries()
-        )
+        let (base, q) = K::parts(K::place(&self.base, &self.q));
+        let counted = match base {
+            None => Counted::Joints,
+            Some(_) => Counted::OnBase,
+        };
+        write!(f, "the simulation ended at t = {:?} s: ", self.time)?;
+        self.cause.write(f, counted)?;
+        f.write_str(" (")?;
+        if let Some(base) = base {
+            write!(f, "base = {:?}, ", base.entries().as_slice())?;
+        }
+        write!(f, "q = {:?}, qd = {:?})", q.entries(), self.qd.entries())
     }
 }
 
-impl<D: Size> fmt::Debug for SizedSimulationError<D> {
+impl<K: Stand> fmt::Debug for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory.len();
         write!(f, "{self}; `trajectory` has {samples} samples up to there")
     }
 }
 
-impl<D: Size> core::error::Error for SizedSimulationError<D> {
+impl<K: Stand> core::error::Error for SizedSimulationError<K> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        self.cause.source_of()
+        match &self.cause {
+            Cause::SingularMassMatrix(source) => Some(source),
+            Cause::InvalidSetting(source) => Some(source),
+            _ => None,
+        }
     }
 }
 
@@ -254,7 +268,7 @@ impl fmt::Display for Cause {
 
 /// The freedoms that causes and settings count: those of joints, or those of a base that moves before them.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Counted {
+enum Counted {
     Joints,
     OnBase,
 }
@@ -281,30 +295,7 @@ impl Counted {
     }
 }
 
-/// A cause on a base that moves.
-pub(super) struct OfBase<'a>(&'a Cause);
-
-impl fmt::Display for OfBase<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.write(f, Counted::OnBase)
-    }
-}
-
 impl Cause {
-    /// The cause of a motion on a base that moves, whose six numbers count first.
-    pub(super) fn on_base(&self) -> OfBase<'_> {
-        OfBase(self)
-    }
-
-    /// The error that this cause is.
-    pub(super) fn source_of(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        match self {
-            Cause::SingularMassMatrix(source) => Some(source),
-            Cause::InvalidSetting(source) => Some(source),
-            _ => None,
-        }
-    }
-
     fn write(&self, f: &mut fmt::Formatter<'_>, counted: Counted) -> fmt::Result {
         let mut not_finite = |what: &str, joint: &usize| {
             write!(f, "the {what} of {} is not finite", counted.name(*joint))

@@ -28,6 +28,7 @@ mod trajectory;
 
 use nalgebra::{Matrix4, Vector6};
 
+use crate::Pose;
 use crate::integrate::Phase;
 use crate::size::Size;
 use crate::table::AsArm as _;
@@ -47,9 +48,8 @@ pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use crate::trajectory::InvalidDuration;
 #[cfg(feature = "csv")]
 pub use csv::{CsvError, CsvMistake, shortest};
-pub use error::{Cause, InvalidSetting, JointSet, SimulationError, SizedSimulationError};
-pub use floating::{
-    FloatingSample, FloatingTrajectory, SizedFloatingError, SizedFloatingTrajectory,
+pub use error::{
+    Cause, InvalidSetting, JointSet, SimulationError, SizedFloatingError, SizedSimulationError,
 };
 pub use friction::Friction;
 pub use law::ForceLaw;
@@ -58,7 +58,10 @@ pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
 pub use taylor::{HeldTorque, TaylorSimulation};
 pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench, WrenchAt};
-pub use trajectory::{Sample, SizedTrajectory, Trajectory, Work};
+pub use trajectory::{
+    FloatingSample, FloatingTrajectory, Sample, SizedFloatingTrajectory, SizedTrajectory,
+    Trajectory, Work,
+};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///
@@ -101,7 +104,8 @@ pub struct Simulation<'a, R, L, K: Stand, W = NoToolWrench, S = Continuous> {
     tool_wrench: W,
     asked: S,
     setting: Setting<K::Freedoms>,
-    start: K::Start,
+    /// Where a base that moves begins.
+    start: K::Pose,
 }
 
 impl<'a, R: EquationsOfMotion<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
@@ -121,7 +125,7 @@ impl<'a, R: EquationsOfMotion<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
             tool_wrench: NoToolWrench,
             asked: Continuous,
             setting,
-            start: K::start(),
+            start: K::pose(Pose::identity()),
         }
     }
 }

@@ -228,7 +228,14 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         self.evaluations.set(evaluations);
         let unknown = |_| self.size.vector_of(|_| f64::NAN);
         let (qdd, Phase { q, qd }) = (held.map_or_else(unknown, |held| held.qdd), phase);
-        Sample { t, q, qd, qdd, tau }
+        Sample {
+            t,
+            base: (),
+            q,
+            qd,
+            qdd,
+            tau,
+        }
     }
 
     /// Takes the samples that lie within the last step; whether there were any.

@@ -44,6 +44,7 @@ impl<D: Size> Recorder<D> {
             Ok(()) => Ok(trajectory),
             Err(cause) => Err(Box::new(SizedSimulationError {
                 time,
+                base: (),
                 q,
                 qd,
                 cause,

@@ -2,51 +2,75 @@
 
 use nalgebra::Const;
 
-use crate::Energy;
+use crate::equations_of_motion::SizedModel;
 use crate::size::Size;
+use crate::stand::{OnBase, Stand, Velocities};
+use crate::{Energy, Pose};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
-/// `tau[k]` there.
+/// `tau[k]` there, and with `base[k]` on a base that moves.
 ///
 /// Velocities, accelerations and torques that jump at the time of a sample, by an impact or a controller, are those
-/// after it. The first sample is the initial state as it was given.
+/// after it. The first sample is the initial state as it was given. On a base that moves, velocities, accelerations and
+/// torques have the six numbers of the base first, in its own axes.
 ///
-/// [`Trajectory`] is that of an arm whose number of joints the compiler knows.
+/// [`Trajectory`] is that of an arm whose number of joints the compiler knows, [`FloatingTrajectory`] that on a base that moves.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(bound = "")
+    serde(bound(
+        serialize = "K::Poses: serde::Serialize",
+        deserialize = "K::Poses: serde::Deserialize<'de>"
+    ))
 )]
 #[non_exhaustive]
-pub struct SizedTrajectory<D: Size> {
+pub struct SizedTrajectory<K: Stand> {
     /// Times, s.
     pub t: Vec<f64>,
+    /// Where a base that moves stands; nothing of one that stands. Rotations are within 1e-15 of orthogonal, however long
+    /// the run.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "stands::<K>"))]
+    pub base: K::Poses,
     /// Joint positions, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub q: Vec<D::Vector>,
-    /// Joint velocities, rad/s or m/s.
+    pub q: Vec<<K::Joints as Size>::Vector>,
+    /// Velocities, rad/s or m/s.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub qd: Vec<D::Vector>,
-    /// Joint accelerations under all forces that act on the arm, rad/s^2 or m/s^2; NaN where they could not be
+    pub qd: Vec<Velocities<K>>,
+    /// Accelerations under all forces that act on the robot, rad/s^2 or m/s^2; NaN where they could not be
     /// computed. Computing them does not count in [`work`](SizedTrajectory::work).
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub qdd: Vec<D::Vector>,
-    /// Torques of the motors, as the torque law returns them, N m or N; those of a sampled law are held between its
-    /// samples. They do not include the force at the tool.
+    pub qdd: Vec<Velocities<K>>,
+    /// Torques of the motors, and what is applied to a base that moves, as the torque law returns them, N m or N; those of a
+    /// sampled law are held between its samples. They do not include the forces at the tool and at frames.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
-    pub tau: Vec<D::Vector>,
+    pub tau: Vec<Velocities<K>>,
     /// The work of the run.
     pub work: Work,
+}
+
+/// Whether the base stands, so that it has no poses.
+#[cfg(feature = "serde")]
+fn stands<K: Stand>(_: &K::Poses) -> bool {
+    K::OF_BASE == 0
 }
 
 /// The sampled motion of an arm of `N` joints.
 pub type Trajectory<const N: usize> = SizedTrajectory<Const<N>>;
 
-impl<D: Size> Default for SizedTrajectory<D> {
+/// The sampled motion of a robot of `N` joints on a base that moves; `V` is 6 + N.
+pub type FloatingTrajectory<const N: usize, const V: usize> =
+    SizedFloatingTrajectory<Const<N>, Const<V>>;
+
+/// The sampled motion of a robot on a base that moves.
+pub type SizedFloatingTrajectory<D, V> = SizedTrajectory<OnBase<D, V>>;
+
+impl<K: Stand> Default for SizedTrajectory<K> {
     fn default() -> Self {
         SizedTrajectory {
             t: Vec::new(),
+            base: K::Poses::default(),
             q: Vec::new(),
             qd: Vec::new(),
             qdd: Vec::new(),
@@ -59,18 +83,23 @@ impl<D: Size> Default for SizedTrajectory<D> {
 /// A sample of a motion.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Sample<D: Size> {
+pub struct Sample<K: Stand> {
     /// The time, s.
     pub t: f64,
+    /// Where a base that moves stands.
+    pub base: K::Pose,
     /// Joint positions, rad or m.
-    pub q: D::Vector,
-    /// Joint velocities, rad/s or m/s.
-    pub qd: D::Vector,
-    /// Joint accelerations, rad/s^2 or m/s^2; NaN where the trajectory has none.
-    pub qdd: D::Vector,
-    /// Torques of the motors, N m or N; NaN where the trajectory has none.
-    pub tau: D::Vector,
+    pub q: <K::Joints as Size>::Vector,
+    /// Velocities, rad/s or m/s.
+    pub qd: Velocities<K>,
+    /// Accelerations, rad/s^2 or m/s^2; NaN where the trajectory has none.
+    pub qdd: Velocities<K>,
+    /// Torques of the motors, and what is applied to a base that moves, N m or N; NaN where the trajectory has none.
+    pub tau: Velocities<K>,
 }
+
+/// A sample of a motion on a base that moves.
+pub type FloatingSample<D, V> = Sample<OnBase<D, V>>;
 
 /// The work of a run, for comparing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,7 +117,7 @@ pub struct Work {
     pub rejected: u64,
 }
 
-impl<D: Size> SizedTrajectory<D> {
+impl<K: Stand> SizedTrajectory<K> {
     /// The number of samples.
     pub fn len(&self) -> usize {
         self.t.len()
@@ -98,10 +127,14 @@ impl<D: Size> SizedTrajectory<D> {
     pub fn is_empty(&self) -> bool {
         self.t.is_empty()
     }
-}
 
-impl<D: Size> SizedTrajectory<D> {
-    /// The samples, one after the other. There are as many as the shortest of the lists `t`, `q` and `qd` has.
+    /// Where the robot is at each sample.
+    #[doc(hidden)]
+    pub fn places(&self) -> impl DoubleEndedIterator<Item = K::Place<'_>> + ExactSizeIterator {
+        K::places(&self.base, &self.q)
+    }
+
+    /// The samples, one after the other. There are as many as the shortest of the lists `t`, `base`, `q` and `qd` has.
     ///
     /// ```
     /// # extern crate dynamics_runtime as robot_dynamics;
@@ -123,21 +156,37 @@ impl<D: Size> SizedTrajectory<D> {
     /// assert!((later.q[100][0] + 16.0).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<D>> + ExactSizeIterator {
-        let count = self.t.len().min(self.q.len()).min(self.qd.len());
-        (0..count).map(|k| {
-            let (q, qd) = (self.q[k].clone(), self.qd[k].clone());
-            let unknown = || D::of(&q).vector_of(|_| f64::NAN);
+    pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<K>> + ExactSizeIterator {
+        let states = self.places().zip(&self.qd).zip(&self.t).enumerate();
+        states.map(|(k, ((place, qd), t))| {
+            let (base, q) = K::parts(place);
+            let unknown = || K::Freedoms::of(qd).vector_of(|_| f64::NAN);
             let [qdd, tau] =
                 [&self.qdd, &self.tau].map(|list| list.get(k).cloned().unwrap_or_else(unknown));
-            let t = self.t[k];
-            Sample { t, q, qd, qdd, tau }
+            Sample {
+                t: *t,
+                base: K::pose(base.copied().unwrap_or_else(Pose::identity)),
+                q: q.clone(),
+                qd: qd.clone(),
+                qdd,
+                tau,
+            }
         })
     }
 
     /// The last sample; `None` where there is none.
-    pub fn last(&self) -> Option<Sample<D>> {
+    pub fn last(&self) -> Option<Sample<K>> {
         self.samples().next_back()
+    }
+
+    /// Kinetic and potential energy at each sample, J, where the robot knows them.
+    #[doc(hidden)]
+    pub fn both_energies<R: SizedModel<K>>(
+        &self,
+        robot: &R,
+    ) -> impl Iterator<Item = Option<[f64; 2]>> {
+        let states = self.places().zip(&self.qd);
+        states.map(|(place, qd)| robot.sized_energies(place, qd))
     }
 }
 
@@ -160,8 +209,22 @@ impl<const N: usize> Trajectory<N> {
     }
 }
 
+impl<D: Size, V: Size> SizedFloatingTrajectory<D, V> {
+    /// Kinetic plus potential energy at every sample, J; NaN for a robot without both functions.
+    pub fn energies<R: SizedModel<OnBase<D, V>>>(&self, robot: &R) -> Vec<f64> {
+        let sum = |[kinetic, potential]: [f64; 2]| kinetic + potential;
+        let energies = self.both_energies(robot);
+        energies.map(|both| both.map_or(f64::NAN, sum)).collect()
+    }
+
+    /// As [`Trajectory::energy_drift`].
+    pub fn energy_drift<R: SizedModel<OnBase<D, V>>>(&self, robot: &R) -> f64 {
+        drift(&self.energies(robot))
+    }
+}
+
 /// The largest distance from the first; 0 of none, NaN if one is no number.
-pub(super) fn drift(energies: &[f64]) -> f64 {
+fn drift(energies: &[f64]) -> f64 {
     let distances = energies.iter().map(|energy| (energy - energies[0]).abs());
     // Not `f64::max`, which drops a NaN.
     distances.fold(0.0, |worst: f64, next| {

@@ -8,12 +8,8 @@ use core::fmt::Debug;
 use core::marker::PhantomData;
 
 #[cfg(feature = "std")]
-use nalgebra::Matrix3;
-
-#[cfg(feature = "std")]
 pub(crate) use charts::{Charted, Charts};
 
-#[cfg(feature = "std")]
 use crate::Pose;
 use crate::size::Size;
 
@@ -34,21 +30,41 @@ pub trait Stand: sealed::Sealed + 'static {
     type Freedoms: Size;
     /// Where the robot is, as laws are given it: q, or the pose of the base and q.
     type Place<'a>: Copy;
-    /// The rotation of the base at the start, if it moves.
-    type Start: Clone + Debug;
     /// The charts in which the base is followed, if it moves.
     #[doc(hidden)]
     type Charts;
     /// The law of free motion.
     type NoTorque;
-
-    /// No rotation.
+    /// The pose of a base that moves; nothing of one that stands.
+    type Pose: Clone + Debug + PartialEq;
+    /// Such poses, one after the other.
+    type Poses: Clone + Debug + PartialEq + Default + Extend<Self::Pose>;
+    /// The number of velocities before those of the joints: six of a base that moves.
     #[doc(hidden)]
-    fn start() -> Self::Start;
+    const OF_BASE: usize;
 
     /// The law of free motion.
     #[doc(hidden)]
     fn no_torque() -> Self::NoTorque;
+
+    /// The pose, if the base moves.
+    #[doc(hidden)]
+    fn pose(base: Pose<f64>) -> Self::Pose;
+
+    /// Where the robot is.
+    #[doc(hidden)]
+    fn place<'a>(base: &'a Self::Pose, q: &'a <Self::Joints as Size>::Vector) -> Self::Place<'a>;
+
+    /// The pose of a base that moves, and the positions of the joints.
+    #[doc(hidden)]
+    fn parts(place: Self::Place<'_>) -> (Option<&Pose<f64>>, &<Self::Joints as Size>::Vector);
+
+    /// Where the robot is, one place after the other.
+    #[doc(hidden)]
+    fn places<'a>(
+        base: &'a Self::Poses,
+        q: &'a [<Self::Joints as Size>::Vector],
+    ) -> impl ExactSizeIterator<Item = Self::Place<'a>> + DoubleEndedIterator;
 
     /// Hands on the place that the positions of the integration are.
     #[doc(hidden)]
@@ -66,14 +82,31 @@ impl<D: Size> Stand for D {
     type Joints = D;
     type Freedoms = D;
     type Place<'a> = &'a D::Vector;
-    type Start = ();
     type Charts = ();
     type NoTorque = fn(f64, &D::Vector, &D::Vector) -> D::Vector;
-
-    fn start() {}
+    type Pose = ();
+    type Poses = ();
+    const OF_BASE: usize = 0;
 
     fn no_torque() -> Self::NoTorque {
         |_, q, _| D::of(q).vector()
+    }
+
+    fn pose(_: Pose<f64>) {}
+
+    fn place<'a>(_: &'a (), q: &'a D::Vector) -> &'a D::Vector {
+        q
+    }
+
+    fn parts(q: Self::Place<'_>) -> (Option<&Pose<f64>>, &D::Vector) {
+        (None, q)
+    }
+
+    fn places<'a>(
+        _: &'a (),
+        q: &'a [D::Vector],
+    ) -> impl ExactSizeIterator<Item = &'a D::Vector> + DoubleEndedIterator {
+        q.iter()
     }
 
     #[inline(always)]
@@ -83,7 +116,7 @@ impl<D: Size> Stand for D {
 }
 
 /// A base that moves, below `D` joints: the robot has `V` = 6 + `D` velocities.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg(feature = "std")]
 pub struct OnBase<D, V>(PhantomData<(D, V)>);
 
@@ -92,16 +125,33 @@ impl<D: Size, V: Size> Stand for OnBase<D, V> {
     type Joints = D;
     type Freedoms = V;
     type Place<'a> = (&'a Pose<f64>, &'a D::Vector);
-    type Start = Matrix3<f64>;
     type Charts = Charts<D, V>;
     type NoTorque = fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector;
-
-    fn start() -> Matrix3<f64> {
-        Matrix3::identity()
-    }
+    type Pose = Pose<f64>;
+    type Poses = Vec<Pose<f64>>;
+    const OF_BASE: usize = 6;
 
     fn no_torque() -> Self::NoTorque {
         |_, _, _, v| V::of(v).vector()
+    }
+
+    fn pose(base: Pose<f64>) -> Pose<f64> {
+        base
+    }
+
+    fn place<'a>(base: &'a Pose<f64>, q: &'a D::Vector) -> Self::Place<'a> {
+        (base, q)
+    }
+
+    fn parts<'a>((base, q): Self::Place<'a>) -> (Option<&'a Pose<f64>>, &'a D::Vector) {
+        (Some(base), q)
+    }
+
+    fn places<'a>(
+        base: &'a Vec<Pose<f64>>,
+        q: &'a [D::Vector],
+    ) -> impl ExactSizeIterator<Item = Self::Place<'a>> + DoubleEndedIterator {
+        base.iter().zip(q)
     }
 
     fn seen<X>(

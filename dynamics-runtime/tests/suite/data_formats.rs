@@ -2,9 +2,10 @@
 
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{
-    Friction, Method, NewtonEuler, Simulation, Trajectory, check_against_rnea, robot_dynamics,
+    FloatingNewtonEuler, Friction, Method, NewtonEuler, Pose, Simulation, Trajectory,
+    check_against_rnea, robot_dynamics,
     simulation::{Dop853, Taylor},
-    table::Table,
+    table::{Convention, FloatingBase, Table},
 };
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -49,6 +50,8 @@ fn tables_and_trajectories_are_read_as_they_were_written() {
 
     let text = serde_json::to_string(&original).unwrap();
     assert!(text.contains(r#""q":[[0.3,0.2],["#), "{text}");
+    // A base that stands has no poses.
+    assert!(!text.contains(r#""base""#), "{text}");
     let other = serde_json::from_str::<Trajectory<3>>(&text)
         .unwrap_err()
         .to_string();
@@ -56,6 +59,28 @@ fn tables_and_trajectories_are_read_as_they_were_written() {
         other.contains("invalid length 2, expected a sequence of 3"),
         "{other}"
     );
+}
+
+#[test]
+fn motions_on_a_base_that_moves_have_its_poses() {
+    let brick = Table::<0> {
+        floating: Some(FloatingBase {
+            mass: 2.0,
+            com: [0.0; 3],
+            inertia: [0.1, 0.2, 0.3, 0.0, 0.0, 0.0],
+        }),
+        ..Table::new(Convention::Modified, [0.0, 0.0, -9.81], [])
+    };
+    let v = SVector::from([0.1, 0.0, 1.0, 0.5, 2.0, -0.3]);
+    let original = Simulation::new(&FloatingNewtonEuler::<0, 6>::new(&brick))
+        .initial(Pose::identity(), SVector::zeros(), v)
+        .samples(4)
+        .run()
+        .unwrap();
+    assert_eq!(read_back(&original), original);
+    let text = serde_json::to_string(&original).unwrap();
+    assert!(text.contains(r#""base":[[1.0,0.0,0.0,0.0,1.0,"#), "{text}");
+    assert_eq!(original.base.len(), 4);
 }
 
 #[test]

@@ -105,7 +105,7 @@ impl Order {
         order
     }
 
-    /// What it costs to place a line next, from the last one back.
+    /// The cost of placing a line next, from the last one back.
     fn cost(&self, line: u32) -> i64 {
         let at = line as usize;
         let begins = |read: &&u32| !self.waits[**read as usize];

@@ -59,16 +59,6 @@ impl Parameter {
         self as usize
     }
 
-    /// The component of the first moment that this is.
-    pub fn moment_component(self) -> Option<usize> {
-        match self {
-            Parameter::Hx => Some(0),
-            Parameter::Hy => Some(1),
-            Parameter::Hz => Some(2),
-            _ => None,
-        }
-    }
-
     /// The name for link `i`, counted from 1: `J2xx`, `h2x`, `m2`, `I2`.
     pub fn name(self, i: usize) -> String {
         let (letter, entry) = match self {

@@ -8,6 +8,7 @@ use nalgebra::{Const, Dyn, Matrix, SMatrix, SVector, VecStorage};
 use super::{MOST_LANES, Sink, Source, States, StatesMut, each_joint, lengths};
 use crate::batch::wide::{Precision, Wide, lanes};
 use crate::function::Entries;
+use crate::unrolled::for_each_index;
 
 /// A column for each joint.
 #[derive(Clone, Copy)]
@@ -121,12 +122,10 @@ impl<'a, E: Precision, const R: usize, const C: usize> Sink<Entries<R, C>, E>
 
     #[inline(always)]
     fn store<S: Simd>(&mut self, first: usize, value: &SMatrix<Wide<S, E>, R, C>) {
-        for column in 0..C {
-            for row in 0..R {
-                let states = &mut self.0[column][row][first..first + lanes::<S, E>()];
-                value.data.0[column][row].0.store_slice(states);
-            }
-        }
+        for_each_index!(C, column => for_each_index!(R, row => {
+            let states = &mut self.0[column][row][first..first + lanes::<S, E>()];
+            value.data.0[column][row].0.store_slice(states);
+        }));
     }
 }
 

@@ -1,16 +1,12 @@
 //! Simulations of robots on a base that moves.
 
-#[cfg(feature = "csv")]
-mod csv;
-mod error;
-mod trajectory;
+use nalgebra::{Matrix4, Vector6};
 
-use nalgebra::{Matrix3, Matrix4, Vector6};
-
-use super::error::{InvalidSetting, Outcome as InCharts};
+use super::error::{InvalidSetting, Outcome, SizedFloatingError};
 use super::on_charts::OnCharts;
 use super::recorder::Recorder;
 use super::torque::{Laws, SampledLaws, TorqueLaw};
+use super::trajectory::SizedTrajectory;
 use super::{Continuous, ContinuousWrench, Sampled, Setting, Simulation, ToolWrench, WrenchAt};
 use crate::Pose;
 use crate::closed_form::is_rotation;
@@ -18,12 +14,6 @@ use crate::equations_of_motion::EquationsOfMotion;
 use crate::integrate::Phase;
 use crate::size::Size;
 use crate::stand::{Charts, OnBase};
-
-pub use error::SizedFloatingError;
-pub use trajectory::{FloatingSample, FloatingTrajectory, SizedFloatingTrajectory};
-
-/// The result of a simulation on a base that moves.
-type Outcome<D, V> = Result<SizedFloatingTrajectory<D, V>, Box<SizedFloatingError<D, V>>>;
 
 /// On a base that moves, laws are given its pose too, and the six numbers of the base come first among velocities,
 /// accelerations and forces.
@@ -55,7 +45,7 @@ impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> 
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn initial(mut self, base: Pose<f64>, q: D::Vector, v: V::Vector) -> Self {
-        self.start = base.rotation;
+        self.start = base;
         self.setting.plan.initial = Phase {
             q: Charts::<D, V>::coordinates(&base.position, &q),
             qd: v,
@@ -150,8 +140,8 @@ where
     ///
     /// [`SizedFloatingError`], with the time and the state reached and all samples up to there. Implicit methods are an
     /// invalid setting. Never panics, unless a law does.
-    pub fn run(&self) -> Outcome<D, V> {
-        let charts = Charts::around(self.start);
+    pub fn run(&self) -> Outcome<OnBase<D, V>> {
+        let charts = Charts::around(self.start.rotation);
         let laws = Laws::<_, _, _, OnBase<D, V>> {
             robot: self.robot,
             charts: &charts,
@@ -175,8 +165,8 @@ where
     /// # Errors
     ///
     /// [`SizedFloatingError`], as under these.
-    pub fn run(&mut self) -> Outcome<D, V> {
-        let charts = Charts::around(self.start);
+    pub fn run(&mut self) -> Outcome<OnBase<D, V>> {
+        let charts = Charts::around(self.start.rotation);
         let laws = SampledLaws::<_, _, _, OnBase<D, V>>::new(
             self.robot.size(),
             (self.robot, &charts),
@@ -195,11 +185,11 @@ impl<V: Size> Setting<V> {
     fn run_on<R: EquationsOfMotion<OnBase<D, V>>, D: Size>(
         &self,
         robot: &R,
-        start: &Matrix3<f64>,
+        start: &Pose<f64>,
         charts: &Charts<D, V>,
         laws: &impl TorqueLaw<V>,
-    ) -> InCharts<V> {
-        if is_rotation(start) {
+    ) -> Outcome<V> {
+        if is_rotation(&start.rotation) {
             return self.run(&OnCharts { robot, charts }, laws);
         }
         let nothing = Recorder::new(self.plan.initial.clone());
@@ -208,39 +198,36 @@ impl<V: Size> Setting<V> {
 }
 
 /// A motion in charts with the poses of the base.
-fn placed<D: Size, V: Size>(charts: Charts<D, V>, end: InCharts<V>) -> Outcome<D, V> {
-    let (trajectory, error) = match end {
+fn placed<D: Size, V: Size>(charts: Charts<D, V>, end: Outcome<V>) -> Outcome<OnBase<D, V>> {
+    let (trajectory, reached) = match end {
         Ok(trajectory) => (trajectory, None),
         Err(error) => {
-            let reached = (charts.pose(&error.q), charts.joints(&error.q));
+            let (base, q) = (charts.pose(&error.q), charts.joints(&error.q));
             (
                 error.trajectory,
-                Some((reached, error.time, error.qd, error.cause)),
+                Some((error.time, base, q, error.qd, error.cause)),
             )
         }
     };
-    let trajectory = SizedFloatingTrajectory {
-        q: trajectory
-            .q
-            .iter()
-            .map(|positions| charts.joints(positions))
-            .collect(),
-        base: charts.noted(),
+    let q = trajectory.q.iter().map(|at| charts.joints(at)).collect();
+    let trajectory = SizedTrajectory {
         t: trajectory.t,
-        v: trajectory.qd,
-        a: trajectory.qdd,
+        base: charts.noted(),
+        q,
+        qd: trajectory.qd,
+        qdd: trajectory.qdd,
         tau: trajectory.tau,
         work: trajectory.work,
     };
-    match error {
-        None => Ok(trajectory),
-        Some(((base, q), time, v, cause)) => Err(Box::new(SizedFloatingError {
-            time,
-            base,
-            q,
-            v,
-            cause,
-            trajectory,
-        })),
-    }
+    let Some((time, base, q, qd, cause)) = reached else {
+        return Ok(trajectory);
+    };
+    Err(Box::new(SizedFloatingError {
+        time,
+        base,
+        q,
+        qd,
+        cause,
+        trajectory,
+    }))
 }

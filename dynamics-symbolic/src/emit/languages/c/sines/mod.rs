@@ -309,7 +309,7 @@ fn in_second_half(count: usize) -> usize {
 }
 
 /// Whether the sum of their squares says that no angle is larger than the largest: it says so of no infinite one, nor of
-/// what is no number. Of large ones that are usual all the same the digits are those of one by one.
+/// what is no number. Large angles that are usual all the same have the digits of one by one.
 fn are_usual(names: &[&str]) -> String {
     let (last, others) = names.split_last().expect("an angle");
     let add = |sum: String, x: &&str| format!("ROBOT_DYNAMICS_FMA({x}, {x}, {sum})");
