@@ -128,6 +128,14 @@ impl Proven {
         Proven { program, constants }
     }
 
+    /// The same for a compiler that keeps the order of lines.
+    pub(crate) fn ordered(&self) -> Self {
+        Proven {
+            program: self.program.ordered(),
+            constants: self.constants.clone(),
+        }
+    }
+
     /// Whether a constant is too large for a double.
     pub(crate) fn overflows(&self) -> bool {
         self.constants.iter().any(|x| x.is_infinite())

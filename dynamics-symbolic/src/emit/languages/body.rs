@@ -11,12 +11,11 @@ use super::{Language, in_order, input_names, line_names, pivots, plain};
 use crate::function::{Argument, Request, spans};
 use crate::program::{Instruction, Line, Operand, Output, Program, Proven, Rest};
 use crate::robot::{Robot, Symbol, Value};
-use std::borrow::Cow;
 
 /// A function that is being written.
 pub(super) struct Body<'a> {
     robot: &'a Robot,
-    program: Cow<'a, Program>,
+    program: &'a Program,
     constants: Vec<f64>,
     language: &'a Language,
     lines: Vec<Option<Line>>,
@@ -47,25 +46,7 @@ pub(super) fn number(x: f64) -> String {
 
 impl<'a> Body<'a> {
     pub(super) fn new(robot: &'a Robot, proven: &'a Proven, language: &'a Language) -> Self {
-        Body::of(robot, proven, Cow::Borrowed(&proven.program), language)
-    }
-
-    /// The same for a compiler that keeps the order of the lines.
-    pub(super) fn ordered(robot: &'a Robot, proven: &'a Proven, language: &'a Language) -> Self {
-        Body::of(
-            robot,
-            proven,
-            Cow::Owned(proven.program.ordered()),
-            language,
-        )
-    }
-
-    fn of(
-        robot: &'a Robot,
-        proven: &Proven,
-        program: Cow<'a, Program>,
-        language: &'a Language,
-    ) -> Self {
+        let program = &proven.program;
         let lines = program.lines();
         let mut constants = proven.constants.clone();
         if language.is_single {
@@ -77,12 +58,12 @@ impl<'a> Body<'a> {
         }
         Body {
             robot,
+            program,
             constants,
             language,
             names: line_names(&lines),
-            inputs: input_names(robot, &program),
+            inputs: input_names(robot, program),
             lines,
-            program,
         }
     }
 
@@ -92,7 +73,7 @@ impl<'a> Body<'a> {
         let lines = self.lines.iter().zip(&self.names);
         let results = lines
             .filter_map(|(line, name)| Some(declare(name.as_ref()?, self.line(line.as_ref()?))));
-        let pivots = pivots(self.robot.freedoms(), request, &self.program).into_iter();
+        let pivots = pivots(self.robot.freedoms(), request, self.program).into_iter();
         let tests = pivots.map(|(joint, outputs)| {
             let [pivot, diagonal] = outputs.map(|output| self.output(output));
             (self.language.test_pivot)(joint, &pivot, &diagonal)
@@ -103,7 +84,7 @@ impl<'a> Body<'a> {
 
     /// One line for each input, behind those of all angles where the language evaluates these together.
     fn input_statements(&self) -> Vec<String> {
-        let symbols = in_order(&self.program).into_iter();
+        let symbols = in_order(self.program).into_iter();
         let is_apart = |symbol: &Symbol| self.language.of_angles.is_some() && is_of_angle(symbol);
         let others = symbols.filter(|(_, symbol)| !is_apart(symbol));
         let others = others.map(|(index, symbol)| {
@@ -115,7 +96,7 @@ impl<'a> Body<'a> {
 
     /// One line for each input whose symbol is one of those.
     pub(super) fn inputs_that(&self, is_one: impl Fn(&Symbol) -> bool) -> Vec<String> {
-        let symbols = in_order(&self.program).into_iter();
+        let symbols = in_order(self.program).into_iter();
         let ones = symbols.filter(|(_, symbol)| is_one(symbol));
         ones.map(|(index, symbol)| {
             (self.language.declare)(&self.inputs[index], &self.input(symbol))
@@ -149,7 +130,7 @@ impl<'a> Body<'a> {
     /// The angles whose sines or cosines are read, each once.
     pub(super) fn angles(&self) -> Vec<Angle> {
         let mut angles: Vec<Angle> = Vec::new();
-        for (index, symbol) in in_order(&self.program) {
+        for (index, symbol) in in_order(self.program) {
             if !is_of_angle(symbol) {
                 continue;
             }

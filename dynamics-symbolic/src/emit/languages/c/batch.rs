@@ -64,7 +64,7 @@ impl Writer<'_> {
 
     pub(super) fn batch(&self, request: &Request, proven: &Proven) -> String {
         let language = self.batch_language();
-        let body = Body::ordered(self.robot, proven, &language);
+        let body = Body::new(self.robot, proven, &language);
         let angles = if self.precision.sines.is_some() {
             body.angles()
         } else {

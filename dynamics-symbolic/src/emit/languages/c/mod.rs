@@ -162,7 +162,11 @@ impl<'a> Writer<'a> {
         let functions = functions.iter();
         let bodies: String = functions
             .flat_map(|(request, proven)| {
-                [self.function(request, proven), self.batch(request, proven)]
+                let proven = proven.ordered();
+                [
+                    self.function(request, &proven),
+                    self.batch(request, &proven),
+                ]
             })
             .collect();
         let functions = self.precision.functions(&bodies);
@@ -170,7 +174,7 @@ impl<'a> Writer<'a> {
     }
 
     fn function(&self, request: &Request, proven: &Proven) -> String {
-        let body = Body::ordered(self.robot, proven, &self.precision.language);
+        let body = Body::new(self.robot, proven, &self.precision.language);
         let statements = body.statements(request);
         let unread = self.unread(request, &statements).into_iter();
         let mut lines: Vec<_> = unread

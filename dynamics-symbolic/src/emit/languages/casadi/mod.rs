@@ -108,9 +108,13 @@ pub fn casadi_source(
         patterns: Patterns::default(),
         longest: 1,
     };
+    let programs = programs.iter();
+    let programs: Vec<_> = programs
+        .map(|(request, proven)| (request.clone(), proven.ordered()))
+        .collect();
     let functions: String = requests
         .iter()
-        .filter_map(|request| file.with_derivatives(request, programs))
+        .filter_map(|request| file.with_derivatives(request, &programs))
         .collect();
     CasadiSource {
         name: format!("{}_casadi.c", snake_case(&robot.name)),
@@ -224,7 +228,7 @@ impl File<'_> {
     }
 
     fn body<'a>(&'a self, (_, proven): Of<'a>) -> Body<'a> {
-        Body::ordered(self.robot, proven, &self.precision.language)
+        Body::new(self.robot, proven, &self.precision.language)
     }
 
     /// A function of that name whose values are those of a program.
