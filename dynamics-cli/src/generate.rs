@@ -126,7 +126,7 @@ fn other(
     let robot = &model.robot;
     let requests = requests(model)?;
     if language == Some("casadi") {
-        let programs = programs(path, robot, &casadi_requests(&requests))?;
+        let programs = programs(path, robot, &casadi_requests(robot, &requests))?;
         let source = casadi_source(robot, &requests, &programs);
         return Ok(vec![(source.name, source.text)]);
     }

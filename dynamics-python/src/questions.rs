@@ -50,7 +50,7 @@ impl Arm {
     fn casadi(&self, py: Python<'_>, functions: &[String]) -> PyResult<(String, String)> {
         let requests = self.requests(functions)?;
         let robot = &self.description.robot;
-        let programs = derived_anew(py, robot, casadi_requests(&requests))?;
+        let programs = derived_anew(py, robot, casadi_requests(robot, &requests))?;
         let source = casadi_source(robot, &requests, &programs);
         Ok((source.name, source.text))
     }

@@ -140,15 +140,17 @@ impl Kind {
             .iter()
             .map(|(request, _)| request.clone())
             .collect();
-        let derived = casadi_requests(&requests).into_iter().map(|request| {
-            let known = programs
-                .iter()
-                .find(|(other, _)| other.parts() == request.parts());
-            let program = known.map(|(_, program)| program.clone());
-            let program =
-                program.unwrap_or_else(|| proven_program(robot, &request).expect("proven"));
-            (robot.request(request), program)
-        });
+        let derived = casadi_requests(robot, &requests)
+            .into_iter()
+            .map(|request| {
+                let known = programs
+                    .iter()
+                    .find(|(other, _)| other.parts() == request.parts());
+                let program = known.map(|(_, program)| program.clone());
+                let program =
+                    program.unwrap_or_else(|| proven_program(robot, &request).expect("proven"));
+                (robot.request(request), program)
+            });
         let derived: Vec<_> = derived.collect();
         let casadi = casadi_source(robot, &requests, &derived);
         texts.push((casadi.name, casadi.text));

@@ -57,7 +57,7 @@ fn pivots_of_a_base_that_moves_have_names() {
 fn two_link_arm_for_casadi() {
     let robot = two_link_craig();
     let requests = [Function::GravityVector, Function::InverseDynamics].map(Request::from);
-    let needed = casadi_requests(&requests).into_iter();
+    let needed = casadi_requests(&robot, &requests).into_iter();
     let programs = needed.map(|request| {
         let program = proven_program(&robot, &request).expect("proven");
         (request, program)

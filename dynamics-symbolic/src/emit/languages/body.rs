@@ -32,7 +32,7 @@ pub(super) struct Angle {
 }
 
 /// A value with its sign turned.
-fn opposite(value: &str) -> String {
+pub(super) fn opposite(value: &str) -> String {
     match value.strip_prefix('-') {
         Some(opposite) => opposite.to_owned(),
         None => format!("-{value}"),
@@ -317,7 +317,7 @@ impl<'a> Body<'a> {
     }
 
     /// A cell as an expression over the fields, rounded after each operation.
-    fn cell(&self, value: &Value) -> String {
+    pub(super) fn cell(&self, value: &Value) -> String {
         let cell = |value: &Value| self.cell(value);
         match value {
             Value::Rational(_) | Value::Pi => (self.language.number)(value.to_f64(&[])),

@@ -1,7 +1,9 @@
 //! The matrices that a function of CasADi and those of its derivatives give.
 
+use super::super::body::Body;
 use super::derivatives::second_derivative;
 use super::interface::{Input, Output, Size};
+use super::pose::OfPose;
 use super::{FIELDS, Of, argument_sizes, name};
 use crate::function::{Argument, Shape, Sizes};
 use crate::robot::Robot;
@@ -12,18 +14,20 @@ pub(super) struct Blocks {
     outputs: Vec<(String, Size)>,
     /// The degrees of freedom.
     freedoms: usize,
+    /// Derivatives by the pose of a base that moves, of a single function.
+    of_pose: Option<OfPose>,
 }
 
 /// An input by which is differentiated.
 struct Variable {
     name: String,
     entries: usize,
-    /// The argument, if derivatives by it are known: they are not by symbolic parameters and by the pose of the base.
+    /// The argument, if derivatives by it are known: they are not by symbolic parameters.
     argument: Option<Argument>,
 }
 
 impl Blocks {
-    pub(super) fn new(robot: &Robot, (request, proven): Of<'_>) -> Self {
+    pub(super) fn new(robot: &Robot, (request, proven): Of<'_>, body: &Body<'_>) -> Self {
         let sizes = proven.sizes(request, robot.freedoms());
         let fields = (!robot.fields.is_empty()).then(|| Variable {
             name: FIELDS.to_owned(),
@@ -33,7 +37,7 @@ impl Blocks {
         let arguments = argument_sizes(request, sizes).map(|(argument, entries)| Variable {
             name: argument.name().to_owned(),
             entries,
-            argument: Some(argument).filter(|argument| *argument != Argument::Base),
+            argument: Some(argument),
         });
         let outputs = request.parts().iter().flat_map(|part| {
             let named = if request.is_tuple() {
@@ -47,6 +51,9 @@ impl Blocks {
             inputs: fields.into_iter().chain(arguments).collect(),
             outputs: outputs.collect(),
             freedoms: robot.freedoms().all(),
+            of_pose: request
+                .function()
+                .map(|function| OfPose::new(robot, function, body)),
         }
     }
 
@@ -121,13 +128,20 @@ impl Blocks {
         outputs.collect()
     }
 
-    /// The blocks of first derivatives. `values` has a matrix for each argument, whose columns are degrees of freedom.
+    /// The blocks of first derivatives. `values` has a matrix for each argument but the pose of a base, whose columns are
+    /// degrees of freedom.
     pub(super) fn first(&self, values: &[Option<String>]) -> Vec<Output> {
         let mut start = 0;
         let blocks = self.blocks().map(|(_, input, name, (rows, columns))| {
             let size = (rows * columns, input.entries);
-            if input.argument.is_none() {
-                return Output::unknown(name, size);
+            match input.argument {
+                None => return Output::unknown(name, size),
+                Some(Argument::Base) => {
+                    return Output::new(name, size, |row, column| {
+                        self.of_pose.as_ref()?.first(values, row, column)
+                    });
+                }
+                Some(_) => {}
             }
             let value = |row: usize, column: usize| {
                 let freedom = self.freedom(input, column);
@@ -155,8 +169,22 @@ impl Blocks {
                     continue;
                 };
                 outputs.push(Output::new(name, size, |row, column| {
-                    let (force, of_one) = (row % forces, self.freedom(one, row / forces));
-                    let of_other = self.freedom(other, column);
+                    let (force, row) = (row % forces, row / forces);
+                    let of_pose = |number: usize, position: usize| {
+                        let of_pose = self.of_pose.as_ref()?;
+                        of_pose.second(values, force, number, position)
+                    };
+                    match (first, second) {
+                        (Argument::Base, Argument::Position) => {
+                            return of_pose(row, self.freedom(other, column));
+                        }
+                        (Argument::Position, Argument::Base) => {
+                            return of_pose(column, self.freedom(one, row));
+                        }
+                        (Argument::Base, _) | (_, Argument::Base) => return None,
+                        _ => {}
+                    }
+                    let (of_one, of_other) = (self.freedom(one, row), self.freedom(other, column));
                     let place = second_derivative((first, of_one), (second, of_other));
                     let (array, row, column) = place?;
                     let start = (array * self.freedoms + force) * matrix;

@@ -1,33 +1,40 @@
 //! Which programs have the derivatives of a function, and where among their values an entry stands.
 
 use crate::function::{Argument, Function, Request};
+use crate::robot::Robot;
 
 /// A function with derivatives: the programs that have them.
 pub(super) struct Derivatives {
     /// The functions whose values are the matrices of first derivatives, one for each argument of the function in order.
     first: &'static [Function],
+    /// Functions of which derivatives by the pose of a base are made besides.
+    on_a_base: &'static [Function],
     /// Whether second derivatives are those of the inverse dynamics.
     has_second: bool,
 }
 
 const OF_INVERSE_DYNAMICS: Derivatives = Derivatives {
     first: &[Function::InverseDynamicsDerivatives, Function::MassMatrix],
+    on_a_base: &[],
     has_second: true,
 };
 
 /// Inverse dynamics without accelerations: their program reads zeros there.
 const OF_BIAS_FORCE: Derivatives = Derivatives {
     first: &[Function::InverseDynamicsDerivatives],
+    on_a_base: &[Function::MassMatrix],
     has_second: false,
 };
 
 const OF_FORWARD_DYNAMICS: Derivatives = Derivatives {
     first: &[Function::ForwardDynamicsDerivatives],
+    on_a_base: &[],
     has_second: false,
 };
 
 const OF_CENTER_OF_MASS: Derivatives = Derivatives {
     first: &[Function::CenterOfMassJacobian],
+    on_a_base: &[],
     has_second: false,
 };
 
@@ -44,10 +51,18 @@ pub(super) fn derivatives(request: &Request) -> Option<&'static Derivatives> {
 
 impl Derivatives {
     /// The program of the first derivatives.
-    pub(super) fn first(&self) -> Request {
-        match self.first {
-            [function] => Request::from(*function),
-            several => Request::fused("first_derivatives", several.iter().copied()),
+    pub(super) fn first(&self, robot: &Robot) -> Request {
+        let on_a_base = if robot.freedoms().has_base() {
+            self.on_a_base
+        } else {
+            &[]
+        };
+        match (self.first, on_a_base) {
+            ([function], []) => Request::from(*function),
+            (first, besides) => {
+                let functions = first.iter().chain(besides).copied();
+                Request::fused("first_derivatives", functions)
+            }
         }
     }
 

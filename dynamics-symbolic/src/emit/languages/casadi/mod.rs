@@ -6,14 +6,15 @@
 //!
 //! `derivatives` says which programs have the derivatives of a function, `blocks` puts their values where CasADi
 //! expects them and sums them with weights, `calls` says where these sums read them, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
-//! constant zero are no part of a pattern. A block of derivatives that no program has, by symbolic parameters or by
-//! the pose of a base, is full of NaN and not left out: CasADi would take what is left out as zero. `casadi_requests`
-//! names the programs that must be derived besides.
+//! constant zero are no part of a pattern. `pose` makes derivatives by the pose of a base of those that programs have. A
+//! block of derivatives that no program has, by symbolic parameters, is full of NaN and not left out: CasADi would take
+//! what is left out as zero. `casadi_requests` names the programs that must be derived besides.
 
 mod blocks;
 mod calls;
 mod derivatives;
 mod interface;
+mod pose;
 
 use super::body::Body;
 use super::c::precision::{CNumbers, Precision};
@@ -57,7 +58,7 @@ const TOP: &str = "
 #endif
 ";
 
-/// Programs of derivatives may have more values than are given, as those by the pose of a base.
+/// Programs of derivatives may have more values than are given, as those by displacements of a base.
 const UNUSED: &str = "
 #ifdef __GNUC__
 #pragma GCC diagnostic ignored \"-Wunused-variable\"
@@ -76,13 +77,13 @@ static void robot_dynamics_unknown(double *values, long long int count)
 ";
 
 /// The methods whose programs the file of some methods has: each of these, then its derivatives.
-pub fn casadi_requests(requests: &[Request]) -> Vec<Request> {
+pub fn casadi_requests(robot: &Robot, requests: &[Request]) -> Vec<Request> {
     let mut needed: Vec<Request> = requests.to_vec();
     for request in requests {
         let Some(derivatives) = derivatives(request) else {
             continue;
         };
-        let of_request = [Some(derivatives.first()), derivatives.second()];
+        let of_request = [Some(derivatives.first(robot)), derivatives.second()];
         for request in of_request.into_iter().flatten() {
             if !needed.iter().any(|known| known.parts() == request.parts()) {
                 needed.push(request);
@@ -95,8 +96,8 @@ pub fn casadi_requests(requests: &[Request]) -> Vec<Request> {
 /// Some methods of a robot as functions of CasADi. `programs` has those of [`casadi_requests`].
 ///
 /// A function has the name of the method. Its inputs are the arguments, its outputs matrices without the entries that are
-/// zero always. The symbolic parameters of the robot are the first input, `arm`, in their order. Derivatives by it, and by
-/// the pose of a base that moves, are not known: they are NaN.
+/// zero always. The symbolic parameters of the robot are the first input, `arm`, in their order. Derivatives by it are not
+/// known: they are NaN.
 pub fn casadi_source(
     robot: &Robot,
     requests: &[Request],
@@ -147,15 +148,15 @@ impl File<'_> {
         };
         let function = program(request)?;
         let name = name(request.name());
-        let blocks = Blocks::new(self.robot, function);
         let body = self.body(function);
+        let blocks = Blocks::new(self.robot, function, &body);
         let comment = documentation(self.robot, &function.0, &function.1, REFUSAL);
         let outputs = blocks.outputs(&body.entries(&function.0));
         let mut text = self.function(&name, &comment, function, &blocks.inputs(), &outputs);
         let Some(derivatives) = derivatives(request) else {
             return Some(text);
         };
-        let Some(first) = program(&derivatives.first()) else {
+        let Some(first) = program(&derivatives.first(self.robot)) else {
             return Some(text);
         };
         let of_first = blocks.first(&self.body(first).entries(&first.0));
@@ -242,7 +243,9 @@ impl File<'_> {
     ) -> String {
         let (request, _) = program;
         let statements = self.body(program).statements(request);
-        let mut lines = self.reads(program, inputs, &statements);
+        let values = outputs.iter().flat_map(Output::entries).flatten();
+        let texts: Vec<_> = statements.iter().chain(values).collect();
+        let mut lines = self.reads(program, inputs, &texts);
         lines.extend(statements);
         self.defined(name, documentation, lines, inputs, outputs, 0)
     }
@@ -271,15 +274,15 @@ impl File<'_> {
         body + &interface(name, inputs, outputs, room, &mut self.patterns)
     }
 
-    /// The statements by which what a program reads is found among the inputs; zeros where an input is not there.
-    fn reads(&mut self, program: Of<'_>, inputs: &[Input], statements: &[String]) -> Vec<String> {
+    /// The statements by which what texts of a program read is found among the inputs; zeros where an input is not there.
+    fn reads(&mut self, program: Of<'_>, inputs: &[Input], texts: &[&String]) -> Vec<String> {
         let (request, proven) = program;
         let sizes = proven.sizes(request, self.robot.freedoms());
         let arguments = argument_sizes(request, sizes);
         let arguments: Vec<_> = arguments
             .map(|(argument, size)| (argument.name(), size))
             .collect();
-        let is_read = |read: &str| statements.iter().any(|line| reads_name(line, read));
+        let is_read = |read: &str| texts.iter().any(|text| reads_name(text, read));
         let pointer = |name: &str| {
             let place = inputs.iter().position(|input| input.name == name);
             place.map_or(ZEROS.to_owned(), read)
@@ -367,7 +370,7 @@ impl File<'_> {
         if self.robot.freedoms().has_base() {
             lines.push(String::new());
             lines.push(
-                "Derivatives by `base`, the pose of the base, are not known: they are NaN."
+                "Derivatives by `base` are those by its twelve numbers, each on its own: the rotation by rows, then the position."
                     .to_owned(),
             );
         }
