@@ -104,8 +104,10 @@ fn inverses(
     let mut plans = Vec::new();
     for (frame, _) in core::mem::take(&mut model.inverses) {
         let plan = proven_plan(robot, frame).map_err(|why| {
-            let message =
-                format!("the inverse kinematics of this arm have no closed form, because {why}");
+            let message = format!(
+                "the inverse kinematics of this arm have no closed form, because {why}; `robot-dynamics reach` solves \
+                 numerically"
+            );
             Failure::of_file(path, message)
         })?;
         plans.push((frame.map(|frame| robot.frames[frame].name.as_str()), plan));

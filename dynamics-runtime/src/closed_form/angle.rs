@@ -58,13 +58,16 @@ pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
     if sine < 0.0 { -angle } else { angle }
 }
 
-/// Replaces cosines by the angles that they and the sines belong to.
+/// Replaces cosines by the angles that they and the sines belong to, above -pi and up to pi.
 pub(super) fn angles<T: Real>(sines: &[T], cosines: &mut [T]) {
     f64::vectorized(
         #[inline(always)]
         || {
             for (sine, cosine) in sines.iter().zip(cosines) {
-                *cosine = T::from_f64(angle((*sine).into(), (*cosine).into()));
+                let angle = T::from_f64(angle((*sine).into(), (*cosine).into()));
+                // What was above -pi before it was rounded is half a turn all the same.
+                let is_half_turn = angle.into() <= -PI;
+                *cosine = if is_half_turn { T::from_f64(PI) } else { angle };
             }
         },
     );
@@ -94,6 +97,22 @@ mod tests {
             assert!((angle(x, 1.0) / x.atan() - 1.0).abs() < 5e-16, "{x}");
         }
         assert_eq!(angle(1e-300, 1.0), 1e-300);
+    }
+
+    /// A sine that is nothing but rounding belongs to half a turn, whatever its sign.
+    #[test]
+    fn half_a_turn_is_pi() {
+        let (sines, mut cosines) = ([0.0, -0.0, -1e-300, -1.2e-16, 1.2e-16, -1e-9], [-1.0; 6]);
+        angles(&sines, &mut cosines);
+        assert_eq!(cosines[..5], [PI; 5]);
+        assert!(cosines[5] > -PI && cosines[5] < -3.1);
+        let (sines, mut cosines) = ([-1e-9_f32, 1e-9, -1e-6], [-1.0_f32; 3]);
+        angles(&sines, &mut cosines);
+        assert_eq!(cosines[..2], [core::f32::consts::PI; 2]);
+        assert!(cosines[2] > -core::f32::consts::PI && cosines[2] < -3.1);
+        let mut cosines = [-1.0];
+        angles(&[f64::NAN], &mut cosines);
+        assert!(cosines[0].is_nan());
     }
 
     #[test]

@@ -16,7 +16,7 @@ const TOGETHER: usize = 8;
 /// Joint positions that lead to a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<T: Real, const N: usize> {
-    /// The positions, rad or m. Angles are from -pi to pi, unless [`within`](Solutions::within) or
+    /// The positions, rad or m. Angles are above -pi and up to pi, unless [`within`](Solutions::within) or
     /// [`nearest`](Solutions::nearest) has added whole turns.
     pub q: SVector<T, N>,
     /// Whether the pose is singular: other positions of two joints do as well, or two solutions cannot be told apart within

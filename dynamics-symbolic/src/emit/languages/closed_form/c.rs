@@ -19,7 +19,7 @@ const WORDS: Words = Words {
         ..OF_DOUBLE
     },
     conventions: &[
-        "pose has rows, as forward_kinematics writes them; q angles from -pi to pi, rad, or m. Returns the number of",
+        "pose has rows, as forward_kinematics writes them; q angles, above -pi and up to pi, rad, or m. Returns the number of",
         "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach, or not finite where it is read.",
         "is_singular is 1 where two angles cannot be told apart within 1e-7 rad. Nothing is allocated, no state is kept.",
         "Sines, arc tangents and roots are those of math.h.",

@@ -17,7 +17,7 @@ const WORDS: Words = Words {
     },
     conventions: &[
         "pose is an array of rows, as forward_kinematics returns it. Returns an array of objects { q, isSingular }: angles",
-        "from -pi to pi, rad, or m; empty if the pose is out of reach, or not finite where it is read. isSingular where two",
+        "above -pi and up to pi, rad, or m; empty if the pose is out of reach, or not finite where it is read. isSingular where two",
         "angles cannot be told apart within 1e-7 rad.",
     ],
     turning: ["const turning = [", "];"],

@@ -11,6 +11,7 @@ typedef struct { double x, y, z; int is_singular; } direction_of;
 #define APART 1e-7
 #define REACHED 1e-9
 #define ROTATION 1e-6
+#define HALF_TURN 3.141592653589793
 
 /* Differences of numbers as large as the size may be nothing but rounding below this. */
 static inline double roundings(double size) { return 16 * 2.220446049250313e-16 * size; }
@@ -103,7 +104,8 @@ static inline int keep(const found *joints, const int *turning, int count, int i
 {
     *is_singular = is_any;
     for (int i = 0; i < count; ++i) {
-        q[i] = turning[i] ? atan2(joints[i].sine + 0.0, joints[i].cosine) : joints[i].sine;
+        q[i] = turning[i] ? atan2(joints[i].sine, joints[i].cosine) : joints[i].sine;
+        if (turning[i] && q[i] <= -HALF_TURN) q[i] = HALF_TURN;
         *is_singular = *is_singular || joints[i].is_singular;
         if (!isfinite(q[i])) return 0;
     }

@@ -69,7 +69,8 @@ function is_rotation(pose) {
 
 /** Adds a solution, unless it is not finite. */
 function keep(solutions, joints, turning, isAny) {
-  const q = joints.map(({ sine, cosine }, i) => (turning[i] ? Math.atan2(sine + 0, cosine) : sine));
+  const above = (angle) => (angle <= -Math.PI ? Math.PI : angle);
+  const q = joints.map(({ sine, cosine }, i) => (turning[i] ? above(Math.atan2(sine, cosine)) : sine));
   const isSingular = isAny || joints.some((joint) => joint.isSingular);
   if (q.every(Number.isFinite)) solutions.push({ q, isSingular });
 }
