@@ -166,7 +166,8 @@ impl ReadOptions {
     }
 
     /// Names in cells that nothing binds become fields, too, in the order in which they are read; unless the file closes the
-    /// list by `fields = ["m1", "l1"]`, where another name is a mistake.
+    /// list by `fields = ["m1", "l1"]`, where another name is a mistake. They are those of the file, or of the entries beside
+    /// a URDF file, which has none.
     ///
     /// ```
     /// # mod robot_dynamics {
@@ -212,6 +213,10 @@ impl ReadOptions {
         let mut table = table(robot, &entries, Format::Toml, &Request::default())?;
         table.audience = self.audience;
         table.needed.clone_from(&self.needed);
+        if self.audience == Audience::Command {
+            // Options hold values: a word in one is a slip, not a field.
+            table.mentions.clear();
+        }
         let place = Place::File {
             line: lines + 1,
             column: 1,

@@ -69,6 +69,17 @@ def test_names_that_nothing_binds_are_fields() -> None:
         rd.Robot.from_file(FILES / "two_link.toml", fields=["m1", "m2", "l2", "g"])
 
 
+def test_names_beside_a_urdf_file_are_fields() -> None:
+    path, entries = DATA / "urdf" / "panda.urdf", {"gravity": (0, 0, "-g"), "ignore": "rest"}
+    arm = rd.Robot.from_file(
+        path, chain=("panda_link0", "panda_link8"), tool={"mass": "load"}, functions=["gravity_vector"], **entries
+    )
+    assert set(arm.fields) == {"g", "load"}
+    q = np.full(7, 0.3)
+    empty, loaded = (arm.with_fields(g=9.81, load=load).gravity_vector(q) for load in (0.0, 2.0))
+    assert np.abs(loaded - empty).max() > 1
+
+
 def test_fields_take_no_new_derivation() -> None:
     arm = rd.Robot.from_file(FILES / "two_link.toml", fields=["m1", "m2", "l1", "l2", "g"])
     with pytest.raises(ValueError, match="field `m1` has no value: `with_fields\\(m1=..\\)`"):

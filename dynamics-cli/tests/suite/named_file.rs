@@ -47,6 +47,26 @@ fn entries_stand_beside_the_file_that_is_named() {
     );
 }
 
+/// Names in cells beside the file that is named are fields, as in any table. A word in an option is a slip.
+#[test]
+fn names_beside_the_file_that_is_named_are_fields() {
+    let carrying = PICKER.replace("chain =", "tool = { mass = \"load\" }\nchain =");
+    let toml = table("carrying.toml", &carrying);
+    let shown = output(&["show", &toml]);
+    assert!(shown.contains("fields: load\n"), "{shown}");
+    let asked = errors(&["check", &toml], 1);
+    assert!(asked.contains("--field load=2"), "{asked}");
+    output(&["check", &toml, "--field", "load=2", "--samples", "1"]);
+    let closed = table("closed.toml", &format!("fields = []\n{carrying}"));
+    let refused = errors(&["show", &closed], 1);
+    assert!(refused.contains("unknown name `load`"), "{refused}");
+    let urdf = file("slip.urdf", ROBOT);
+    let slip = "--gravity 0,0,-9.81 --lock finger=open --functions gravity_vector";
+    let call: Vec<&str> = ["show", &urdf].into_iter().chain(slip.split(' ')).collect();
+    let refused = errors(&call, 2);
+    assert!(refused.contains("open"), "{refused}");
+}
+
 /// Options take the place of entries, or add to them, as beside a table.
 #[test]
 fn options_stand_beside_the_entries() {

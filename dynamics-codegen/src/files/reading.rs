@@ -197,6 +197,10 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
         )
     });
     let names_are_fields = beside.names_are_fields;
+    if format == Format::Urdf {
+        // A URDF file has no names: those beside it are the robot's own.
+        table.mentions.append(&mut beside.mentions);
+    }
     add(&mut table, beside);
     fields::complete(&mut table, names_are_fields);
     table
