@@ -95,9 +95,8 @@ mistakes! {
         "missing `velocity`, over which static friction falls to Coulomb's: write {stribeck}, for example";
     stribeck_velocity_not_positive() "a Stribeck velocity is above zero";
     static_below_coulomb(coulomb: f64 => number) "static friction is not below Coulomb friction, {coulomb}";
-    stiffness_missing()
-        "missing `stiffness`, the spring's torque or force for each rad or m: write `spring: {{ stiffness: 200 }}`, \
-         for example";
+    stiffness_missing() [spring: cell("spring: { stiffness: 200 }")]
+        "missing `stiffness`, the spring's torque or force for each rad or m: write {spring}, for example";
     limits_swapped() "the lower limit comes first, and is below the upper one: `[lower, upper]`";
     /// The same in a URDF file, of which somebody else may be the author.
     limits_of_a_file_swapped() [allow: allow("odd_limits", "in the call")]
