@@ -50,7 +50,8 @@ fn numbers(entries: &[f64], infinity: &str, between: &str) -> String {
     format!("[{}]", entries.collect::<Vec<_>>().join(between))
 }
 
-/// An argument: where a base stands is a matrix of 4 by 4, whose rows are told from one another by `of_rows`.
+/// An argument: where a base stands is a matrix of 4 by 4, whose rows are told from one another by `of_rows`. Octave takes
+/// twelve numbers besides.
 fn written(
     (name, entries): &(&str, Vec<f64>),
     infinity: &str,
@@ -211,6 +212,11 @@ function part = of_state(value, single, k)
         part = value(:, :, k);
     end
 end
+function same(f, fields, pose, numbers, varargin)
+    if ~isequaln(f(fields{:}, pose, varargin{:}), f(fields{:}, numbers, varargin{:}))
+        error('%s of a pose in 4 by 4 and of its numbers', func2str(f));
+    end
+end
 function columns(f, fields, varargin)
     % All states at once, as columns, are the states one by one: pages of a matrix.
     together = f(fields{:}, varargin{:});
@@ -233,6 +239,7 @@ fn octave_program(case: &Case) -> String {
     for (request, _) in &case.programs {
         let (name, parts) = (request.name(), request.parts().len());
         let mut of_states = vec![Vec::new(); request.arguments().len()];
+        let fields_of = if fields.is_empty() { "{}" } else { "{arm}" };
         for state in 0..STATES {
             let mut arguments = vec![parts.to_string(), format!("@{name}")];
             arguments.extend((!fields.is_empty()).then(|| "arm".to_owned()));
@@ -240,22 +247,37 @@ fn octave_program(case: &Case) -> String {
                 // An empty matrix is no state, and a column without rows is one.
                 let entries = match argument.1.is_empty() {
                     true => "zeros(0, 1)".to_owned(),
-                    false => written(argument, "Inf", ["; ", "; "]),
+                    false => numbers(&argument.1, "Inf", "; "),
                 };
                 of_states[k].push(entries.clone());
                 arguments.push(entries);
             }
             let _ = writeln!(text, "call({});", arguments.join(", "));
         }
+        if request.arguments().contains(&Argument::Base)
+            && !request.is_tuple()
+            && !request.refuses()
+        {
+            let pose = written(&case.arguments(request, 0)[0], "Inf", [", ", "; "]);
+            let first = of_states.iter().map(|states| states[0].clone());
+            let first: Vec<_> = first.collect();
+            let _ = writeln!(
+                text,
+                "same(@{name}, {fields_of}, {pose}, {});",
+                first.join(", ")
+            );
+        }
         let finite = of_states
             .iter()
             .map(|states| states[..STATES - 1].join(", "));
         let finite: Vec<_> = finite.map(|states| format!("[{states}]")).collect();
         // A state at rest is singular for none of the robots; tuples are parts of one program.
-        let has_pages = request.arguments().contains(&Argument::Base);
-        if !finite.is_empty() && !request.is_tuple() && !request.refuses() && !has_pages {
-            let fields = if fields.is_empty() { "{}" } else { "{arm}" };
-            let _ = writeln!(text, "columns(@{name}, {fields}, {});", finite.join(", "));
+        if !finite.is_empty() && !request.is_tuple() && !request.refuses() {
+            let _ = writeln!(
+                text,
+                "columns(@{name}, {fields_of}, {});",
+                finite.join(", ")
+            );
         }
     }
     text

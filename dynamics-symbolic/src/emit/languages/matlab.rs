@@ -66,7 +66,12 @@ end
 
 const ENTRIES_OF_POSE: &str = "
 function rows = entries_of_pose(pose)
-    % The rotation by rows, then the position, of homogeneous matrices of 4 by 4.
+    % Columns of the rotation by rows, then the position; also of homogeneous matrices of 4 by 4.
+    if size(pose, 1) ~= 4 || size(pose, 2) ~= 4
+        check_rows('base', pose, 12);
+        rows = pose;
+        return
+    end
     rotation = permute(pose(1:3, 1:3, :), [2 1 3]);
     rows = [reshape(rotation, 9, []); reshape(pose(1:3, 4, :), 3, [])];
 end
@@ -156,6 +161,18 @@ fn of_fields(robot: &Robot) -> Vec<String> {
     }
 }
 
+/// The lines about where the base stands, if that is an argument.
+fn of_base(request: &Request) -> Vec<String> {
+    match request.arguments().contains(&Argument::Base) {
+        false => Vec::new(),
+        true => vec![
+            String::new(),
+            "`base`: columns of twelve numbers, the rotation by rows and then the position; or pages of 4 by 4."
+                .to_owned(),
+        ],
+    }
+}
+
 /// The text that `help` prints.
 fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String {
     let conventions = [
@@ -166,7 +183,11 @@ fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String
     ];
     let lines = documentation(robot, request, proven, REFUSAL).into_iter();
     let mut text = format!("%{}\n", name.to_uppercase());
-    for line in lines.chain(of_fields(robot)).chain(conventions) {
+    for line in lines
+        .chain(of_base(request))
+        .chain(of_fields(robot))
+        .chain(conventions)
+    {
         // A name with a line break would end the comment.
         let line = line.replace(char::is_control, " ");
         text.push_str(format!("%   {line}").trim_end());
