@@ -65,7 +65,7 @@ pub(super) fn angles<T: Real>(sines: &[T], cosines: &mut [T]) {
         || {
             for (sine, cosine) in sines.iter().zip(cosines) {
                 let angle = T::from_f64(angle((*sine).into(), (*cosine).into()));
-                // What was above -pi before it was rounded is half a turn all the same.
+                // An angle that rounding takes to -pi, from above, is half a turn all the same.
                 let is_half_turn = angle.into() <= -PI;
                 *cosine = if is_half_turn { T::from_f64(PI) } else { angle };
             }

@@ -17,7 +17,7 @@ use crate::robot::Robot;
 /// The numbers of a rotation, which come before those of the position.
 const OF_ROTATION: usize = 9;
 
-/// What derivatives of a function by the pose are made of.
+/// Derivatives of a function by the pose: gravity, and where the rest stands among the values of programs.
 pub(super) struct OfPose {
     function: Function,
     /// The degrees of freedom.
