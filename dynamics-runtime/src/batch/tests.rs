@@ -10,7 +10,10 @@ use crate::random::SplitMix64;
 use crate::sine::Kernel as _;
 use crate::sine::tests::{angles, ulps, ulps_of_single};
 use crate::test_arms::CRAIG_ARM;
-use crate::{Batch as _, DoubleDouble, ForwardDynamics, InverseDynamics, MassMatrix, Part, Scalar};
+use crate::{
+    Batch as _, DoubleDouble, ForwardDynamics, GravityVector, InverseDynamics, MassMatrix, Part,
+    Scalar,
+};
 
 const M: functions::MassMatrix = functions::MassMatrix;
 
@@ -299,4 +302,22 @@ fn a_state_without_accelerations_is_found_in_any_lane() {
             }
         }
     }
+}
+
+/// A body without joints.
+struct Body;
+
+impl GravityVector<0> for Body {
+    fn gravity_vector<T: Scalar>(&self, q: &SVector<T, 0>) -> SVector<T, 0> {
+        *q
+    }
+}
+
+/// Vectors of no numbers have no first one, which was read.
+#[test]
+fn a_body_without_joints_has_batches() {
+    let q = vec![SVector::<f64, 0>::zeros(); 21];
+    let mut values = q.clone();
+    Body.gravity_vector_batch(&q, &mut values)
+        .expect("as many values as states");
 }
