@@ -64,14 +64,10 @@ fn unit_of(cell: &str) -> Option<&'static str> {
 /// The cells of the table with their names.
 fn cells(robot: &Robot) -> impl Iterator<Item = (&'static str, &[Value])> {
     let tool = robot.tool.as_ref();
-    let bodies = tool
-        .map(|tool| (&tool.mass, &tool.com, &tool.inertia))
-        .into_iter();
-    let floating = robot.floating();
-    let bodies = bodies.chain(floating.map(|body| (&body.mass, &body.com, &body.inertia)));
-    let bodies = bodies.flat_map(|(mass, com, inertia)| {
-        let mass = ("mass", core::slice::from_ref(mass));
-        [mass, ("com", com), ("inertia", inertia)]
+    let bodies = tool.map(|tool| &tool.body).into_iter();
+    let bodies = bodies.chain(robot.floating()).flat_map(|body| {
+        let mass = ("mass", core::slice::from_ref(&body.mass));
+        [mass, ("com", &body.com), ("inertia", &body.inertia)]
     });
     let places = robot
         .placement()
