@@ -100,12 +100,7 @@ pub fn table(
 ) -> Result<Table, Vec<Error>> {
     let diagnostics = Diagnostics::new();
     let used = &mut Vec::new();
-    let table = read(text, format, request, used, &diagnostics).unwrap_or_default();
-    named(name, table, diagnostics)
-}
-
-/// The table of a robot of that name, unless there were mistakes.
-fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
+    let mut table = read(text, format, request, used, &diagnostics).unwrap_or_default();
     put_name(name, START, &mut table);
     if diagnostics.is_empty() {
         Ok(table)
@@ -123,23 +118,13 @@ fn put_name(name: &str, place: Place, table: &mut Table) {
     table.has_all_fields = true;
 }
 
-/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled,
+/// The model of a text with the entries of `beside`, as they stand in a call of the macro, or all mistakes: in what cannot
+/// be read, and in the rest of the robot.
+///
+/// Joints that are locked or coupled,
 /// frames and what is allowed add to the file's, and cells of `joints` replace those of its rows. Every other entry replaces the file's (a `let` replaces that of the same name);
 /// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
 /// passed over for a table. `base: floating` alone says that the base moves with the body that the file has. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
-pub fn table_beside(
-    name: &str,
-    text: &str,
-    format: Format,
-    beside: Table,
-) -> Result<Table, Vec<Error>> {
-    let diagnostics = Diagnostics::new();
-    let table = put_beside(text, format, beside, &diagnostics);
-    named(name, table, diagnostics)
-}
-
-/// The model of a text with the entries of `beside`, as in [`table_beside`], or all mistakes: in what cannot be read, and
-/// in the rest of the robot.
 pub fn model_beside(
     name: &str,
     text: &str,
