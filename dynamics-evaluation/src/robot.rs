@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock};
 use dynamics_runtime::{
     NAMES_OF_BASE, Operations, Scalar, SingularMassMatrix, table::RuntimeTable,
 };
-use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::function::{Argument, plain};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request, proven_program};
 use fearless_simd::Level;
@@ -177,12 +177,11 @@ impl RuntimeRobot {
     ///
     /// [`UnknownField`] where there is no field of that name.
     pub fn set_field(&mut self, name: &str, value: f64) -> Result<(), UnknownField> {
-        let plain = |field: &str| field.strip_prefix("r#").unwrap_or(field).to_owned();
         let names = self.robot.fields.iter().map(|field| plain(field));
         let Some(index) = names.clone().position(|field| field == plain(name)) else {
             return Err(UnknownField {
                 name: name.to_owned(),
-                fields: names.collect(),
+                fields: names.map(str::to_owned).collect(),
             });
         };
         self.fields[index] = value;

@@ -1,9 +1,9 @@
 //! Cells of the table as JavaScript, as text, and with the units of their fields.
 
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::{Robot, Row, Value};
 
 use super::literal::number;
-use crate::cell::plain;
 pub(super) use crate::cell::text;
 
 /// A cell over the fields, which are properties of `arm`.
