@@ -318,35 +318,20 @@ pub(super) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
 /// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot
 /// be read.
 pub fn joint_names(text: &str, format: Format) -> Vec<String> {
-    Diagnostics::without(|diagnostics| {
-        if format == Format::Urdf {
-            return urdf::joint_names(text, diagnostics);
-        }
-        let table = read(
-            text,
-            format,
-            &Request::default(),
-            &mut Vec::new(),
-            diagnostics,
-        );
-        let table = table.unwrap_or_default();
-        let names = table.rows().iter().filter_map(|row| row.name.as_ref());
-        names.map(|name| name.plain().to_owned()).collect()
-    })
+    if format == Format::Urdf {
+        return Diagnostics::without(|diagnostics| urdf::joint_names(text, diagnostics));
+    }
+    let table = unjudged(text, format).unwrap_or_default();
+    let names = table.rows().iter().filter_map(|row| row.name.as_ref());
+    names.map(|name| name.plain().to_owned()).collect()
 }
 
 /// The file that a table names as that of its robot.
 pub fn file_named(text: &str, format: Format) -> Option<FileName> {
-    let table = Diagnostics::without(|diagnostics| match format {
+    let table = match format {
         Format::Urdf => None,
-        _ => read(
-            text,
-            format,
-            &Request::default(),
-            &mut Vec::new(),
-            diagnostics,
-        ),
-    });
+        _ => unjudged(text, format),
+    };
     table?.entries.into_iter().find_map(|entry| match entry {
         Entry::File(file) => file,
         _ => None,
@@ -355,16 +340,13 @@ pub fn file_named(text: &str, format: Format) -> Option<FileName> {
 
 /// The names in the values of the text of a table.
 pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
-    let table = Diagnostics::without(|diagnostics| {
-        read(
-            text,
-            format,
-            &Request::default(),
-            &mut Vec::new(),
-            diagnostics,
-        )
-    });
-    table.map_or(BTreeSet::new(), |table| table.mentions)
+    unjudged(text, format).map_or(BTreeSet::new(), |table| table.mentions)
+}
+
+/// The entries of a text, whatever mistakes are in it.
+fn unjudged(text: &str, format: Format) -> Option<Table> {
+    let (request, used) = (Request::default(), &mut Vec::new());
+    Diagnostics::without(|diagnostics| read(text, format, &request, used, diagnostics))
 }
 
 /// The entries of a text; what cannot be read is reported. None of a text of another format.
