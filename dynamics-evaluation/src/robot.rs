@@ -281,8 +281,7 @@ impl RuntimeRobot {
         let Some((single, prepared)) = &function.single else {
             return self.of_state(function, &function.shared, arguments, &|x| x);
         };
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, 1)?;
+        function.check_lengths(arguments, 1)?;
         let values = single.values(prepared, arguments);
         values.map_err(|error| self.singular(None, error))
     }
@@ -294,8 +293,7 @@ impl RuntimeRobot {
         arguments: &[&[T]],
         constant: &impl Fn(f64) -> T,
     ) -> Result<Vec<T>, EvaluationError> {
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, 1)?;
+        function.check_lengths(arguments, 1)?;
         let entry = function.entry(arguments, constant);
         let values = self.values(function, shared, &entry, constant);
         values.map_err(|error| self.singular(None, error))
@@ -374,8 +372,7 @@ impl RuntimeRobot {
             // Base parameters are the same at all states, as are values of joint positions where there are no joints.
             None => results.len().checked_div(entries).unwrap_or(0),
         };
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, states)?;
+        function.check_lengths(arguments, states)?;
         check_length("results", results.len(), states * entries)?;
         let pairs = function.arguments.iter().zip(arguments);
         let reader = Reader {
