@@ -1,11 +1,7 @@
 //! Cells of a table as a person writes them.
 
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::{Robot, Value};
-
-/// A field's name without the `r#` of a raw identifier.
-pub fn plain(field: &str) -> &str {
-    field.strip_prefix("r#").unwrap_or(field)
-}
 
 /// How tightly an operation binds.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]

@@ -26,48 +26,45 @@ type Motion = SizedTrajectory<Dyn>;
 /// The motion and its torques as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let robot = robot_with(given, [Function::InverseDynamics])?;
+    let samples = count(given, "samples");
     if robot.robot().floating().is_some() {
-        return on_base(&robot, given);
+        return told(on_base(robot.robot(), given, samples)?, &robot, given);
     }
     refuse_pose(given)?;
-    let samples = count(given, "samples");
-    let mut motion = match given.get_one::<PathBuf>("waypoints") {
+    let motion = match given.get_one::<PathBuf>("waypoints") {
         Some(path) => through_waypoints(path, robot.robot(), samples)?,
         None => joints(given, robot.robot(), samples)?,
     };
-    motion.tau = torques(&robot, &[&motion.q, &motion.qd, &motion.qdd], &[])?;
-    told(&motion, &robot, given)
+    told(motion, &robot, given)
 }
 
-/// The table of a motion, and its figure where one is requested.
+/// The table of a motion with its torques, and its figure where one is requested.
 fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
-    motion: &SizedTrajectory<K>,
+    mut motion: SizedTrajectory<K>,
     robot: &RuntimeRobot,
     given: &ArgMatches,
 ) -> Result<String, Failure> {
     let columns = Columns(robot);
-    let text = written(motion, &columns)?;
+    motion.tau = torques(robot, &motion)?;
+    let text = written(&motion, &columns)?;
     plot::put(given, || motion.figure(&columns).title(&robot.robot().name))?;
     Ok(text)
 }
 
-/// The same on a base that moves.
-fn on_base(robot: &RuntimeRobot, given: &ArgMatches) -> Result<String, Failure> {
-    let samples = count(given, "samples");
-    let mut motion = if let Some(path) = given.get_one::<PathBuf>("waypoints") {
-        moving_base::through_waypoints(path, robot.robot(), samples)?
+/// The motion on a base that moves.
+fn on_base(
+    robot: &Robot,
+    given: &ArgMatches,
+    samples: usize,
+) -> Result<moving_base::Motion, Failure> {
+    if let Some(path) = given.get_one::<PathBuf>("waypoints") {
+        moving_base::through_waypoints(path, robot, samples)
     } else if given.contains_id("at") {
-        moving_base::one_state(State::without_torque(given, robot.robot())?)
+        Ok(moving_base::one_state(State::without_torque(given, robot)?))
     } else {
-        moving_base::held(&pose(given)?, cycloidal(given, robot.robot(), samples)?)
-    };
-    let poses: Vec<f64> = motion
-        .base
-        .iter()
-        .flat_map(|base| <[f64; 12]>::from(base.entries()))
-        .collect();
-    motion.tau = torques(robot, &[&motion.q, &motion.qd, &motion.qdd], &poses)?;
-    told(&motion, robot, given)
+        let base = pose(given)?;
+        Ok(moving_base::held(&base, cycloidal(given, robot, samples)?))
+    }
 }
 
 /// The columns of a robot of which there are no energies.
@@ -87,16 +84,19 @@ impl<K: Stand<Joints = Dyn, Freedoms = Dyn>> SizedModel<K> for Columns<'_> {
     }
 }
 
-/// The torques of positions, velocities and accelerations, and of the poses of a base that moves.
-fn torques(
+/// The torques of a motion.
+fn torques<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     robot: &RuntimeRobot,
-    states: &[&Vec<DVector<f64>>; 3],
-    poses: &[f64],
+    motion: &SizedTrajectory<K>,
 ) -> Result<Vec<DVector<f64>>, Failure> {
-    let flat = |list: &&Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
-    let states = states.each_ref().map(flat);
-    let base = robot.robot().floating().map(|_| poses);
-    let arguments = base.into_iter().chain(states.iter().map(Vec::as_slice));
+    let poses = motion.places().filter_map(|place| K::parts(place).0);
+    let poses: Vec<f64> = poses
+        .flat_map(|base| <[f64; 12]>::from(base.entries()))
+        .collect();
+    let flat = |list: &Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
+    let states = [&motion.q, &motion.qd, &motion.qdd].map(flat);
+    let base = robot.robot().floating().map(|_| &poses);
+    let arguments = base.into_iter().chain(&states).map(Vec::as_slice);
     let arguments: Vec<_> = arguments.collect();
     let mut tau = vec![0.0; states[2].len()];
     robot.batch(Function::InverseDynamics.name(), &arguments, &mut tau)?;

@@ -4,10 +4,10 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
-use dynamics_cli::cell::plain;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
 use dynamics_evaluation::{FileError, FileMistake, RuntimeRobot, read_file};
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 

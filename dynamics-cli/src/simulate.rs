@@ -20,12 +20,30 @@ use crate::state::{pose, positions, refuse_pose, vector};
 /// The motion as CSV.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let robot = robot_with(given, Function::default_set(false))?;
-    let start = Start::read(given, robot.robot())?;
+    let Start {
+        q,
+        velocity,
+        torque,
+    } = Start::read(given, robot.robot())?;
+    let duration = number(given, "duration");
+    let progress = Progress::new(STEPS);
+    let torque = |t: f64| {
+        progress.done((t / duration * STEPS as f64) as usize);
+        torque.clone()
+    };
     if robot.robot().floating().is_some() {
-        return motion_on_base(&robot, &start, given);
+        let in_motion = robot.dynamics_on_base()?;
+        let motion = Simulation::new(&in_motion)
+            .torque(|t, _base, _q, _v| torque(t))
+            .initial(pose(given)?, q, velocity);
+        return told(planned(motion, given).run(), &in_motion, &robot, given);
     }
     refuse_pose(given)?;
-    motion(&robot, &start, given)
+    let in_motion = robot.dynamics()?;
+    let motion = Simulation::new(&in_motion)
+        .torque(|t, _q, _qd| torque(t))
+        .initial(q, velocity);
+    told(planned(motion, given).run(), &in_motion, &robot, given)
 }
 
 /// Where a motion starts, and what drives it.
@@ -67,49 +85,18 @@ fn planned<'a, R: SizedModel<K>, L, W, S, K: Stand>(
         .samples(count(given, "samples"))
 }
 
-fn motion(arm: &RuntimeRobot, start: &Start, given: &ArgMatches) -> Result<String, Failure> {
-    let arm_in_motion = arm.dynamics()?;
-    let duration = number(given, "duration");
-    let progress = Progress::new(STEPS);
-    let motion = Simulation::new(&arm_in_motion)
-        .torque(|t, _q, _qd| {
-            progress.done((t / duration * STEPS as f64) as usize);
-            start.torque.clone()
-        })
-        .initial(start.q.clone(), start.velocity.clone());
-    let run = planned(motion, given).run();
-    told(run, &arm_in_motion, &arm.robot().name, given)
-}
-
-/// The motion on a base that moves.
-fn motion_on_base(
-    robot: &RuntimeRobot,
-    start: &Start,
-    given: &ArgMatches,
-) -> Result<String, Failure> {
-    let in_motion = robot.dynamics_on_base()?;
-    let duration = number(given, "duration");
-    let progress = Progress::new(STEPS);
-    let motion = Simulation::new(&in_motion)
-        .torque(|t, _base, _q, _v| {
-            progress.done((t / duration * STEPS as f64) as usize);
-            start.torque.clone()
-        })
-        .initial(pose(given)?, start.q.clone(), start.velocity.clone());
-    let run = planned(motion, given).run();
-    told(run, &in_motion, &robot.robot().name, given)
-}
-
 /// A run as a table, and as a figure where one is requested; the failure of one that ended early.
 fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     run: Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>,
-    robot: &impl SizedModel<K>,
-    name: &str,
+    in_motion: &impl SizedModel<K>,
+    robot: &RuntimeRobot,
     given: &ArgMatches,
 ) -> Result<String, Failure> {
     let motion = run.map_err(|error| stopped(&error, given))?;
-    let text = written(&motion, robot)?;
-    plot::put(given, || motion.figure(robot).title(name))?;
+    let text = written(&motion, in_motion)?;
+    plot::put(given, || {
+        motion.figure(in_motion).title(&robot.robot().name)
+    })?;
     Ok(text)
 }
 

@@ -3,7 +3,7 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::function::{INVERSE_KINEMATICS, inverse_method};
+use dynamics_symbolic::function::{INVERSE_KINEMATICS, inverse_method, plain};
 use dynamics_symbolic::robot::{self, Convention, JointType, Mount};
 
 use std::collections::BTreeSet;
@@ -32,7 +32,7 @@ impl Name {
 
     /// The name without the `r#` of a raw one.
     pub fn plain(&self) -> &str {
-        self.written.strip_prefix("r#").unwrap_or(&self.written)
+        plain(&self.written)
     }
 }
 

@@ -149,15 +149,10 @@ pub fn items_of(
 
 /// A public field for a symbolic parameter, whose name is an identifier.
 fn field(name: &str) -> call::Field {
-    let place = Span::call_site();
-    let plain = name.strip_prefix("r#");
     call::Field {
         attributes: quote!(#[doc = " A symbolic parameter of the table."]),
         visibility: quote!(pub),
-        name: Some(plain.map_or_else(
-            || Ident::new(name, place),
-            |name| Ident::new_raw(name, place),
-        )),
+        name: Some(dynamics_symbolic::emit::field(name)),
         written: quote!(f64),
     }
 }

@@ -75,21 +75,21 @@ impl Compiled {
     }
 
     /// Whether arguments have the lengths that so many states take.
-    pub(crate) fn check_lengths(
+    pub(crate) fn check_lengths<T>(
         &self,
-        found: impl ExactSizeIterator<Item = usize>,
+        arguments: &[&[T]],
         states: usize,
     ) -> Result<(), EvaluationError> {
-        if found.len() != self.arguments.len() {
+        if arguments.len() != self.arguments.len() {
             let expected = self.arguments.iter();
             return Err(EvaluationError::Arguments {
-                found: found.len(),
+                found: arguments.len(),
                 expected: expected.map(|(argument, _)| argument.name()).collect(),
             });
         }
-        let mut pairs = self.arguments.iter().zip(found);
+        let mut pairs = self.arguments.iter().zip(arguments);
         pairs.try_for_each(|((argument, width), found)| {
-            check_length(argument.name(), found, states * width)
+            check_length(argument.name(), found.len(), states * width)
         })
     }
 }

@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock};
 use dynamics_runtime::{
     NAMES_OF_BASE, Operations, Scalar, SingularMassMatrix, table::RuntimeTable,
 };
-use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::function::{Argument, plain};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request, proven_program};
 use fearless_simd::Level;
@@ -177,12 +177,11 @@ impl RuntimeRobot {
     ///
     /// [`UnknownField`] where there is no field of that name.
     pub fn set_field(&mut self, name: &str, value: f64) -> Result<(), UnknownField> {
-        let plain = |field: &str| field.strip_prefix("r#").unwrap_or(field).to_owned();
         let names = self.robot.fields.iter().map(|field| plain(field));
         let Some(index) = names.clone().position(|field| field == plain(name)) else {
             return Err(UnknownField {
                 name: name.to_owned(),
-                fields: names.collect(),
+                fields: names.map(str::to_owned).collect(),
             });
         };
         self.fields[index] = value;
@@ -282,8 +281,7 @@ impl RuntimeRobot {
         let Some((single, prepared)) = &function.single else {
             return self.of_state(function, &function.shared, arguments, &|x| x);
         };
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, 1)?;
+        function.check_lengths(arguments, 1)?;
         let values = single.values(prepared, arguments);
         values.map_err(|error| self.singular(None, error))
     }
@@ -295,8 +293,7 @@ impl RuntimeRobot {
         arguments: &[&[T]],
         constant: &impl Fn(f64) -> T,
     ) -> Result<Vec<T>, EvaluationError> {
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, 1)?;
+        function.check_lengths(arguments, 1)?;
         let entry = function.entry(arguments, constant);
         let values = self.values(function, shared, &entry, constant);
         values.map_err(|error| self.singular(None, error))
@@ -375,8 +372,7 @@ impl RuntimeRobot {
             // Base parameters are the same at all states, as are values of joint positions where there are no joints.
             None => results.len().checked_div(entries).unwrap_or(0),
         };
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, states)?;
+        function.check_lengths(arguments, states)?;
         check_length("results", results.len(), states * entries)?;
         let pairs = function.arguments.iter().zip(arguments);
         let reader = Reader {

@@ -90,8 +90,7 @@ impl RuntimeRobot {
             }
             return Ok(());
         };
-        let lengths = arguments.iter().map(|entries| entries.len());
-        function.check_lengths(lengths, 1)?;
+        function.check_lengths(arguments, 1)?;
         let written = single.values_by_rows(prepared, arguments, results);
         written.map_err(|error| self.singular(None, error))
     }

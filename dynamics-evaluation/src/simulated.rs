@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
 use dynamics_runtime::{
     Dual, Pose, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
-    simulation::{EquationsOfMotion, OnBase, Responses, SizedModel},
+    simulation::{EquationsOfMotion, OnBase, Responses, SizedModel, Stand},
     table::RuntimeTable,
 };
 use dynamics_symbolic::Function;
@@ -35,12 +35,42 @@ pub enum Tip {}
 #[derive(Clone, Copy, Debug)]
 pub enum Moves {}
 
+/// The marks of a [`RuntimeDynamics`].
+pub trait Mark: Sized {
+    /// The base of the robot: it stands or moves.
+    type Base: Stand<Joints = Dyn, Freedoms = Dyn>;
+
+    /// The robot in positions and momenta, if its base stands.
+    #[doc(hidden)]
+    fn in_momenta<'r>(_: &'r RuntimeDynamics<'_, Self>) -> Option<&'r dyn SizedMomenta<Dyn>> {
+        None
+    }
+}
+
+macro_rules! stands {
+    ($($mark:ty),*) => {$(
+        impl Mark for $mark {
+            type Base = Dyn;
+
+            fn in_momenta<'r>(
+                robot: &'r RuntimeDynamics<'_, Self>,
+            ) -> Option<&'r dyn SizedMomenta<Dyn>> {
+                Some(robot)
+            }
+        }
+    )*};
+}
+
+stands!((), Tip);
+
+impl Mark for Moves {
+    type Base = OnBase<Dyn, Dyn>;
+}
+
 /// The marks of robots whose base stands.
-pub trait Stands {}
+pub trait Stands: Mark<Base = Dyn> {}
 
-impl Stands for () {}
-
-impl Stands for Tip {}
+impl<M: Mark<Base = Dyn>> Stands for M {}
 
 /// The functions of [`RuntimeRobot::dynamics`], then those of [`RuntimeDynamics::with_tip`].
 const OF_SIMULATIONS: [Function; 7] = [
@@ -198,69 +228,53 @@ fn duals(values: &[f64], slope: impl Fn(usize) -> f64) -> Vec<Dual> {
     pairs.map(|(i, x)| Dual::new(*x, slope(i))).collect()
 }
 
-impl<K: Stands> EquationsOfMotion<Dyn> for RuntimeDynamics<'_, K> {
-    fn size(&self) -> Dyn {
-        Dyn(self.arm.dof())
-    }
-
-    fn accelerations(
-        &self,
-        q: &DVector<f64>,
-        qd: &DVector<f64>,
-        tau: &DVector<f64>,
-    ) -> Result<DVector<f64>, SingularMassMatrix> {
-        let arguments = [q, qd, tau].map(DVector::as_slice);
-        Ok(self.at(Function::ForwardDynamics, &arguments)?.into())
-    }
-
-    fn accelerations_and_responses(
-        &self,
-        q: &DVector<f64>,
-        qd: &DVector<f64>,
-        tau: &DVector<f64>,
-        joints: &Vec<bool>,
-    ) -> Result<Responses<Dyn>, SingularMassMatrix> {
-        self.responses(&[q.as_slice(), qd.as_slice()], tau, joints)
-    }
-
-    fn in_momenta(&self) -> Option<&dyn SizedMomenta<Dyn>> {
-        Some(self)
-    }
+/// The entries of the pose of a base that moves, before other arguments.
+fn behind_base<const N: usize, X>(
+    base: Option<&Pose<f64>>,
+    others: [&DVector<f64>; N],
+    read: impl FnOnce(&[&[f64]]) -> X,
+) -> X {
+    let entries = base.map(Pose::entries);
+    let base = entries.iter().map(|entries| entries.as_slice());
+    let arguments = base.chain(others.map(DVector::as_slice));
+    read(&arguments.collect::<Vec<_>>())
 }
 
-impl EquationsOfMotion<OnBase<Dyn, Dyn>> for RuntimeDynamics<'_, Moves> {
+impl<M: Mark> EquationsOfMotion<M::Base> for RuntimeDynamics<'_, M> {
     fn size(&self) -> Dyn {
         Dyn(self.arm.dof())
     }
 
     fn accelerations(
         &self,
-        (base, q): (&Pose<f64>, &DVector<f64>),
+        place: <M::Base as Stand>::Place<'_>,
         v: &DVector<f64>,
         tau: &DVector<f64>,
     ) -> Result<DVector<f64>, SingularMassMatrix> {
-        let base = base.entries();
-        let arguments = [base.as_slice(), q.as_slice(), v.as_slice(), tau.as_slice()];
-        Ok(self.at(Function::ForwardDynamics, &arguments)?.into())
+        let (base, q) = M::Base::parts(place);
+        let qdd = behind_base(base, [q, v, tau], |arguments| {
+            self.at(Function::ForwardDynamics, arguments)
+        });
+        Ok(qdd?.into())
     }
 
     fn accelerations_and_responses(
         &self,
-        (base, q): (&Pose<f64>, &DVector<f64>),
+        place: <M::Base as Stand>::Place<'_>,
         v: &DVector<f64>,
         tau: &DVector<f64>,
         freedoms: &Vec<bool>,
     ) -> Result<Responses<Dyn>, SingularMassMatrix> {
-        let base = base.entries();
-        self.responses(
-            &[base.as_slice(), q.as_slice(), v.as_slice()],
-            tau,
-            freedoms,
-        )
+        let (base, q) = M::Base::parts(place);
+        behind_base(base, [q, v], |state| self.responses(state, tau, freedoms))
+    }
+
+    fn in_momenta(&self) -> Option<&dyn SizedMomenta<Dyn>> {
+        M::in_momenta(self)
     }
 }
 
-impl<K: Stands> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
+impl<M: Stands> SizedMomenta<Dyn> for RuntimeDynamics<'_, M> {
     fn inertia(&self, q: &DVector<f64>) -> DMatrix<f64> {
         let entries = self.numbers(Function::MassMatrix, &[q.as_slice()]);
         DMatrix::from_vec(q.len(), q.len(), entries)
@@ -281,25 +295,7 @@ impl<K: Stands> SizedMomenta<Dyn> for RuntimeDynamics<'_, K> {
     }
 }
 
-impl<K: Stands> SizedModel<Dyn> for RuntimeDynamics<'_, K> {
-    fn sized_table(&self) -> RuntimeTable {
-        self.table.clone()
-    }
-
-    fn names(&self) -> Vec<String> {
-        self.arm.joint_names().map(str::to_owned).collect()
-    }
-
-    fn sized_energies(&self, q: &DVector<f64>, qd: &DVector<f64>) -> Option<[f64; 2]> {
-        let kinetic = self.numbers(Function::KineticEnergy, &[q.as_slice(), qd.as_slice()])[0];
-        Some([
-            kinetic,
-            self.numbers(Function::PotentialEnergy, &[q.as_slice()])[0],
-        ])
-    }
-}
-
-impl SizedModel<OnBase<Dyn, Dyn>> for RuntimeDynamics<'_, Moves> {
+impl<M: Mark> SizedModel<M::Base> for RuntimeDynamics<'_, M> {
     fn sized_table(&self) -> RuntimeTable {
         self.table.clone()
     }
@@ -310,16 +306,15 @@ impl SizedModel<OnBase<Dyn, Dyn>> for RuntimeDynamics<'_, Moves> {
 
     fn sized_energies(
         &self,
-        (base, q): (&Pose<f64>, &DVector<f64>),
+        place: <M::Base as Stand>::Place<'_>,
         v: &DVector<f64>,
     ) -> Option<[f64; 2]> {
-        let base = base.entries();
-        let of_motion = [q.as_slice(), v.as_slice()];
-        let of_place = [base.as_slice(), q.as_slice()];
-        Some([
-            self.numbers(Function::KineticEnergy, &of_motion)[0],
-            self.numbers(Function::PotentialEnergy, &of_place)[0],
-        ])
+        let (base, q) = M::Base::parts(place);
+        let kinetic = self.numbers(Function::KineticEnergy, &[q.as_slice(), v.as_slice()]);
+        let potential = behind_base(base, [q], |place| {
+            self.numbers(Function::PotentialEnergy, place)
+        });
+        Some([kinetic[0], potential[0]])
     }
 }
 

@@ -103,9 +103,9 @@ impl Cells<'_> {
         let tool = tool.map(&mut self.cell());
         Tool {
             frame: frame(tool.placement),
-            mass: tool.mass,
-            com: tool.com,
-            inertia: tool.inertia,
+            mass: tool.body.mass,
+            com: tool.body.com,
+            inertia: tool.body.inertia,
         }
     }
 

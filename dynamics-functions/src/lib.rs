@@ -16,7 +16,7 @@ mod table;
 pub use argument::Argument;
 pub use batch::{Batch, batch_methods};
 pub use items::{function_names, runtime_methods};
-pub use request::{Part, Request, sizes_of, spans};
+pub use request::{Part, Request, plain, sizes_of, spans};
 pub use row::{Form, Growth, Masses, Row, Search, Second, Set, Trial};
 pub use shape::{Freedoms, Shape, Size, Sizes};
 pub use table::Function;

@@ -3,6 +3,11 @@
 use super::{Argument, Freedoms, Function, Sizes};
 use core::ops::Range;
 
+/// A name without the `r#` of a raw identifier.
+pub fn plain(name: &str) -> &str {
+    name.strip_prefix("r#").unwrap_or(name)
+}
+
 /// One method of the generated model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Request {
@@ -86,8 +91,7 @@ impl Request {
 
     /// The name of the generated method, without the `r#` of a raw identifier.
     pub fn name(&self) -> &str {
-        let name = self.identifier.as_str();
-        name.strip_prefix("r#").unwrap_or(name)
+        plain(&self.identifier)
     }
 
     /// The name of the generated method, the `r#` of a raw identifier included.

@@ -233,9 +233,7 @@ pub(crate) fn bounds(
         return ended;
     }
     for (state, row) in (0..states).zip(results.chunks_exact_mut(ready.entries)) {
-        let pairs = ready.arguments.iter().zip(arguments);
-        let of_state = pairs.map(|(of, rows)| &rows[state * of.entries..(state + 1) * of.entries]);
-        let of_state: Vec<&[f64]> = of_state.collect();
+        let of_state = rows_of(ready, arguments, state, 1);
         match ready.arm.bounds_by_rows(&ready.name, &of_state) {
             Ok(bounds) => row.copy_from_slice(&bounds),
             Err(EvaluationError::Singular { joint, error, .. }) => {
@@ -283,10 +281,7 @@ pub(crate) fn evaluate(
         return arm.batch_by_rows(name, arguments, results);
     }
     let part = |first: usize, results: &mut [f64]| {
-        let count = results.len() / ready.entries;
-        let pairs = ready.arguments.iter().zip(arguments);
-        let parts = pairs.map(|(of, rows)| &rows[first * of.entries..(first + count) * of.entries]);
-        let parts: Vec<&[f64]> = parts.collect();
+        let parts = rows_of(ready, arguments, first, results.len() / ready.entries);
         arm.batch_by_rows(name, &parts, results)
             .map_err(|error| later(error, first))
     };
@@ -300,6 +295,18 @@ pub(crate) fn evaluate(
         let ended = ended.into_iter().map(|end| end.expect("no batch panics"));
         ended.collect()
     })
+}
+
+/// The arguments of some states.
+fn rows_of<'a>(
+    ready: &Ready,
+    arguments: &[&'a [f64]],
+    first: usize,
+    count: usize,
+) -> Vec<&'a [f64]> {
+    let pairs = ready.arguments.iter().zip(arguments);
+    let rows = pairs.map(|(of, rows)| &rows[first * of.entries..(first + count) * of.entries]);
+    rows.collect()
 }
 
 /// The error of a state that stands behind so many others.

@@ -4,6 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use dynamics_evaluation::{Arrangement, RuntimeRobot};
 use dynamics_symbolic::Request;
+use dynamics_symbolic::function::plain;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -99,9 +100,7 @@ impl Ready {
 pub(crate) fn require_values(names: &[String], values: &[f64]) -> PyResult<()> {
     let pairs = names.iter().zip(values);
     let missing = pairs.filter(|(_, value)| value.is_nan());
-    let missing: Vec<_> = missing
-        .map(|(name, _)| name.trim_start_matches("r#"))
-        .collect();
+    let missing: Vec<_> = missing.map(|(name, _)| plain(name)).collect();
     let given = missing.iter().map(|name| format!("{name}=.."));
     let given = given.collect::<Vec<_>>().join(", ");
     let message = match &missing[..] {

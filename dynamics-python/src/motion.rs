@@ -1,11 +1,9 @@
 //! Simulations, under torques that are constant or a law of Python.
 
-use dynamics_evaluation::{
-    EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot, Stands,
-};
+use dynamics_evaluation::{EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
 use dynamics_runtime::simulation::{
-    Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, Sampled, SizedModel,
+    Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, SizedModel,
     SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work, WrenchAt,
 };
 use dynamics_runtime::{Friction, Pose, Simulation};
@@ -154,18 +152,28 @@ fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force:
     let places = places.map(|wrench| robot.place(wrench.frame.as_deref()));
     let places = places.collect::<Result<Vec<RuntimePlace<'_>>, _>>()?;
     let dynamics = robot.dynamics()?;
+    let [q, v] = plan.start();
+    let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
     let (Some(held), Some(period)) = (&plan.held_wrench, plan.control_period) else {
-        let wrenches = at_places(&places, plan, force);
-        let simulation = Simulation::new(&dynamics).wrenches(wrenches);
-        return follow(&dynamics, simulation, plan, kinds, force);
+        let simulation = Simulation::new(&dynamics)
+            .initial(q, v)
+            .wrenches(at_places(&places, plan, force));
+        let simulation = plan.planned(simulation, kinds);
+        let outcome = match plan.control_period {
+            None => simulation.torque(law).run(),
+            Some(period) => simulation.control_period(period).torque(law).run(),
+        };
+        return Ok(ran(&dynamics, outcome));
     };
     let dynamics = dynamics.with_tip()?;
-    let law = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench(held, t, pose, twist);
+    let wrench = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench(held, t, pose, twist);
     let simulation = Simulation::new(&dynamics)
         .control_period(period)
-        .held_tool_wrench(law)
+        .initial(q, v)
+        .held_tool_wrench(wrench)
         .wrenches(at_places(&places, plan, force));
-    sampled(&dynamics, simulation, plan, kinds, force)
+    let simulation = plan.planned(simulation, kinds);
+    Ok(ran(&dynamics, simulation.torque(law).run()))
 }
 
 /// The forces of the surroundings at their places.
@@ -186,53 +194,10 @@ fn at_places<'a, R>(
     wrenches.collect()
 }
 
-fn follow<'a, K: Stands, L, W>(
-    dynamics: &RuntimeDynamics<'a, K>,
-    simulation: Simulation<'_, RuntimeDynamics<'a, K>, L, Dyn, W>,
-    plan: &Plan,
-    kinds: (Method, Friction),
-    force: &Force,
-) -> Ran
-where
-    W: ToolWrench<RuntimeDynamics<'a, K>, Dyn> + ContinuousWrench,
-{
-    if let Some(period) = plan.control_period {
-        return sampled(
-            dynamics,
-            simulation.control_period(period),
-            plan,
-            kinds,
-            force,
-        );
-    }
-    let [q, v] = plan.start();
-    let simulation = plan.planned(simulation.initial(q, v), kinds);
-    let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
-    Ok(ran(dynamics, simulation.torque(law).run(), |()| Vec::new()))
-}
-
-/// The same under laws that are called once a period.
-fn sampled<'a, K: Stands, L, W>(
-    dynamics: &RuntimeDynamics<'a, K>,
-    simulation: Simulation<'_, RuntimeDynamics<'a, K>, L, Dyn, W, Sampled>,
-    plan: &Plan,
-    kinds: (Method, Friction),
-    force: &Force,
-) -> Ran
-where
-    W: ToolWrench<RuntimeDynamics<'a, K>, Dyn>,
-{
-    let [q, v] = plan.start();
-    let simulation = plan.planned(simulation.initial(q, v), kinds);
-    let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
-    Ok(ran(dynamics, simulation.torque(law).run(), |()| Vec::new()))
-}
-
-/// The samples of a run, with their energies. `poses` has the poses of a base that moves, by rows.
+/// The samples of a run, with their energies; the poses of a base that moves by rows.
 fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     dynamics: &impl SizedModel<K>,
     outcome: Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>,
-    poses: impl FnOnce(&K::Poses) -> Vec<f64>,
 ) -> (Motion, Option<Stopped>) {
     let (motion, stopped) = match outcome {
         Ok(motion) => (motion, None),
@@ -242,10 +207,11 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
             (error.trajectory, Some(stopped))
         }
     };
+    let poses = motion.places().filter_map(|place| K::parts(place).0);
     let motion = Motion {
+        base: poses.flat_map(by_rows).collect(),
         energies: motion.both_energies(dynamics).flatten().collect(),
         t: motion.t,
-        base: poses(&motion.base),
         q: motion.q,
         v: motion.qd,
         a: motion.qdd,
@@ -278,8 +244,7 @@ fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: 
         None => simulation.torque(law).run(),
         Some(period) => simulation.control_period(period).torque(law).run(),
     };
-    let by_rows = |poses: &Vec<Pose<f64>>| poses.iter().flat_map(by_rows).collect();
-    Ok(ran(&dynamics, outcome, by_rows))
+    Ok(ran(&dynamics, outcome))
 }
 
 /// The entries of a homogeneous matrix by rows.

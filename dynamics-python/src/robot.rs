@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use dynamics_evaluation::{JointFriction, ReadOptions, RuntimeRobot, read_text};
+use dynamics_symbolic::function::plain;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
@@ -213,8 +214,7 @@ impl Arm {
     #[getter]
     fn field_names(&self) -> Vec<String> {
         let names = self.description.robot.fields.iter();
-        let plain = names.map(|name| name.strip_prefix("r#").unwrap_or(name).to_owned());
-        plain.collect()
+        names.map(|name| plain(name).to_owned()).collect()
     }
 
     /// Values of the fields, NaN of those without.

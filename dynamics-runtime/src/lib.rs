@@ -32,6 +32,7 @@ mod double_double;
 mod dual;
 #[cfg(feature = "num-dual")]
 mod dual_scalars;
+#[cfg(feature = "std")]
 mod equations_of_motion;
 #[cfg(feature = "std")]
 mod evaluation;
@@ -70,6 +71,7 @@ pub mod simulation;
 mod sine;
 mod singular;
 mod size;
+#[cfg(feature = "std")]
 mod stand;
 mod state;
 pub mod table;
@@ -119,9 +121,7 @@ pub use batch::{
 pub use dual::Dual;
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use equations_of_motion::SizedModel;
-#[doc(hidden)]
-pub use equations_of_motion::{EquationsOfMotion, Responses};
+pub use equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use evaluation::{

@@ -3,7 +3,8 @@
 use arbitrary::{Result, Unstructured};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{
-    Base, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Base, Body, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool,
+    Value,
 };
 
 /// Cells of a robot, and the values of its fields.
@@ -160,9 +161,11 @@ impl Cells<'_> {
         Ok(match self.bytes.arbitrary()? {
             true => Some(Tool {
                 placement: self.placement()?,
-                mass: self.positive()?,
-                com: self.cells()?,
-                inertia: self.tensor()?,
+                body: Body {
+                    mass: self.positive()?,
+                    com: self.cells()?,
+                    inertia: self.tensor()?,
+                },
             }),
             false => None,
         })

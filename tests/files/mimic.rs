@@ -2,7 +2,7 @@
 //! With q = S q_j + c of that arm, M_j = S' M S, tau_j = S' tau and J_j = J S.
 
 use dynamics_codegen::description::{Entry, Name, Place, Positioned, Table};
-use dynamics_codegen::files::{Format, table_beside};
+use dynamics_codegen::files::{Format, model_beside};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive_plain;
 use dynamics_symbolic::mechanism::Mechanism;
@@ -46,9 +46,8 @@ fn finger_beside(file: &str, last: &str, lock: &[(&str, f64)], entry: Option<Ent
         entries: entries.into_iter().chain(entry).collect(),
         ..Table::default()
     };
-    let table = table_beside("finger", file, Format::Urdf, beside).expect("a table");
-    let model = dynamics_codegen::check(&table).unwrap_or_else(|errors| panic!("{errors:#?}"));
-    model.robot
+    let model = model_beside("finger", file, Format::Urdf, beside);
+    model.unwrap_or_else(|errors| panic!("{errors:#?}")).robot
 }
 
 fn file() -> String {

@@ -190,9 +190,9 @@ fn toml(robot: &Robot) -> String {
         placement(&mut text, base);
     }
     if let Some(tool) = &robot.tool {
-        writeln!(text, "[tool]\nmass = {}", cell(&tool.mass)).unwrap();
+        writeln!(text, "[tool]\nmass = {}", cell(&tool.body.mass)).unwrap();
         placement(&mut text, &tool.placement);
-        body(&mut text, &tool.com, &tool.inertia);
+        body(&mut text, &tool.body.com, &tool.body.inertia);
     }
     text
 }

@@ -292,7 +292,7 @@ where
     entries
 }
 
-/// The body of a frame.
+/// The body of a frame or of the tool.
 fn fixed(body: &Fixed) -> Entries {
     let mut entries = vec![entry("mass", &body.mass), entry("com", list(&body.com))];
     entries.extend(tensor(&body.inertia));
@@ -448,9 +448,7 @@ fn allow(words: Option<&BTreeSet<&'static str>>) -> Option<(String, Node)> {
 /// The tool's frame, and its body as the file that was read has it.
 fn tool(mut entries: Entries, robot: &Robot) -> Option<(String, Node)> {
     if let Some(tool) = robot.tool.as_ref().filter(|tool| tool.has_body()) {
-        entries.push(entry("mass", &tool.mass));
-        entries.push(entry("com", list(&tool.com)));
-        entries.extend(tensor(&tool.inertia));
+        entries.extend(fixed(&tool.body));
     }
     unless_empty("tool", entries)
 }

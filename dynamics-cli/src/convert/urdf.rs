@@ -6,7 +6,7 @@ use std::slice::from_ref;
 
 use dynamics_codegen::geometry::{Body, Transform, number};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{JointType, Row, Value};
+use dynamics_symbolic::robot::{Body as Fixed, JointType, Row, Value};
 
 use super::angle::{Angle, Origin, origins};
 use super::arm::{Arm, Joint, Place};
@@ -107,19 +107,17 @@ pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
         writer.link(&link, Some(&joint.body.body()));
         links.push(link);
     }
-    let mut end = |name: &str, place: &Place, body: Option<[&[Value]; 3]>| {
+    let mut end = |name: &str, place: &Place, body: Option<&Fixed>| {
         let (parent, origin) = on(place.on, &place.frame, &links);
+        let body = body.map(|body| [from_ref(&body.mass), &body.com, &body.inertia]);
         writer.end(name, &parent, &origin, body.map(of_values).as_ref());
     };
     for (place, frame) in arm.frames.iter().zip(&arm.robot.frames) {
-        let body = frame.body.as_ref();
-        let body = body.map(|body| [from_ref(&body.mass), &body.com, &body.inertia]);
-        end(&frame.name, place, body);
+        end(&frame.name, place, frame.body.as_ref());
     }
     if let Some(place) = &arm.tip {
         let tool = arm.robot.tool.as_ref().filter(|tool| tool.has_body());
-        let body = tool.map(|tool| [from_ref(&tool.mass), &tool.com, &tool.inertia]);
-        end(&tip, place, body);
+        end(&tip, place, tool.map(|tool| &tool.body));
     }
     writer.line(0, "</robot>");
     writer.text

@@ -13,7 +13,7 @@ use crate::csv::{read, shortest};
 use crate::failure::Failure;
 use crate::state::State;
 
-type Motion = SizedFloatingTrajectory<Dyn, Dyn>;
+pub(super) type Motion = SizedFloatingTrajectory<Dyn, Dyn>;
 
 /// Adds a sample, of which velocities and accelerations are six numbers of the base, then those of the joints.
 fn add(motion: &mut Motion, t: f64, base: Pose<f64>, q: Vec<f64>, [v, a]: [Vec<f64>; 2]) {

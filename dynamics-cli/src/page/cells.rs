@@ -1,9 +1,9 @@
 //! Cells of the table as JavaScript, as text, and with the units of their fields.
 
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::{Robot, Row, Value};
 
 use super::literal::number;
-use crate::cell::plain;
 pub(super) use crate::cell::text;
 
 /// A cell over the fields, which are properties of `arm`.
@@ -64,14 +64,10 @@ fn unit_of(cell: &str) -> Option<&'static str> {
 /// The cells of the table with their names.
 fn cells(robot: &Robot) -> impl Iterator<Item = (&'static str, &[Value])> {
     let tool = robot.tool.as_ref();
-    let bodies = tool
-        .map(|tool| (&tool.mass, &tool.com, &tool.inertia))
-        .into_iter();
-    let floating = robot.floating();
-    let bodies = bodies.chain(floating.map(|body| (&body.mass, &body.com, &body.inertia)));
-    let bodies = bodies.flat_map(|(mass, com, inertia)| {
-        let mass = ("mass", core::slice::from_ref(mass));
-        [mass, ("com", com), ("inertia", inertia)]
+    let bodies = tool.map(|tool| &tool.body).into_iter();
+    let bodies = bodies.chain(robot.floating()).flat_map(|body| {
+        let mass = ("mass", core::slice::from_ref(&body.mass));
+        [mass, ("com", &body.com), ("inertia", &body.inertia)]
     });
     let places = robot
         .placement()

@@ -92,12 +92,8 @@ impl Writer<'_> {
     }
 
     fn tool(&self, tool: &Tool) -> String {
-        let body = [
-            ("mass", self.cell(&tool.mass)),
-            ("com", self.vector(&tool.com)),
-            ("inertia", self.vector(&tool.inertia)),
-        ];
-        object(self.place(&tool.placement).into_iter().chain(body))
+        let place = self.place(&tool.placement).into_iter();
+        object(place.chain(self.cells_of(&tool.body)))
     }
 
     /// The tip or a frame that a function places: the row whose link carries it, where it is in that link frame, and its
@@ -132,11 +128,15 @@ impl Writer<'_> {
     }
 
     fn body(&self, body: &Body) -> String {
-        object([
+        object(self.cells_of(body))
+    }
+
+    fn cells_of(&self, body: &Body) -> [(&'static str, String); 3] {
+        [
             ("mass", self.cell(&body.mass)),
             ("com", self.vector(&body.com)),
             ("inertia", self.vector(&body.inertia)),
-        ])
+        ]
     }
 
     /// The tip of a file, where it is not a link frame, as a place in the list of joints.

@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use dynamics_cli::cell::{plain, text};
+use dynamics_cli::cell::text;
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::{
     Body, Convention, Frame, JointType, Mount, Placement, Robot, Row, Value,
 };
@@ -32,8 +33,8 @@ pub(super) fn table(robot: &Robot) -> String {
     if let Some(base) = robot.placement() {
         let _ = writeln!(text, "{:<width$}{}", "base", place(robot, base));
     }
-    if let Some(Body { mass, com, inertia }) = robot.floating() {
-        let body = body(robot, mass, com, inertia);
+    if let Some(floating) = robot.floating() {
+        let body = body(robot, floating);
         let _ = writeln!(text, "{:<width$}{:<11}{body}", "base", "moves");
     }
     for (i, row) in robot.rows.iter().enumerate() {
@@ -47,7 +48,7 @@ pub(super) fn table(robot: &Robot) -> String {
     }
     text.push_str(&tip(robot, width).unwrap_or_default());
     if let Some(tool) = &robot.tool {
-        let body = body(robot, &tool.mass, &tool.com, &tool.inertia);
+        let body = body(robot, &tool.body);
         let _ = writeln!(
             text,
             "{:<width$}{}{body}",
@@ -118,20 +119,15 @@ fn carrier(robot: &Robot, on: &str, width: usize) -> String {
 fn of_frame(robot: &Robot, frame: &Frame, width: usize) -> String {
     let (name, on) = (&frame.name, link(robot, frame.on));
     let places = places(robot, &frame.places);
-    let fixed = match &frame.body {
-        Some(Body { mass, com, inertia }) => body(robot, mass, com, inertia),
-        None => String::new(),
-    };
+    let fixed = frame.body.as_ref().map(|fixed| body(robot, fixed));
+    let fixed = fixed.unwrap_or_default();
     format!("{name:<width$}{:<11}on {on}  {places}{fixed}\n", "frame")
 }
 
 /// A body at a place.
-fn body(robot: &Robot, mass: &Value, com: &[Value; 3], inertia: &[Value; 6]) -> String {
-    let (mass, com, inertia) = (
-        number(robot, mass),
-        numbers(robot, com),
-        numbers(robot, inertia),
-    );
+fn body(robot: &Robot, body: &Body) -> String {
+    let (com, inertia) = (numbers(robot, &body.com), numbers(robot, &body.inertia));
+    let mass = number(robot, &body.mass);
     format!("  mass {mass}  com {com}  inertia {inertia}")
 }
 

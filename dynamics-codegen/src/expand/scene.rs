@@ -91,7 +91,7 @@ fn stands(robot: &Robot, on: Option<usize>, places: &[Placement]) -> String {
 
 fn tool(robot: &Robot, tool: &Tool) -> String {
     let body = if tool.has_body() {
-        format!(", with a body of {} kg", shown(robot, &tool.mass))
+        format!(", with a body of {} kg", shown(robot, &tool.body.mass))
     } else {
         String::new()
     };

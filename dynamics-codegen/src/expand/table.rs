@@ -139,12 +139,7 @@ fn floating(body: &Body<TokenStream>, path: &TokenStream) -> TokenStream {
 
 fn tool(tool: &Tool<TokenStream>, path: &TokenStream) -> TokenStream {
     let frame = frame(&tool.placement, path);
-    let Tool {
-        placement: _,
-        mass,
-        com,
-        inertia,
-    } = tool;
+    let Body { mass, com, inertia } = &tool.body;
     quote! {
         #path::Tool {
             frame: #frame,

@@ -1,5 +1,6 @@
 //! The test that `tests: true` requests.
 
+use dynamics_symbolic::function::plain;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
@@ -20,7 +21,7 @@ pub(super) fn agrees_with_newton_euler(target: &Target, structure: &Structure) -
     } = target;
     // The struct's own letters: structs whose names differ in case alone may be neighbours.
     let prefix = name.to_string();
-    let prefix = prefix.strip_prefix("r#").unwrap_or(&prefix);
+    let prefix = plain(&prefix);
     let [check, module] = ["agrees_with_recursive_newton_euler", "model"]
         .map(|rest| Ident::new(&format!("{prefix}_{rest}"), Span::call_site()));
     let names = structure.fields.iter().filter_map(|f| f.name.as_ref());

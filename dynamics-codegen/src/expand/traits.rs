@@ -1,6 +1,7 @@
 //! The runtime's traits: those of single functions hold the programs, the methods of the others
 //! hand on to the struct's own.
 
+use dynamics_symbolic::emit::field;
 use dynamics_symbolic::{Function, Request, function_type, handed_on};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -109,14 +110,6 @@ pub(super) fn fields_by(target: &Target, value: &TokenStream) -> TokenStream {
                 }
             }
         }
-    }
-}
-
-/// The identifier of a field of the user's struct.
-fn field(name: &str) -> Ident {
-    match name.strip_prefix("r#") {
-        Some(raw) => Ident::new_raw(raw, Span::call_site()),
-        None => Ident::new(name, Span::call_site()),
     }
 }
 

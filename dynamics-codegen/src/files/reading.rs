@@ -100,12 +100,7 @@ pub fn table(
 ) -> Result<Table, Vec<Error>> {
     let diagnostics = Diagnostics::new();
     let used = &mut Vec::new();
-    let table = read(text, format, request, used, &diagnostics).unwrap_or_default();
-    named(name, table, diagnostics)
-}
-
-/// The table of a robot of that name, unless there were mistakes.
-fn named(name: &str, mut table: Table, diagnostics: Diagnostics) -> Result<Table, Vec<Error>> {
+    let mut table = read(text, format, request, used, &diagnostics).unwrap_or_default();
     put_name(name, START, &mut table);
     if diagnostics.is_empty() {
         Ok(table)
@@ -123,23 +118,13 @@ fn put_name(name: &str, place: Place, table: &mut Table) {
     table.has_all_fields = true;
 }
 
-/// As [`table`], with the entries of `beside`, as they stand in a call of the macro. Joints that are locked or coupled,
+/// The model of a text with the entries of `beside`, as they stand in a call of the macro, or all mistakes: in what cannot
+/// be read, and in the rest of the robot.
+///
+/// Joints that are locked or coupled,
 /// frames and what is allowed add to the file's, and cells of `joints` replace those of its rows. Every other entry replaces the file's (a `let` replaces that of the same name);
 /// `convention` and `joint` are mistakes. `chain`, `ignore` and `round_angles` say what is wanted of a URDF file, and are
 /// passed over for a table. `base: floating` alone says that the base moves with the body that the file has. Cells of the file may use the fields of `beside`, whose audience is the reader of messages.
-pub fn table_beside(
-    name: &str,
-    text: &str,
-    format: Format,
-    beside: Table,
-) -> Result<Table, Vec<Error>> {
-    let diagnostics = Diagnostics::new();
-    let table = put_beside(text, format, beside, &diagnostics);
-    named(name, table, diagnostics)
-}
-
-/// The model of a text with the entries of `beside`, as in [`table_beside`], or all mistakes: in what cannot be read, and
-/// in the rest of the robot.
 pub fn model_beside(
     name: &str,
     text: &str,
@@ -337,35 +322,20 @@ pub(super) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
 /// The names of all joints in the text of a file, including those that are not part of the arm; empty if it cannot
 /// be read.
 pub fn joint_names(text: &str, format: Format) -> Vec<String> {
-    Diagnostics::without(|diagnostics| {
-        if format == Format::Urdf {
-            return urdf::joint_names(text, diagnostics);
-        }
-        let table = read(
-            text,
-            format,
-            &Request::default(),
-            &mut Vec::new(),
-            diagnostics,
-        );
-        let table = table.unwrap_or_default();
-        let names = table.rows().iter().filter_map(|row| row.name.as_ref());
-        names.map(|name| name.plain().to_owned()).collect()
-    })
+    if format == Format::Urdf {
+        return Diagnostics::without(|diagnostics| urdf::joint_names(text, diagnostics));
+    }
+    let table = unjudged(text, format).unwrap_or_default();
+    let names = table.rows().iter().filter_map(|row| row.name.as_ref());
+    names.map(|name| name.plain().to_owned()).collect()
 }
 
 /// The file that a table names as that of its robot.
 pub fn file_named(text: &str, format: Format) -> Option<FileName> {
-    let table = Diagnostics::without(|diagnostics| match format {
+    let table = match format {
         Format::Urdf => None,
-        _ => read(
-            text,
-            format,
-            &Request::default(),
-            &mut Vec::new(),
-            diagnostics,
-        ),
-    });
+        _ => unjudged(text, format),
+    };
     table?.entries.into_iter().find_map(|entry| match entry {
         Entry::File(file) => file,
         _ => None,
@@ -374,16 +344,13 @@ pub fn file_named(text: &str, format: Format) -> Option<FileName> {
 
 /// The names in the values of the text of a table.
 pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
-    let table = Diagnostics::without(|diagnostics| {
-        read(
-            text,
-            format,
-            &Request::default(),
-            &mut Vec::new(),
-            diagnostics,
-        )
-    });
-    table.map_or(BTreeSet::new(), |table| table.mentions)
+    unjudged(text, format).map_or(BTreeSet::new(), |table| table.mentions)
+}
+
+/// The entries of a text, whatever mistakes are in it.
+fn unjudged(text: &str, format: Format) -> Option<Table> {
+    let (request, used) = (Request::default(), &mut Vec::new());
+    Diagnostics::without(|diagnostics| read(text, format, &request, used, diagnostics))
 }
 
 /// The entries of a text; what cannot be read is reported. None of a text of another format.

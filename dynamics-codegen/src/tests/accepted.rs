@@ -241,9 +241,9 @@ fn a_base_and_a_tool() {
     let tool = robot.tool.expect("a tool");
     assert!(tool.placement.xyz.iter().all(Value::is_zero));
     assert_eq!(tool.placement.rpy[2], number("1/4") * Value::Pi);
-    assert_eq!(tool.mass, Value::field(1));
-    assert_eq!(tool.com[2], number("1/20"));
-    assert_eq!(tool.inertia[0], Value::field(1) * number("1/10"));
+    assert_eq!(tool.body.mass, Value::field(1));
+    assert_eq!(tool.body.com[2], number("1/20"));
+    assert_eq!(tool.body.inertia[0], Value::field(1) * number("1/10"));
 }
 
 #[test]

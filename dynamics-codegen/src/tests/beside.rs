@@ -170,24 +170,6 @@ fn allowances_of_a_joint_are_those_of_its_placement_and_its_bodies() {
     }
 }
 
-/// The description has each entry of the file once, and those that add beside it.
-#[test]
-fn entries_that_add_stand_beside_those_of_the_file() {
-    let request = Request::default();
-    let entries = table(
-        "beside",
-        "lock = { wrist = 1 }\nfunctions = [\"default\"]",
-        Format::Toml,
-        &request,
-    );
-    let joined: Table =
-        crate::files::table_beside("locked", FILE, Format::Toml, entries.expect("entries"))
-            .expect("a table");
-    let count = |is: fn(&Entry) -> bool| joined.entries.iter().filter(|entry| is(entry)).count();
-    assert_eq!(count(|entry| matches!(entry, Entry::Lock(_))), 2);
-    assert_eq!(count(|entry| matches!(entry, Entry::Functions(_))), 1);
-}
-
 /// Messages about a file of two joints and a finger beside them, with entries beside it.
 fn messages_of_chain(entries: &str) -> Vec<String> {
     let joint = |name: &str, parent: &str, child: &str, limit: &str| {

@@ -6,7 +6,7 @@ use dynamics_symbolic::robot::{Body, Robot, Value};
 
 use super::*;
 use crate::description::Table;
-use crate::files::{Format, Request, model_beside, table, table_beside};
+use crate::files::{Format, Request, model_beside, table};
 use crate::tree::Language;
 
 const LEGS: &str = "
@@ -265,7 +265,7 @@ fn a_body_beside_a_urdf_file_is_refused() {
     ] {
         let beside = format!("base: floating {{ {cell} }}, gravity: [0, 0, -9.81],");
         let errors =
-            table_beside("Legs", &text, Format::Urdf, entries("", &beside)).expect_err(cell);
+            model_beside("Legs", &text, Format::Urdf, entries("", &beside)).expect_err(cell);
         assert!(
             errors[0].message.starts_with("the first link of the file"),
             "{errors:?}"
@@ -274,8 +274,8 @@ fn a_body_beside_a_urdf_file_is_refused() {
     // Oddities of the first link are accepted as those of other bodies, and of no other link.
     let beside = "base: floating { allow: [unphysical_inertia] }, gravity: [0, 0, -9.81],";
     let refused = |beside: &str| {
-        let table = table_beside("Legs", &text, Format::Urdf, entries("", beside));
-        table.map_or_else(|errors| errors.len(), |_| 0)
+        let model = model_beside("Legs", &text, Format::Urdf, entries("", beside));
+        model.map_or_else(|errors| errors.len(), |_| 0)
     };
     assert_eq!(refused(beside), 4);
     assert_eq!(refused("base: floating, gravity: [0, 0, -9.81],"), 5);

@@ -20,8 +20,7 @@ pub(super) fn base(base: &description::Base, scope: &mut Scope) -> Option<Base> 
             link::placement(placement, scope).map(Base::Standing)
         }
         description::Base::Floating(_, written) => scope.within(&written.allow, BASE, |scope| {
-            let (mass, com, inertia) = body(written, scope)?;
-            Some(Base::Floating(Body { mass, com, inertia }))
+            body(written, scope).map(Base::Floating)
         }),
     }
 }

@@ -1,7 +1,7 @@
 //! The body of a row or of the tool, and whether one can have its inertia.
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::Value;
+use dynamics_symbolic::robot::{self, Value};
 
 use super::scope::{Scope, all};
 use super::solid;
@@ -9,8 +9,8 @@ use crate::description::{Body, Expr, Given, Inertia, Solid, Tensor};
 use crate::mistake::joint as mistake;
 use crate::place::Place;
 
-/// Mass, centre of mass and inertia tensor; `None` where one of them is in error.
-pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<(Value, [Value; 3], [Value; 6])> {
+/// The body; `None` where one of its cells is in error.
+pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<robot::Body> {
     let mass = scope.not_negative(&body.mass, "a mass");
     let com = scope.given_vector(&body.com);
     report_massless(body, com.as_ref(), scope);
@@ -27,7 +27,11 @@ pub(super) fn body(body: &Body, scope: &mut Scope) -> Option<(Value, [Value; 3],
             None
         }
     };
-    Some((mass?, com?, inertia?))
+    Some(robot::Body {
+        mass: mass?,
+        com: com?,
+        inertia: inertia?,
+    })
 }
 
 /// Reports a centre of mass, or more than the moment about one axis, where no mass is written.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Body, Frame, Tool, Value};
+use dynamics_symbolic::robot::{Frame, Tool, Value};
 
 use super::body::body;
 use super::link::{self, placement};
@@ -45,12 +45,10 @@ fn is_same_along_all([x, y, z]: &[Value; 3]) -> bool {
 pub(super) fn tool(tool: &description::Tool, scope: &mut Scope) -> Option<Tool> {
     scope.within(&tool.body.allow, "tool", |scope| {
         let placement = placement(&tool.placement, scope);
-        let (mass, com, inertia) = body(&tool.body, scope)?;
+        let body = body(&tool.body, scope)?;
         Some(Tool {
             placement: placement?,
-            mass,
-            com,
-            inertia,
+            body,
         })
     })
 }
@@ -83,13 +81,13 @@ pub(super) fn frame(frame: &description::Frame, table: &Table, scope: &mut Scope
         let on = link::of_frame(name, &frame.on, table, scope);
         let placement = placement(&frame.placement, scope);
         let has_body = frame.body.is_written();
-        let (mass, com, inertia) = body(&frame.body, scope)?;
+        let body = body(&frame.body, scope)?;
         let (on, of_link) = on?;
         Some(Frame {
             name: name.plain().to_owned(),
             on,
             places: [of_link, &frame.places, &[placement?]].concat(),
-            body: has_body.then_some(Body { mass, com, inertia }),
+            body: has_body.then_some(body),
         })
     })
 }

@@ -167,21 +167,14 @@ fn has_inertia(robot: &Robot) -> bool {
 /// For each row whether its link, or one that it carries, has a mass or a tensor, by itself or by the tool or a frame.
 fn carry_bodies(robot: &Robot) -> Vec<bool> {
     let rows = robot.rows.iter().enumerate();
-    let of_rows = rows.map(|(i, row)| (Some(i), &row.mass, &row.inertia));
+    let of_rows = rows.map(|(i, row)| (Some(i), row.body()));
     let tool = robot.tool.iter();
-    let of_tool = tool.map(|tool| (robot.tip_row(), &tool.mass, &tool.inertia));
-    let frames = robot
-        .frames
-        .iter()
-        .flat_map(|frame| Some(frame.on).zip(frame.body.as_ref()));
-    let of_frames = frames.map(|(on, body)| (on, &body.mass, &body.inertia));
+    let of_tool = tool.map(|tool| (robot.tip_row(), tool.body.clone()));
+    let frames = robot.frames.iter();
+    let of_frames = frames.flat_map(|frame| Some(frame.on).zip(frame.body.clone()));
     let mut carry = vec![false; robot.rows.len()];
-    for (on, mass, inertia) in of_rows.chain(of_tool).chain(of_frames) {
-        let has_body = [mass]
-            .into_iter()
-            .chain(inertia)
-            .any(|value| !value.is_zero());
-        let mut link = on.filter(|_| has_body);
+    for (on, body) in of_rows.chain(of_tool).chain(of_frames) {
+        let mut link = on.filter(|_| !body.is_massless());
         while let Some(row) = link {
             carry[row] = true;
             link = robot.parent(row);

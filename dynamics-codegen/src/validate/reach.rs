@@ -33,7 +33,7 @@ pub(super) fn report(parts: &Parts, table: &Table, scope: &Scope) -> bool {
         }
     }
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
-        far(&tool.com, &written.body, "tool");
+        far(&tool.body.com, &written.body, "tool");
     }
     if let (Some(Some(Base::Floating(body))), Some((_, written))) = (&parts.base, table.floating())
     {

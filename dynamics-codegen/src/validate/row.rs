@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{JointType, Row, Spring, Stribeck, Value};
+use dynamics_symbolic::robot::{Body, JointType, Row, Spring, Stribeck, Value};
 
 use super::body::body;
 use super::scope::{Scope, all, number};
@@ -51,7 +51,7 @@ fn cells(index: usize, table: &Table, scope: &mut Scope) -> Option<Row> {
     let limits = limits::limits(row, scope);
     let torque_limit = limits::greatest(&row.torque_limit, scope);
     let velocity_limit = limits::greatest(&row.velocity_limit, scope);
-    let (mass, com, inertia) = body?;
+    let Body { mass, com, inertia } = body?;
     let [motor_inertia, gear_ratio] = motor?;
     let (viscous, coulomb, stribeck) = friction?;
     Some(Row {

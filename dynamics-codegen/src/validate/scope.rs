@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use dynamics_symbolic::exact::{Residue, SplitMix64, bit_length};
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::Value;
 
 use super::measured::{self, Measured};
@@ -452,7 +453,7 @@ impl<'d> Scope<'d> {
     }
 
     fn lookup(&mut self, name: &str, place: Place) -> Option<Measured> {
-        let word = name.strip_prefix("r#").unwrap_or(name);
+        let word = plain(name);
         if self.follower.is_some() && self.joints.iter().any(|joint| joint == word) {
             return Some(Measured::position_of(word, place));
         }

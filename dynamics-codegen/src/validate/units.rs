@@ -1,7 +1,7 @@
 //! Lengths in mm and masses in g: mistakes of the whole table, each reported once, at the largest of the numbers. A
 //! table in which a field matters to the judgement is not judged.
 
-use dynamics_symbolic::robot::{Base, Value};
+use dynamics_symbolic::robot::{self, Base, Value};
 
 use super::Parts;
 use super::scope::{Scope, norm, number};
@@ -97,40 +97,32 @@ fn allowed_at(row: &Row, place: &'static str) -> &'static str {
 /// The bodies of the rows, of the tool, of frames and of a base that moves; none where one of them is not known.
 fn bodies(parts: &Parts, table: &Table, scope: &Scope) -> Option<Vec<Judged>> {
     let mut bodies = Vec::new();
-    let mut judge = |numbers: Numbers<'_>, written: &Body, place_of_allow| {
-        bodies.push(judged(numbers, written, place_of_allow, scope)?);
+    let mut judge = |body: &robot::Body, written: &Body, place_of_allow| {
+        bodies.push(judged(body, written, place_of_allow, scope)?);
         Some(())
     };
     for (row, written) in parts.rows.iter().flatten().zip(table.rows()) {
-        let row = row.as_ref()?;
-        let numbers = (&row.mass, &row.com, &row.inertia);
-        judge(numbers, &written.body, allowed_at(written, "on the row"))?;
+        let body = row.as_ref()?.body();
+        judge(&body, &written.body, allowed_at(written, "on the row"))?;
     }
     for (tool, written) in parts.tool.iter().zip(table.tool()) {
-        let tool = tool.as_ref()?;
-        let numbers = (&tool.mass, &tool.com, &tool.inertia);
-        judge(numbers, &written.body, "on the tool")?;
+        judge(&tool.as_ref()?.body, &written.body, "on the tool")?;
     }
     for (frame, written) in parts.frames(table) {
         if let Some(body) = &frame.as_ref()?.body {
-            let numbers = (&body.mass, &body.com, &body.inertia);
-            judge(numbers, &written.body, "on the frame")?;
+            judge(body, &written.body, "on the frame")?;
         }
     }
     if let (Some(base), Some((_, written))) = (&parts.base, table.floating())
         && let Base::Floating(body) = base.as_ref()?
     {
-        let numbers = (&body.mass, &body.com, &body.inertia);
-        judge(numbers, written, table.place_of_base())?;
+        judge(body, written, table.place_of_base())?;
     }
     Some(bodies)
 }
 
-/// Mass, centre of mass and tensor.
-type Numbers<'v> = (&'v Value, &'v [Value; 3], &'v [Value; 6]);
-
 fn judged(
-    (mass, com, inertia): Numbers<'_>,
+    robot::Body { mass, com, inertia }: &robot::Body,
     written: &Body,
     place_of_allow: &'static str,
     scope: &Scope,
@@ -197,7 +189,7 @@ fn lengths(parts: &Parts, table: &Table, scope: &Scope) -> Vec<(f64, Place)> {
     if let (Some(Some(tool)), Some(written)) = (&parts.tool, table.tool()) {
         cells.extend(vector(&tool.placement.xyz, &written.placement.xyz));
         if is_near(&written.body) {
-            cells.extend(vector(&tool.com, &written.body.com));
+            cells.extend(vector(&tool.body.com, &written.body.com));
         }
     }
     if let (Some(Some(Base::Floating(body))), Some((_, written))) = (&parts.base, table.floating())

@@ -10,7 +10,8 @@ use dynamics_runtime::{
     simulation::DormandPrince,
 };
 use dynamics_symbolic::robot::{
-    Base, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool, Value,
+    Base, Body, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool,
+    Value,
 };
 use dynamics_symbolic::{Function, Request};
 
@@ -152,9 +153,11 @@ pub(crate) fn description() -> Robot {
                 xyz: numbers([0.0, 0.0, 0.1]),
                 rpy: [zero(), zero(), of_pi(4)],
             },
-            mass: load,
-            com: numbers([0.0, 0.0, 0.05]),
-            inertia: [(); 6].map(|()| zero()),
+            body: Body {
+                mass: load,
+                com: numbers([0.0, 0.0, 0.05]),
+                inertia: [(); 6].map(|()| zero()),
+            },
         }),
         frames: Vec::new(),
         neglected: None,

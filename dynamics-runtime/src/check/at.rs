@@ -138,26 +138,17 @@ impl<'a> At<'a> {
 
     /// The transform of the tip, or of the frame.
     pub(super) fn tip_pose(&self) -> Matrix4<f64> {
-        match self.frame {
-            None => self.robot.forward_kinematics(self.q),
-            Some(frame) => self.robot.frame_pose(frame, self.q),
-        }
+        self.robot.pose_at(self.frame, self.q)
     }
 
     /// The Jacobian of the tip, or of the frame.
     pub(super) fn tip_jacobian(&self) -> Matrix6xX<f64> {
-        match self.frame {
-            None => self.robot.jacobian(self.q),
-            Some(frame) => self.robot.frame_jacobian(frame, self.q),
-        }
+        self.robot.jacobian_at(self.frame, self.q)
     }
 
     /// The rate of that Jacobian.
     pub(super) fn tip_jacobian_rate(&self) -> Matrix6xX<f64> {
-        match self.frame {
-            None => self.robot.jacobian_rate(self.q, self.qd),
-            Some(frame) => self.robot.frame_jacobian_rate(frame, self.q, self.qd),
-        }
+        self.robot.jacobian_rate_at(self.frame, self.q, self.qd)
     }
 
     /// B(q) by columns: V is quadratic in qd, so that its polarisation `V(e_j + e_k) - V(e_j) - V(e_k)` is the column

@@ -1,21 +1,14 @@
 //! The equations of an arm that a simulation solves.
 
-#[cfg(feature = "std")]
 mod floating;
 
 use nalgebra::{Const, SMatrix, SVector};
 
-#[cfg(feature = "std")]
-use crate::Model;
-#[cfg(feature = "std")]
-use crate::Pose;
 use crate::dual::Dual;
 use crate::factorisation::JointFactors;
 use crate::size::Size;
-#[cfg(feature = "std")]
-use crate::stand::{Charted, OnBase};
-use crate::stand::{Stand, Velocities};
-use crate::{ForwardDynamics, NumericArm, Scalar, SingularMassMatrix, SizedMomenta};
+use crate::stand::{Charted, OnBase, Stand, Velocities};
+use crate::{ForwardDynamics, Model, NumericArm, Pose, Scalar, SingularMassMatrix, SizedMomenta};
 
 /// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
 pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
@@ -68,7 +61,6 @@ pub trait EquationsOfMotion<K: Stand> {
     }
 
     /// The charts in which the positions are coordinates; `None` where they are those of joints.
-    #[cfg(feature = "std")]
     #[doc(hidden)]
     fn charts(&self) -> Option<&dyn Charted<K::Freedoms>> {
         None
@@ -182,7 +174,6 @@ pub(crate) fn inverse_columns<D: Size>(
     message = "`{Self}` is no robot",
     note = "`robot_dynamics!` makes robots, from Denavit-Hartenberg tables"
 )]
-#[cfg(feature = "std")]
 pub trait SizedModel<K: Stand> {
     /// The table as numbers.
     fn sized_table(&self) -> <K::Joints as Size>::Table;
@@ -194,7 +185,6 @@ pub trait SizedModel<K: Stand> {
     fn sized_energies(&self, place: K::Place<'_>, velocities: &Velocities<K>) -> Option<[f64; 2]>;
 }
 
-#[cfg(feature = "std")]
 impl<R: Model<N>, const N: usize> SizedModel<Const<N>> for R {
     fn sized_table(&self) -> crate::Table<N> {
         self.table()
@@ -209,7 +199,6 @@ impl<R: Model<N>, const N: usize> SizedModel<Const<N>> for R {
     }
 }
 
-#[cfg(feature = "std")]
 impl<R: Model<N, V>, const N: usize, const V: usize> SizedModel<OnBase<Const<N>, Const<V>>> for R {
     fn sized_table(&self) -> crate::Table<N> {
         self.table()

@@ -51,7 +51,7 @@ mod library;
 use core::fmt;
 use core::marker::PhantomData;
 
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use crate::{Pose, quaternion};
 pub use library::Library;
@@ -251,36 +251,36 @@ impl<L: Library, const N: usize> Layout<L, N> {
 
     /// S x.
     fn there<const V: usize>(&self, base: &Pose<f64>, ours: &SVector<f64, V>) -> SVector<f64, V> {
-        const { assert!(V == N + 6, "a velocity has 6 + N numbers") };
-        let mut theirs = SVector::<f64, V>::zeros();
-        for (from, to, in_world) in Self::parts() {
-            let part: Vector3<f64> = ours.fixed_rows::<3>(from).into_owned();
-            let part = if in_world { base.rotation * part } else { part };
-            theirs.fixed_rows_mut::<3>(to).copy_from(&part);
-        }
-        for (joint, place) in self.places.iter().enumerate() {
-            theirs[6 + place] = ours[6 + joint];
-        }
-        theirs
+        self.moved(&base.rotation, ours, |[here, there]| (here, there))
     }
 
     /// S^T x, which is the inverse.
     fn back<const V: usize>(&self, base: &Pose<f64>, theirs: &SVector<f64, V>) -> SVector<f64, V> {
+        let rotation = base.rotation.transpose();
+        self.moved(&rotation, theirs, |[here, there]| (there, here))
+    }
+
+    /// The numbers of x at other places, those between the axes of the base and of the world turned. `way` says from which of
+    /// the places here and there, and to which.
+    fn moved<const V: usize>(
+        &self,
+        rotation: &Matrix3<f64>,
+        x: &SVector<f64, V>,
+        way: impl Fn([usize; 2]) -> (usize, usize),
+    ) -> SVector<f64, V> {
         const { assert!(V == N + 6, "a velocity has 6 + N numbers") };
-        let mut ours = SVector::<f64, V>::zeros();
-        for (to, from, in_world) in Self::parts() {
-            let part: Vector3<f64> = theirs.fixed_rows::<3>(from).into_owned();
-            let part = if in_world {
-                base.rotation.tr_mul(&part)
-            } else {
-                part
-            };
-            ours.fixed_rows_mut::<3>(to).copy_from(&part);
+        let mut moved = SVector::<f64, V>::zeros();
+        for (here, there, in_world) in Self::parts() {
+            let (from, to) = way([here, there]);
+            let part: Vector3<f64> = x.fixed_rows::<3>(from).into_owned();
+            let part = if in_world { rotation * part } else { part };
+            moved.fixed_rows_mut::<3>(to).copy_from(&part);
         }
         for (joint, place) in self.places.iter().enumerate() {
-            ours[6 + joint] = theirs[6 + place];
+            let (from, to) = way([6 + joint, 6 + place]);
+            moved[to] = x[from];
         }
-        ours
+        moved
     }
 
     /// The linear and the angular part: where they begin here and there, and whether they are in the axes of the world there.

@@ -238,7 +238,7 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
         let [linear, angular] = twist(qd);
         let mut of_base = Vector6::zeros();
         let mut accelerations = arm.accelerations(joints, qd, available, &angular, |links| {
-            let own = Beyond::held(&body.inertia, &angular);
+            let own = Beyond::held(&body.solid.inertia, &angular);
             let whole = links.map_or(own, |links| links + own);
             of_base = whole.free(&Vector6::from_fn(|i, _| available[i]))?;
             Ok(Acceleration {
@@ -318,9 +318,9 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                     }
                     JointType::Prismatic => added.linear += turned * 2.0,
                 }
-                let body = Articulated::rigid(&link.inertia);
+                let body = Articulated::rigid(&link.solid.inertia);
                 let needed = Wrench {
-                    force: w.cross(&w.cross(&link.inertia.first_moment)),
+                    force: w.cross(&w.cross(&link.solid.inertia.first_moment)),
                     moment: w.cross(&(body.a * w)),
                 };
                 terms[k] = VelocityTerms { added, needed };
@@ -341,8 +341,8 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         let carried = self.inward(
             #[inline(always)]
             |Place { k, link, .. }| Beyond {
-                body: Articulated::rigid(&link.inertia),
-                composite: link.inertia,
+                body: Articulated::rigid(&link.solid.inertia),
+                composite: link.solid.inertia,
                 needed: terms[k].needed,
             },
             #[inline(always)]

@@ -7,7 +7,7 @@ use core::ops::IndexMut;
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
-use super::inertia::{Inertia, Wrench, tensor};
+use super::inertia::{Inertia, Solid, Wrench};
 use super::pose::Pose;
 use crate::{Row, SingularMassMatrix};
 
@@ -33,24 +33,15 @@ impl Footing {
 /// The body of a base that moves with what is fixed to it, in frame 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Body {
-    pub(super) mass: f64,
-    pub(super) com: Vector3<f64>,
-    /// About the centre of mass.
-    pub(super) tensor: Matrix3<f64>,
-    /// About the origin of the frame.
-    pub(super) inertia: Inertia,
+    pub(super) solid: Solid,
     /// The tip of a robot without joints.
     pub(super) tip: Pose,
 }
 
 impl From<&Row> for Body {
     fn from(row: &Row) -> Self {
-        let (com, tensor) = (Vector3::from(row.com), tensor(row));
         Body {
-            mass: row.mass,
-            com,
-            tensor,
-            inertia: Inertia::new(row.mass, &com, &tensor),
+            solid: Solid::new(row, &Pose::IDENTITY),
             tip: row.tip_in_link(),
         }
     }

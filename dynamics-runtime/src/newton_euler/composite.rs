@@ -40,7 +40,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         let mut mass_matrix = self.freedoms.matrix();
         let links = self.inward(
             #[inline(always)]
-            |place| place.link.inertia,
+            |place| place.link.solid.inertia,
             #[inline(always)]
             |place, body| {
                 let Place { joint, factor, .. } = place;
@@ -71,7 +71,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
             },
         );
         if let Some(body) = self.body() {
-            let own = body.inertia;
+            let own = body.solid.inertia;
             let whole = links.map_or(own, |links| links + own).matrix();
             for (i, j) in (0..6).flat_map(|i| (0..6).map(move |j| (i, j))) {
                 mass_matrix[(i, j)] = whole[(i, j)];
@@ -98,8 +98,8 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         let carried = self.inward(
             #[inline(always)]
             |place| Moments {
-                mass: place.link.inertia.mass,
-                first: place.link.inertia.first_moment,
+                mass: place.link.solid.inertia.mass,
+                first: place.link.solid.inertia.first_moment,
             },
             #[inline(always)]
             |place, Moments { mass, first: h }| {
@@ -117,8 +117,8 @@ impl<D: Size, V: Size> NumericArm<D, V> {
         );
         if let Some(body) = self.body() {
             let own = Moments {
-                mass: body.mass,
-                first: body.inertia.first_moment,
+                mass: body.solid.mass,
+                first: body.solid.inertia.first_moment,
             };
             let Moments { mass, first } = carried.map_or(own, |links| links + own);
             let weight = Wrench {

@@ -91,9 +91,12 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                 }
             }
         };
-        add(None, &body.inertia);
+        add(None, &body.solid.inertia);
         self.walk_outward(|place| {
-            add(Some(place.k), &place.link.inertia.placed(&poses[place.k]));
+            add(
+                Some(place.k),
+                &place.link.solid.inertia.placed(&poses[place.k]),
+            );
         });
         coriolis
     }

@@ -15,8 +15,9 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
         let (mut energy, mut base) = (0.0, [Vector3::zeros(); 2]);
         if let Some(body) = self.arm.body() {
             let [linear, angular] = twist(qd);
-            let centre = linear + angular.cross(&body.com);
-            energy = body.mass * centre.norm_squared() + angular.dot(&(body.tensor * angular));
+            let centre = linear + angular.cross(&body.solid.com);
+            energy = body.solid.mass * centre.norm_squared()
+                + angular.dot(&(body.solid.tensor * angular));
             base = [angular, linear];
         }
         self.arm.at(q, |joints| {
@@ -31,9 +32,9 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
                         JointType::Revolute => angular.z += rate,
                         JointType::Prismatic => linear.z += rate,
                     }
-                    let centre: Vector3<f64> = linear + angular.cross(&link.com);
-                    energy += link.mass * centre.norm_squared()
-                        + angular.dot(&(link.tensor * angular))
+                    let centre: Vector3<f64> = linear + angular.cross(&link.solid.com);
+                    energy += link.solid.mass * centre.norm_squared()
+                        + angular.dot(&(link.solid.tensor * angular))
                         + link.reflected_inertia * rate * rate;
                     [angular, linear]
                 },
@@ -46,13 +47,15 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
         let (place, gravity) = (self.base.place, &self.arm.world_gravity);
         let mut energy = 0.0;
         if let Some(body) = self.arm.body() {
-            energy -= body.mass * gravity.dot(&(place.rotation * body.com + place.position));
+            energy -=
+                body.solid.mass * gravity.dot(&(place.rotation * body.solid.com + place.position));
         }
         self.arm.at(q, |joints| {
             self.arm.outward(place, |place, before| {
                 let (link, pose) = (place.link, before.then(&joints[place.k].pose()));
-                let centre = pose.rotation * link.com + pose.position;
-                energy += link.spring.energy(place.position(q)) - link.mass * gravity.dot(&centre);
+                let centre = pose.rotation * link.solid.com + pose.position;
+                energy +=
+                    link.spring.energy(place.position(q)) - link.solid.mass * gravity.dot(&centre);
                 pose
             });
         });

@@ -5,6 +5,7 @@ use core::ops::Add;
 use nalgebra::{Matrix3, Vector3};
 
 use super::linear::{cross, dot, times};
+use super::pose::Pose;
 use crate::Row;
 
 /// Integrals over a body's mass, in some frame, about its origin.
@@ -97,6 +98,39 @@ impl Add for Inertia {
             mass: self.mass + other.mass,
             first_moment: self.first_moment + other.first_moment,
             second_moment: self.second_moment + other.second_moment,
+        }
+    }
+}
+
+/// A rigid body in some frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Solid {
+    pub(super) mass: f64,
+    pub(super) com: Vector3<f64>,
+    /// About the centre of mass.
+    pub(super) tensor: Matrix3<f64>,
+    /// All three about the frame's origin.
+    pub(super) inertia: Inertia,
+}
+
+impl Solid {
+    /// No mass.
+    pub(super) const NONE: Solid = Solid {
+        mass: 0.0,
+        com: Inertia::ZERO.first_moment,
+        tensor: Inertia::ZERO.second_moment,
+        inertia: Inertia::ZERO,
+    };
+
+    /// The body of a row whose frame is at a place: c' = p + R c, I' = R I R^T.
+    pub(super) fn new(row: &Row, Pose { rotation, position }: &Pose) -> Self {
+        let com = position + rotation * Vector3::from(row.com);
+        let tensor = rotation * tensor(row) * rotation.transpose();
+        Solid {
+            mass: row.mass,
+            com,
+            tensor,
+            inertia: Inertia::new(row.mass, &com, &tensor),
         }
     }
 }

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector6};
 
 use super::angle::SinCos;
+use super::inertia::Solid;
 use super::joint::Joint;
 use super::link::Link;
 use super::pose::Pose;
@@ -29,7 +30,17 @@ pub(super) struct BodyInWorld<'a> {
     tensor: &'a Matrix3<f64>,
 }
 
-impl BodyInWorld<'_> {
+impl<'a> BodyInWorld<'a> {
+    fn new(link: Option<usize>, solid: &'a Solid, Pose { rotation, position }: &'a Pose) -> Self {
+        BodyInWorld {
+            link,
+            mass: solid.mass,
+            center: rotation * solid.com + position,
+            rotation,
+            tensor: &solid.tensor,
+        }
+    }
+
     /// The inertia tensor about the centre of mass.
     pub(super) fn tensor(&self) -> Matrix3<f64> {
         self.rotation * self.tensor * self.rotation.transpose()
@@ -45,26 +56,19 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
     }
 
     pub(crate) fn forward_kinematics(&self, q: &D::Vector) -> Matrix4<f64> {
-        let tip = self.tip(&self.poses(q));
-        tip.map_or(Matrix4::repeat(f64::NAN), |tip| homogeneous(&tip.pose))
+        self.pose_at(None, q)
     }
 
     pub(crate) fn frame_pose(&self, frame: usize, q: &D::Vector) -> Matrix4<f64> {
-        homogeneous(&self.frame(frame, &self.poses(q)).pose)
+        self.pose_at(Some(frame), q)
     }
 
     pub(crate) fn jacobian(&self, q: &D::Vector) -> V::Columns<6> {
-        let poses = self.poses(q);
-        let tip = self.tip(&poses);
-        tip.map_or_else(
-            || self.arm.no_columns(),
-            |tip| self.jacobian_of(&tip, &poses),
-        )
+        self.jacobian_at(None, q)
     }
 
     pub(crate) fn frame_jacobian(&self, frame: usize, q: &D::Vector) -> V::Columns<6> {
-        let poses = self.poses(q);
-        self.jacobian_of(&self.frame(frame, &poses), &poses)
+        self.jacobian_at(Some(frame), q)
     }
 
     pub(crate) fn frame_wrench_torques(
@@ -79,12 +83,7 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
     }
 
     pub(crate) fn jacobian_rate(&self, q: &D::Vector, qd: &V::Vector) -> V::Columns<6> {
-        let poses = self.poses(q);
-        let tip = self.tip(&poses);
-        tip.map_or_else(
-            || self.arm.no_columns(),
-            |tip| self.jacobian_rate_of(&tip, &poses, qd),
-        )
+        self.jacobian_rate_at(None, q, qd)
     }
 
     pub(crate) fn frame_jacobian_rate(
@@ -93,8 +92,34 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
         q: &D::Vector,
         qd: &V::Vector,
     ) -> V::Columns<6> {
+        self.jacobian_rate_at(Some(frame), q, qd)
+    }
+
+    /// The pose of a frame, or of the tip.
+    pub(crate) fn pose_at(&self, frame: Option<usize>, q: &D::Vector) -> Matrix4<f64> {
+        let carried = self.carried(frame, &self.poses(q));
+        carried.map_or(Matrix4::repeat(f64::NAN), |at| homogeneous(&at.pose))
+    }
+
+    /// The Jacobian of a frame, or of the tip.
+    pub(crate) fn jacobian_at(&self, frame: Option<usize>, q: &D::Vector) -> V::Columns<6> {
         let poses = self.poses(q);
-        self.jacobian_rate_of(&self.frame(frame, &poses), &poses, qd)
+        let carried = self.carried(frame, &poses);
+        let jacobian = carried.map(|at| self.jacobian_of(&at, &poses));
+        jacobian.unwrap_or_else(|| self.arm.no_columns())
+    }
+
+    /// The rate of that Jacobian.
+    pub(crate) fn jacobian_rate_at(
+        &self,
+        frame: Option<usize>,
+        q: &D::Vector,
+        qd: &V::Vector,
+    ) -> V::Columns<6> {
+        let poses = self.poses(q);
+        let carried = self.carried(frame, &poses);
+        let rate = carried.map(|at| self.jacobian_rate_of(&at, &poses, qd));
+        rate.unwrap_or_else(|| self.arm.no_columns())
     }
 
     pub(crate) fn link_jacobians(&self, q: &D::Vector) -> D::Each<V::Columns<6>> {
@@ -146,37 +171,26 @@ impl<D: Size, V: Size> Placed<'_, '_, D, V> {
         Some(Carried { link, pose })
     }
 
-    /// A frame of the table in the world, and the link that carries it.
-    fn frame(&self, frame: usize, poses: &D::Links<Pose>) -> Carried {
+    /// A frame of the table in the world, or the tip, and the link that carries it.
+    fn carried(&self, frame: Option<usize>, poses: &D::Links<Pose>) -> Option<Carried> {
+        let Some(frame) = frame else {
+            return self.tip(poses);
+        };
         let FixedFrame { on, place, .. } = &self.arm.table.arm().frames[frame];
         let carrier = on.map_or(self.base.place, |k| self.arm.table_frame(k, poses));
-        Carried {
+        Some(Carried {
             link: *on,
             pose: carrier.then(&place.into()),
-        }
+        })
     }
 
     /// All bodies that move: that of the base, if it does, and the links.
     pub(super) fn bodies(&self, poses: &D::Links<Pose>, mut visit: impl FnMut(BodyInWorld<'_>)) {
         if let Some(body) = self.arm.body() {
-            let Pose { rotation, position } = &self.base.place;
-            visit(BodyInWorld {
-                link: None,
-                mass: body.mass,
-                center: rotation * body.com + position,
-                rotation,
-                tensor: &body.tensor,
-            });
+            visit(BodyInWorld::new(None, &body.solid, &self.base.place));
         }
         self.arm.walk_outward(|Place { k, link, .. }| {
-            let Pose { rotation, position } = &poses[k];
-            visit(BodyInWorld {
-                link: Some(k),
-                mass: link.mass,
-                center: rotation * link.com + position,
-                rotation,
-                tensor: &link.tensor,
-            });
+            visit(BodyInWorld::new(Some(k), &link.solid, &poses[k]));
         });
     }
 

@@ -1,9 +1,9 @@
 //! A link in the frame that the recursion works in: origin and z on the axis of its own joint.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use super::angle::SinCos;
-use super::inertia::{Inertia, tensor};
+use super::inertia::Solid;
 use super::joint::Joint;
 use super::pose::Pose;
 use crate::friction::DryFriction;
@@ -22,12 +22,7 @@ pub struct Link {
     pub(super) theta: SinCos,
     /// The place before alpha and a, if the row does not begin at the frame of the carrying link.
     mount: Option<Mount>,
-    pub(super) mass: f64,
-    pub(super) com: Vector3<f64>,
-    /// About the centre of mass.
-    pub(super) tensor: Matrix3<f64>,
-    /// All three about the frame's origin.
-    pub(super) inertia: Inertia,
+    pub(super) solid: Solid,
     pub(super) reflected_inertia: f64,
     pub(super) viscous: f64,
     pub(super) dry: DryFriction,
@@ -61,10 +56,7 @@ impl Link {
         d: 0.0,
         theta: SinCos::ZERO,
         mount: None,
-        mass: 0.0,
-        com: Vector3::new(0.0, 0.0, 0.0),
-        tensor: Inertia::ZERO.second_moment,
-        inertia: Inertia::ZERO,
+        solid: Solid::NONE,
         reflected_inertia: 0.0,
         viscous: 0.0,
         dry: DryFriction::NONE,
@@ -156,11 +148,8 @@ impl Link {
         }
     }
 
-    /// Mass properties move from the table's frame to the joint's: c' = p + R c, I' = R I R^T.
+    /// Mass properties move from the table's frame to the joint's.
     fn new(alpha: SinCos, a: f64, row: &Row, table_frame: Pose) -> Self {
-        let Pose { rotation, position } = table_frame;
-        let com = position + rotation * Vector3::from(row.com);
-        let tensor = rotation * tensor(row) * rotation.transpose();
         Link {
             joint_type: row.joint_type,
             alpha,
@@ -168,10 +157,7 @@ impl Link {
             d: row.d,
             theta: SinCos::of_constant(row.theta),
             mount: None,
-            mass: row.mass,
-            com,
-            tensor,
-            inertia: Inertia::new(row.mass, &com, &tensor),
+            solid: Solid::new(row, &table_frame),
             reflected_inertia: row.reflected_inertia(),
             viscous: row.viscous,
             dry: DryFriction::of(row),

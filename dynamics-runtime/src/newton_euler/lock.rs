@@ -42,18 +42,7 @@ impl<const N: usize> Table<N> {
         rows: [Row; L],
         motions: [JointMotion; L],
     ) -> Self {
-        Self::couple_rows(convention, gravity, &rows, &motions)
-    }
-
-    /// [`Table::couple`] with a slice of rows.
-    #[doc(hidden)]
-    pub fn couple_rows(
-        convention: Convention,
-        gravity: [f64; 3],
-        rows: &[Row],
-        motions: &[JointMotion],
-    ) -> Self {
-        Self::of_rows(None, (convention, gravity), rows, motions, &[])
+        Self::of_rows(None, (convention, gravity), &rows, &motions, &[])
     }
 
     /// As [`Table::couple`], with frames on the rows or on the base. The table has the first 16 of them. The body of any
@@ -390,9 +379,7 @@ impl Arm<'_> {
         }
         joined
     }
-}
 
-impl Arm<'_> {
     /// The body of a base that moves, with all that is fixed to it: bodies of frames, and the tool of a robot without joints.
     pub(super) fn base_body(self) -> Option<Row> {
         let mut body = self.floating?.row();

@@ -7,7 +7,8 @@ use core::ops::{Add, Mul};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::base::{Body, twist};
+use super::base::twist;
+use super::inertia::Solid;
 use super::link::Link;
 use super::pose::Pose;
 use super::walk::Place;
@@ -98,33 +99,6 @@ struct Load {
     moment: Vector,
 }
 
-/// The mass properties of a body in its frame, the tensor about the centre of mass.
-struct Solid {
-    mass: f64,
-    com: Vector3<f64>,
-    tensor: Matrix3<f64>,
-}
-
-impl From<&Link> for Solid {
-    fn from(link: &Link) -> Self {
-        Solid {
-            mass: link.mass,
-            com: link.com,
-            tensor: link.tensor,
-        }
-    }
-}
-
-impl From<&Body> for Solid {
-    fn from(body: &Body) -> Self {
-        Solid {
-            mass: body.mass,
-            com: body.com,
-            tensor: body.tensor,
-        }
-    }
-}
-
 impl Load {
     /// The force, and the moment about a point.
     fn about(&self, point: &Vector) -> [Vector; 2] {
@@ -210,16 +184,16 @@ impl FrameJets {
     }
 
     /// Newton and Euler for a body at its centre of mass.
-    fn load(&self, link: &Solid) -> Load {
-        let lever = apply(self.rotation, fixed(link.com));
+    fn load(&self, body: &Solid) -> Load {
+        let lever = apply(self.rotation, fixed(body.com));
         let (w, e) = (self.velocity, self.acceleration);
         let of_center = sum(cross(e, lever), cross(w, cross(w, lever)));
-        let still = [link.tensor, Matrix3::zeros(), Matrix3::zeros()];
+        let still = [body.tensor, Matrix3::zeros(), Matrix3::zeros()];
         let transposed = self.rotation.map(|r| r.transpose());
         let tensor = chained(chained(self.rotation, still), transposed);
         Load {
             center: sum(self.position, lever),
-            force: sum(self.linear, of_center).map(|a| a * link.mass),
+            force: sum(self.linear, of_center).map(|a| a * body.mass),
             moment: sum(apply(tensor, e), cross(w, apply(tensor, w))),
         }
     }
@@ -280,7 +254,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
                     inertia * snap + stiffness * a + slope * jerk + curvature * a * a,
                 ],
             );
-            let load = frames[place.k].load(&Solid::from(link));
+            let load = frames[place.k].load(&link.solid);
             of_base = added(of_base, load.about(&base.position));
             let Load {
                 center,
@@ -301,7 +275,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
             });
         });
         if let Some(body) = self.body() {
-            let of_body = base.load(&Solid::from(body)).about(&base.position);
+            let of_body = base.load(&body.solid).about(&base.position);
             of_base = seen_from(&base, added(of_base, of_body));
             for (i, [_, first, second]) in of_base.into_iter().enumerate() {
                 for k in 0..3 {

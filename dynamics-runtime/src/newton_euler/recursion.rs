@@ -121,7 +121,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
             base,
             #[inline(always)]
             |Place { k, link, .. }, motion| {
-                let inertia = &link.inertia;
+                let inertia = &link.solid.inertia;
                 wrenches[k] = inertia.wrench(&motion.linear_acceleration, &motion.spread);
             },
         );
@@ -139,7 +139,7 @@ impl<D: Size, V: Size> NumericArm<D, V> {
             },
         );
         if let Some(body) = self.body() {
-            let own = (body.inertia).wrench(&base.linear_acceleration, &base.spread);
+            let own = (body.solid.inertia).wrench(&base.linear_acceleration, &base.spread);
             of_links.map_or(own, |links| links + own).set(&mut tau);
         }
         tau

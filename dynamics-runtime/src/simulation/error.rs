@@ -229,12 +229,8 @@ pub enum InvalidSetting {
 impl<K: Stand> fmt::Display for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (base, q) = K::parts(K::place(&self.base, &self.q));
-        let counted = match base {
-            None => Counted::Joints,
-            Some(_) => Counted::OnBase,
-        };
         write!(f, "the simulation ended at t = {:?} s: ", self.time)?;
-        self.cause.write(f, counted)?;
+        self.cause.write(f, Behind(K::OF_BASE))?;
         f.write_str(" (")?;
         if let Some(base) = base {
             write!(f, "base = {:?}, ", base.entries().as_slice())?;
@@ -262,46 +258,36 @@ impl<K: Stand> core::error::Error for SizedSimulationError<K> {
 
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f, Counted::Joints)
+        self.write(f, Behind(0))
     }
 }
 
-/// The freedoms that causes and settings count: those of joints, or those of a base that moves before them.
+/// Joints behind so many freedoms of the base: causes and settings count all freedoms.
 #[derive(Clone, Copy, Debug)]
-enum Counted {
-    Joints,
-    OnBase,
-}
+struct Behind(usize);
 
-impl Counted {
+impl Behind {
     /// The name of a freedom: joints count from 1.
     fn name(self, freedom: usize) -> String {
-        let (name, before) = match self {
-            Counted::Joints => (None, 0),
-            Counted::OnBase => (NAMES_OF_BASE.get(freedom), NAMES_OF_BASE.len()),
-        };
-        name.map_or_else(
-            || format!("joint {}", freedom + 1 - before),
-            |name| (*name).to_owned(),
-        )
+        match NAMES_OF_BASE[..self.0].get(freedom) {
+            Some(name) => (*name).to_owned(),
+            None => format!("joint {}", freedom + 1 - self.0),
+        }
     }
 
     /// Joints by their own numbers.
     fn joints(self, set: JointSet) -> JointSet {
-        match self {
-            Counted::Joints => set,
-            Counted::OnBase => JointSet(set.0 >> NAMES_OF_BASE.len()),
-        }
+        JointSet(set.0 >> self.0)
     }
 }
 
 impl Cause {
-    fn write(&self, f: &mut fmt::Formatter<'_>, counted: Counted) -> fmt::Result {
+    fn write(&self, f: &mut fmt::Formatter<'_>, behind: Behind) -> fmt::Result {
         let mut not_finite = |what: &str, joint: &usize| {
-            write!(f, "the {what} of {} is not finite", counted.name(*joint))
+            write!(f, "the {what} of {} is not finite", behind.name(*joint))
         };
         match self {
-            Cause::InvalidSetting(setting) => setting.write(f, counted),
+            Cause::InvalidSetting(setting) => setting.write(f, behind),
             Cause::SingularMassMatrix(error) => write!(f, "{error}"),
             Cause::NonFiniteTorque { joint } => not_finite("torque", joint),
             Cause::NonFiniteAcceleration { joint } => not_finite("acceleration", joint),
@@ -316,17 +302,17 @@ impl Cause {
             Cause::NoConvergence => f.write_str("the step is too long for an implicit method"),
             Cause::TooManySteps => f.write_str("more steps between two samples than `max_steps`"),
             Cause::JointLimit { joint, limit } => {
-                write!(f, "{} passes its limit {limit:?}", counted.name(*joint))
+                write!(f, "{} passes its limit {limit:?}", behind.name(*joint))
             }
             Cause::Chatter { joint } => write!(
                 f,
                 "{} chatters: the torques drive it back to rest from both sides",
-                counted.name(*joint)
+                behind.name(*joint)
             ),
             Cause::Impacts { joints } => write!(
                 f,
                 "the motion does not get on at the stops of {}: they hit or leave them again and again",
-                counted.joints(*joints)
+                behind.joints(*joints)
             ),
         }
     }
@@ -334,12 +320,12 @@ impl Cause {
 
 impl fmt::Display for InvalidSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f, Counted::Joints)
+        self.write(f, Behind(0))
     }
 }
 
 impl InvalidSetting {
-    fn write(&self, f: &mut fmt::Formatter<'_>, counted: Counted) -> fmt::Result {
+    fn write(&self, f: &mut fmt::Formatter<'_>, behind: Behind) -> fmt::Result {
         const TIME: &str = "a finite time that is not lost in the rounding of the duration";
         let mut impossible = |given: fmt::Arguments<'_>, expected: &str| {
             write!(f, "{given} is not possible: expected {expected}")
@@ -365,10 +351,10 @@ impl InvalidSetting {
             InvalidSetting::CoulombFriction { joint } => write!(
                 f,
                 "{} has Coulomb friction, which Taylor series do not follow",
-                counted.name(*joint)
+                behind.name(*joint)
             ),
             InvalidSetting::InitialState { joint } => {
-                write!(f, "the initial state of {} is not finite", counted.name(*joint))
+                write!(f, "the initial state of {} is not finite", behind.name(*joint))
             }
             InvalidSetting::FrictionSpeed(speed) => {
                 write!(f, "friction cannot be regularised over a speed of {speed:?}")
@@ -380,15 +366,15 @@ impl InvalidSetting {
             InvalidSetting::Limits { joint } => write!(
                 f,
                 "the limits of {} are no range: the lower one first, both numbers",
-                counted.name(*joint)
+                behind.name(*joint)
             ),
             InvalidSetting::TorqueLimit { joint } => {
-                write!(f, "the torque limit of {} is not a number above zero", counted.name(*joint))
+                write!(f, "the torque limit of {} is not a number above zero", behind.name(*joint))
             }
             InvalidSetting::OutsideLimits { joint, q, limits } => write!(
                 f,
                 "{} begins at {q:?}, outside of its limits {:?} to {:?}",
-                counted.name(*joint),
+                behind.name(*joint),
                 limits[0],
                 limits[1]
             ),

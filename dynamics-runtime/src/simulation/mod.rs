@@ -37,6 +37,7 @@ use friction::Law;
 use limits::{AtLimit, Limits};
 use method::Integrator;
 use motion::Motion;
+use on_charts::{OnCharts, placed};
 use plan::{Plan, plan_setters};
 use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
@@ -483,52 +484,63 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     plan_setters!();
 }
 
-impl<R, L, W, D: Size> Simulation<'_, R, L, D, W>
-where
-    R: EquationsOfMotion<D>,
-    L: Fn(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolWrench<R, D>,
-{
-    /// Runs the simulation. It allocates the samples at the start and nothing later.
+impl<R: EquationsOfMotion<K>, L, W, K: Stand> Simulation<'_, R, L, K, W> {
+    /// Runs the simulation. For an arm it allocates the samples at the start and nothing later.
+    ///
+    /// On a base that moves, methods are explicit ones; its rotation stays one within 1e-15, however many steps there are.
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], with the time and the state reached and all samples up to there; its [`Cause`] says why.
-    /// Never panics, unless a law does.
-    pub fn run(&self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>>
+    /// [`SimulationError`], or [`SizedFloatingError`], with the time and the state reached and all samples up to there; its
+    /// [`Cause`] says why. Implicit methods on a base that moves are an invalid setting. Never panics, unless a law does.
+    pub fn run(&self) -> Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>
     where
-        W: ContinuousWrench,
+        for<'l> &'l L: ForceLaw<K>,
+        W: ToolWrench<R, K> + ContinuousWrench,
     {
-        let laws = Laws::<_, _, _, D> {
+        let charts = K::charts(&self.start);
+        let laws = Laws::<_, _, _, K> {
             robot: self.robot,
-            charts: &(),
+            charts: &charts,
             torque: &self.torque,
             tool_wrench: &self.tool_wrench,
             greatest: self.setting.greatest.as_ref(),
         };
-        self.setting.run(self.robot, &laws)
+        let robot = OnCharts::<_, K> {
+            robot: self.robot,
+            charts: &charts,
+        };
+        let end = self.setting.run(&robot, &laws);
+        placed(charts, end)
     }
 }
 
-impl<R, L, W, D: Size> Simulation<'_, R, L, D, W, Sampled>
-where
-    R: EquationsOfMotion<D>,
-    L: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector,
-    W: ToolWrench<R, D>,
-{
+impl<R: EquationsOfMotion<K>, L, W, K: Stand> Simulation<'_, R, L, K, W, Sampled> {
     /// Runs the simulation, as under laws that are functions of time and state.
     ///
     /// # Errors
     ///
     /// [`SimulationError`], as under these.
-    pub fn run(&mut self) -> Result<SizedTrajectory<D>, Box<SizedSimulationError<D>>> {
-        let (size, period) = (self.robot.size(), Some(self.asked.period));
-        let (torque, tool_wrench) = (&mut self.torque, &mut self.tool_wrench);
-        let greatest = self.setting.greatest.as_ref();
-        let robot = (self.robot, &());
-        let laws =
-            SampledLaws::<_, _, _, D>::new(size, robot, period, torque, tool_wrench, greatest);
-        self.setting.run(self.robot, &laws)
+    pub fn run(&mut self) -> Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>
+    where
+        L: ForceLaw<K>,
+        W: ToolWrench<R, K>,
+    {
+        let charts = K::charts(&self.start);
+        let laws = SampledLaws::<_, _, _, K>::new(
+            self.robot.size(),
+            (self.robot, &charts),
+            Some(self.asked.period),
+            &mut self.torque,
+            &mut self.tool_wrench,
+            self.setting.greatest.as_ref(),
+        );
+        let robot = OnCharts::<_, K> {
+            robot: self.robot,
+            charts: &charts,
+        };
+        let end = self.setting.run(&robot, &laws);
+        placed(charts, end)
     }
 }
 
@@ -565,6 +577,13 @@ impl<D: Size, M> Setting<D, M> {
     where
         M: Integrator<R, L, D>,
     {
+        if motion
+            .robot
+            .charts()
+            .is_some_and(|charts| !charts.begin_at_rotation())
+        {
+            return Err(InvalidSetting::Rotation.into());
+        }
         self.plan.validate(motion.torque.period())?;
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;

@@ -1,52 +1,87 @@
-//! A robot on a base that moves, as equations of motion in charts.
+//! A robot as equations of motion in what is integrated: the positions of joints, behind coordinates of a base that moves.
 
+use super::error::{Outcome, SizedSimulationError};
+use super::trajectory::SizedTrajectory;
 use crate::size::Size;
-use crate::stand::{Charted, Charts, OnBase};
-use crate::{EquationsOfMotion, Pose, Responses, SingularMassMatrix};
+use crate::stand::{Charted, Stand, Velocities};
+use crate::{EquationsOfMotion, Responses, SingularMassMatrix, SizedMomenta};
 
-/// A robot, and the charts in which its base is followed.
-pub(super) struct OnCharts<'a, R, D: Size, V: Size> {
+/// A robot, and the charts in which a base that moves is followed.
+pub(super) struct OnCharts<'a, R, K: Stand> {
     pub(super) robot: &'a R,
-    pub(super) charts: &'a Charts<D, V>,
+    pub(super) charts: &'a K::Charts,
 }
 
-impl<R, D: Size, V: Size> OnCharts<'_, R, D, V> {
-    fn place(&self, positions: &V::Vector) -> (Pose<f64>, D::Vector) {
-        (self.charts.pose(positions), self.charts.joints(positions))
-    }
-}
-
-impl<R, D: Size, V: Size> EquationsOfMotion<V> for OnCharts<'_, R, D, V>
-where
-    R: EquationsOfMotion<OnBase<D, V>>,
-{
-    fn size(&self) -> V {
+impl<R: EquationsOfMotion<K>, K: Stand> EquationsOfMotion<K::Freedoms> for OnCharts<'_, R, K> {
+    fn size(&self) -> K::Freedoms {
         self.robot.size()
     }
 
+    #[inline]
     fn accelerations(
         &self,
-        positions: &V::Vector,
-        v: &V::Vector,
-        tau: &V::Vector,
-    ) -> Result<V::Vector, SingularMassMatrix> {
-        let (base, q) = self.place(positions);
-        self.robot.accelerations((&base, &q), v, tau)
+        positions: &Velocities<K>,
+        v: &Velocities<K>,
+        tau: &Velocities<K>,
+    ) -> Result<Velocities<K>, SingularMassMatrix> {
+        K::seen(self.charts, positions, |place| {
+            self.robot.accelerations(place, v, tau)
+        })
     }
 
     fn accelerations_and_responses(
         &self,
-        positions: &V::Vector,
-        v: &V::Vector,
-        tau: &V::Vector,
-        freedoms: &V::Each<bool>,
-    ) -> Result<Responses<V>, SingularMassMatrix> {
-        let (base, q) = self.place(positions);
-        self.robot
-            .accelerations_and_responses((&base, &q), v, tau, freedoms)
+        positions: &Velocities<K>,
+        v: &Velocities<K>,
+        tau: &Velocities<K>,
+        freedoms: &<K::Freedoms as Size>::Each<bool>,
+    ) -> Result<Responses<K::Freedoms>, SingularMassMatrix> {
+        K::seen(self.charts, positions, |place| {
+            self.robot
+                .accelerations_and_responses(place, v, tau, freedoms)
+        })
     }
 
-    fn charts(&self) -> Option<&dyn Charted<V>> {
-        Some(self.charts)
+    #[inline]
+    fn in_momenta(&self) -> Option<&dyn SizedMomenta<K::Freedoms>> {
+        self.robot.in_momenta()
     }
+
+    #[inline]
+    fn charts(&self) -> Option<&dyn Charted<K::Freedoms>> {
+        K::charted(self.charts)
+    }
+}
+
+/// The motion of the robot itself, from that in charts.
+pub(super) fn placed<K: Stand>(charts: K::Charts, end: Outcome<K::Freedoms>) -> Outcome<K> {
+    let (motion, reached) = match end {
+        Ok(motion) => (motion, None),
+        Err(error) => {
+            let place = K::seen(&charts, &error.q, K::kept);
+            let reached = (error.time, place, error.qd, error.cause);
+            (error.trajectory, Some(reached))
+        }
+    };
+    let (base, q) = K::sampled(charts, motion.q);
+    let trajectory = SizedTrajectory {
+        t: motion.t,
+        base,
+        q,
+        qd: motion.qd,
+        qdd: motion.qdd,
+        tau: motion.tau,
+        work: motion.work,
+    };
+    let Some((time, (base, q), qd, cause)) = reached else {
+        return Ok(trajectory);
+    };
+    Err(Box::new(SizedSimulationError {
+        time,
+        base,
+        q,
+        qd,
+        cause,
+        trajectory,
+    }))
 }

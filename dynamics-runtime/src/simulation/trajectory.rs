@@ -2,10 +2,10 @@
 
 use nalgebra::Const;
 
+use crate::Energy;
 use crate::equations_of_motion::SizedModel;
 use crate::size::Size;
 use crate::stand::{OnBase, Stand, Velocities};
-use crate::{Energy, Pose};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
 /// `tau[k]` there, and with `base[k]` on a base that moves.
@@ -159,14 +159,14 @@ impl<K: Stand> SizedTrajectory<K> {
     pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<K>> + ExactSizeIterator {
         let states = self.places().zip(&self.qd).zip(&self.t).enumerate();
         states.map(|(k, ((place, qd), t))| {
-            let (base, q) = K::parts(place);
+            let (base, q) = K::kept(place);
             let unknown = || K::Freedoms::of(qd).vector_of(|_| f64::NAN);
             let [qdd, tau] =
                 [&self.qdd, &self.tau].map(|list| list.get(k).cloned().unwrap_or_else(unknown));
             Sample {
                 t: *t,
-                base: K::pose(base.copied().unwrap_or_else(Pose::identity)),
-                q: q.clone(),
+                base,
+                q,
                 qd: qd.clone(),
                 qdd,
                 tau,

@@ -13,12 +13,16 @@ use core::marker::PhantomData;
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::closed_form::is_rotation;
 use crate::size::Size;
 use crate::{Pose, Scalar, quaternion};
 
 /// Positions that are coordinates in charts, of a robot whose equations are those of
 /// [`EquationsOfMotion`](crate::EquationsOfMotion).
 pub trait Charted<V: Size> {
+    /// Whether they begin at a rotation.
+    fn begin_at_rotation(&self) -> bool;
+
     /// The rates of the coordinates.
     fn position_rates(&self, positions: &V::Vector, v: &V::Vector) -> V::Vector;
 
@@ -84,6 +88,10 @@ impl<D: Size, V: Size> Charts<D, V> {
 }
 
 impl<D: Size, V: Size> Charted<V> for Charts<D, V> {
+    fn begin_at_rotation(&self) -> bool {
+        is_rotation(&self.initial)
+    }
+
     /// `p' = R exp(phi x) v`, `phi' = w + 1/2 phi x w + c phi x (phi x w)` with the velocities v and w of the base in its own
     /// axes: the inverse of the differential of exp (A. Iserles et al., *Lie-group methods*, Acta Numerica 9 (2000), (B.11)).
     fn position_rates(&self, positions: &V::Vector, v: &V::Vector) -> V::Vector {

@@ -1,13 +1,10 @@
 //! The base of a simulated robot: it stands or moves.
 
-#[cfg(feature = "std")]
 mod charts;
 
 use core::fmt::Debug;
-#[cfg(feature = "std")]
 use core::marker::PhantomData;
 
-#[cfg(feature = "std")]
 pub(crate) use charts::{Charted, Charts};
 
 use crate::Pose;
@@ -18,7 +15,6 @@ mod sealed {
 
     impl<D: crate::Size> Sealed for D {}
 
-    #[cfg(feature = "std")]
     impl<D: crate::Size, V: crate::Size> Sealed for super::OnBase<D, V> {}
 }
 
@@ -66,6 +62,14 @@ pub trait Stand: sealed::Sealed + 'static {
         q: &'a [<Self::Joints as Size>::Vector],
     ) -> impl ExactSizeIterator<Item = Self::Place<'a>> + DoubleEndedIterator;
 
+    /// The charts of a run that begins there.
+    #[doc(hidden)]
+    fn charts(start: &Self::Pose) -> Self::Charts;
+
+    /// The charts, if the positions of the integration are coordinates in them.
+    #[doc(hidden)]
+    fn charted(charts: &Self::Charts) -> Option<&dyn Charted<Self::Freedoms>>;
+
     /// Hands on the place that the positions of the integration are.
     #[doc(hidden)]
     fn seen<X>(
@@ -73,6 +77,21 @@ pub trait Stand: sealed::Sealed + 'static {
         positions: &<Self::Freedoms as Size>::Vector,
         then: impl FnOnce(Self::Place<'_>) -> X,
     ) -> X;
+
+    /// Where the robot is at the samples of a run, by the positions of the integration there.
+    #[doc(hidden)]
+    fn sampled(
+        charts: Self::Charts,
+        positions: Vec<<Self::Freedoms as Size>::Vector>,
+    ) -> (Self::Poses, Vec<<Self::Joints as Size>::Vector>);
+
+    /// Where the robot is, to be kept.
+    #[doc(hidden)]
+    fn kept(place: Self::Place<'_>) -> (Self::Pose, <Self::Joints as Size>::Vector) {
+        let (base, q) = Self::parts(place);
+        let base = base.copied().unwrap_or_else(Pose::identity);
+        (Self::pose(base), q.clone())
+    }
 }
 
 /// The velocities of a robot; its accelerations and forces too.
@@ -109,18 +128,27 @@ impl<D: Size> Stand for D {
         q.iter()
     }
 
+    fn charts(_: &()) {}
+
+    #[inline(always)]
+    fn charted(_: &()) -> Option<&dyn Charted<D>> {
+        None
+    }
+
     #[inline(always)]
     fn seen<X>(_: &(), q: &D::Vector, then: impl FnOnce(&D::Vector) -> X) -> X {
         then(q)
+    }
+
+    fn sampled(_: (), q: Vec<D::Vector>) -> ((), Vec<D::Vector>) {
+        ((), q)
     }
 }
 
 /// A base that moves, below `D` joints: the robot has `V` = 6 + `D` velocities.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg(feature = "std")]
 pub struct OnBase<D, V>(PhantomData<(D, V)>);
 
-#[cfg(feature = "std")]
 impl<D: Size, V: Size> Stand for OnBase<D, V> {
     type Joints = D;
     type Freedoms = V;
@@ -154,11 +182,27 @@ impl<D: Size, V: Size> Stand for OnBase<D, V> {
         base.iter().zip(q)
     }
 
+    fn charts(start: &Pose<f64>) -> Charts<D, V> {
+        Charts::around(start.rotation)
+    }
+
+    fn charted(charts: &Charts<D, V>) -> Option<&dyn Charted<V>> {
+        Some(charts)
+    }
+
     fn seen<X>(
         charts: &Charts<D, V>,
         positions: &V::Vector,
         then: impl FnOnce(Self::Place<'_>) -> X,
     ) -> X {
         then((&charts.pose(positions), &charts.joints(positions)))
+    }
+
+    fn sampled(
+        charts: Charts<D, V>,
+        positions: Vec<V::Vector>,
+    ) -> (Vec<Pose<f64>>, Vec<D::Vector>) {
+        let q = positions.iter().map(|at| charts.joints(at)).collect();
+        (charts.noted(), q)
     }
 }

@@ -27,7 +27,7 @@ pub fn is_massless(robot: &Robot) -> bool {
 /// The mass of all that moves.
 pub(super) fn total_mass<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let (zero, arm) = (symbols.graph().zero(), symbols.arm());
-    let links = arm.joints.iter().map(|joint| &joint.mass).enumerate();
+    let links = arm.joints.iter().map(|joint| &joint.body.mass).enumerate();
     let fixed_bodies = arm.fixed_bodies.iter();
     let masses = links.chain(fixed_bodies.map(|fixed| (fixed.link, &fixed.body.mass)));
     let moving = masses.filter(|(link, _)| !arm.is_of_base(*link));

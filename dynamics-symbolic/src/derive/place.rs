@@ -9,7 +9,7 @@
 use crate::exact::Rational;
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
 use crate::mechanism::Mechanism;
-use crate::robot::{Interpretation, Placement, Value};
+use crate::robot::{Body, Interpretation, Placement, Value};
 use crate::spatial::{Axis, Central, Place, Turn, Turns};
 
 /// The last of some frames, each placed in the one before it.
@@ -121,16 +121,11 @@ pub(super) fn datum<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Option
 }
 
 /// A rigid body, from its cells.
-pub(super) fn central<I: Interpretation>(
-    cells: &mut I,
-    mass: &Value,
-    com: &[Value; 3],
-    inertia: &[Value; 6],
-) -> Central<I::Number> {
+pub(super) fn central<I: Interpretation>(cells: &mut I, body: &Body) -> Central<I::Number> {
     Central {
-        mass: cells.value(mass),
-        com: vector(cells, com),
-        inertia: Symmetric3::from_entries(inertia.each_ref().map(|entry| cells.value(entry))),
+        mass: cells.value(&body.mass),
+        com: vector(cells, &body.com),
+        inertia: Symmetric3::from_entries(body.inertia.each_ref().map(|entry| cells.value(entry))),
     }
 }
 

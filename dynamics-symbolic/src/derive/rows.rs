@@ -45,18 +45,12 @@ impl<R: Ring> Places<R> {
         arm: &Mechanism,
         i: usize,
     ) -> Body<R> {
-        let joint = &arm.joints[i];
         let leave = |body: Central<R>| Body::new(self.behind[i].leave_body(body));
-        let own = leave(place::central(
-            cells,
-            &joint.mass,
-            &joint.com,
-            &joint.inertia,
-        ));
+        let own = leave(place::central(cells, &arm.joints[i].body));
         let fixed_bodies = arm.fixed_bodies.iter();
         let here = fixed_bodies.filter(|fixed| fixed.link == i);
         here.fold(own, |own, FixedBody { places, body, .. }| {
-            let body = place::central(cells, &body.mass, &body.com, &body.inertia);
+            let body = place::central(cells, body);
             own.joined(leave(place(cells, places).leave_body(body)))
         })
     }

@@ -12,7 +12,7 @@ use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
 use crate::mechanism::FixedBody;
-use crate::robot::{Interpretation, Value};
+use crate::robot::{self, Interpretation};
 
 /// The equations of motion of the joints that move by themselves, by the textbook.
 pub struct Textbook<'g> {
@@ -83,16 +83,14 @@ impl<'g> Textbook<'g> {
 struct Body<'g> {
     /// The link that carries it.
     link: usize,
-    mass: &'g Value,
-    com: &'g [Value; 3],
-    inertia: &'g [Value; 6],
+    cells: &'g robot::Body,
     pose: Pose<'g>,
 }
 
 impl<'g> Body<'g> {
     /// The centre of mass in the world.
     fn center(&self, symbols: &mut Symbols<'g>) -> Vector3<Expr<'g>> {
-        let com = Vector3(self.com.each_ref().map(|x| symbols.value(x)));
+        let com = Vector3(self.cells.com.each_ref().map(|x| symbols.value(x)));
         self.pose.leave(com) + self.pose.origin
     }
 
@@ -106,7 +104,11 @@ impl<'g> Body<'g> {
 
     /// The inertia tensor about the centre of mass, in the body's frame.
     fn tensor(&self, symbols: &mut Symbols<'g>) -> Symmetric3<Expr<'g>> {
-        let entries = self.inertia.each_ref().map(|entry| symbols.value(entry));
+        let entries = self
+            .cells
+            .inertia
+            .each_ref()
+            .map(|entry| symbols.value(entry));
         Symmetric3::from_entries(entries)
     }
 }
@@ -118,9 +120,7 @@ fn bodies<'g>(symbols: &mut Symbols<'g>) -> Vec<Body<'g>> {
     let links = arm.joints.iter().zip(&frames).enumerate();
     let links = links.map(|(link, (joint, frame))| Body {
         link,
-        mass: &joint.mass,
-        com: &joint.com,
-        inertia: &joint.inertia,
+        cells: &joint.body,
         pose: frame.pose,
     });
     let fixed_bodies = arm
@@ -128,9 +128,7 @@ fn bodies<'g>(symbols: &mut Symbols<'g>) -> Vec<Body<'g>> {
         .iter()
         .map(|FixedBody { link, places, body }| Body {
             link: *link,
-            mass: &body.mass,
-            com: &body.com,
-            inertia: &body.inertia,
+            cells: body,
             pose: fixed(symbols, &frames, (Some(*link), places)),
         });
     links.chain(fixed_bodies).collect()
@@ -148,7 +146,7 @@ fn kinetic_energy<'g>(symbols: &mut Symbols<'g>, half: Expr<'g>) -> Expr<'g> {
         let inertia = body.tensor(symbols);
         let motor = symbols.arm().joints.get(i);
         let motor = motor.map(|joint| (reflected(symbols, joint), symbols.joint(i).qd));
-        let linear = symbols.value(body.mass) * velocity.dot(velocity);
+        let linear = symbols.value(&body.cells.mass) * velocity.dot(velocity);
         twice = twice + linear + w.dot(inertia.apply(w));
         if let Some((reflected, qd)) = motor {
             twice = twice + reflected * qd * qd;
@@ -164,7 +162,7 @@ fn potential_energy<'g>(symbols: &mut Symbols<'g>) -> Expr<'g> {
     let bodies = bodies(symbols).into_iter();
     for body in bodies.filter(|body| !arm.is_of_base(body.link)) {
         let center = body.center(symbols);
-        energy = energy - symbols.value(body.mass) * gravity.dot(center);
+        energy = energy - symbols.value(&body.cells.mass) * gravity.dot(center);
     }
     energy
 }

@@ -1,7 +1,7 @@
 //! The inputs that a method reads before its first operation: arguments, fields, sines and cosines.
 
-use super::names::{field, ident, plain, punct};
-use crate::function::{Argument, Request};
+use super::names::{field, ident, punct};
+use crate::function::{Argument, Request, plain};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};
 use proc_macro2::{Ident, Literal, TokenStream};

@@ -23,6 +23,7 @@ pub use languages::{
     casadi_source, description, inverse_in_c, inverse_in_javascript, javascript_module,
     matlab_files, python_module, python_module_name, snake_case,
 };
+pub use names::field;
 pub use signature::{
     base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
     stub_of_trait,

@@ -15,13 +15,8 @@ pub(super) fn punct(operator: char) -> TokenTree {
     Punct::new(operator, Spacing::Alone).into()
 }
 
-/// A field's name without the `r#` of a raw identifier.
-pub(super) fn plain(field: &str) -> &str {
-    field.strip_prefix("r#").unwrap_or(field)
-}
-
 /// The identifier of a field of the user's struct.
-pub(super) fn field(name: &str) -> Ident {
+pub fn field(name: &str) -> Ident {
     let span = proc_macro2::Span::call_site();
     match name.strip_prefix("r#") {
         Some(raw) => Ident::new_raw(raw, span),

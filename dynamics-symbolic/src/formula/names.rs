@@ -4,7 +4,7 @@ use super::atom::{Atom, Run};
 use super::entries::is_entry;
 use super::expression::{Base, Expression, Factor};
 use super::groups::{Groups, Member};
-use crate::function::Freedoms;
+use crate::function::{Freedoms, plain};
 use crate::robot::{Robot, Value};
 use std::collections::BTreeSet;
 
@@ -31,8 +31,8 @@ impl Names {
         divisors: Vec<Expression>,
     ) -> Self {
         let freedoms = robot.freedoms();
-        let plain = |field: &String| field.strip_prefix("r#").unwrap_or(field).to_owned();
-        let fields: Vec<String> = robot.fields.iter().map(plain).collect();
+        let fields = robot.fields.iter().map(|field| plain(field).to_owned());
+        let fields: Vec<String> = fields.collect();
         let is_short = freedoms.joints < 10 && !fields.iter().any(|field| is_like_a_sine(field));
         let told_apart = |field: String| match is_entry(freedoms, &field) {
             true => format!("self.{field}"),

@@ -126,14 +126,8 @@ impl Plan {
         self.steps.iter().map(|step| step.solutions()).product()
     }
 
-    /// The index of each step's first coefficient among the outputs of the program.
-    pub fn first_outputs(&self) -> Vec<usize> {
-        let first = |step| self.outputs_of(step).start;
-        (0..self.steps.len()).map(first).collect()
-    }
-
     /// The coefficients of the step of that number, among the outputs of the program.
-    pub(crate) fn outputs_of(&self, step: usize) -> Range<usize> {
+    pub fn outputs_of(&self, step: usize) -> Range<usize> {
         let before = self.steps[..step].iter();
         let first = before.map(|step| step.coefficients()).sum();
         first..first + self.steps[step].coefficients()

@@ -39,9 +39,7 @@ pub(super) fn joints(body: &Body) -> Vec<Joint> {
     let joints = kinds.flat_map(|kind| (0..3).map(move |axis| (kind, axis)));
     let mut joints: Vec<_> = joints.enumerate().map(joint).collect();
     if let Some(last) = joints.last_mut() {
-        last.mass = body.mass.clone();
-        last.com = body.com.clone();
-        last.inertia = body.inertia.clone();
+        last.body = body.clone();
     }
     joints
 }
@@ -67,9 +65,7 @@ fn joint((number, (joint_type, axis)): (usize, (JointType, usize))) -> Joint {
         origin: Origin::AfterOffset,
         law: Law::Base { number },
         link_frame: Vec::new(),
-        mass: row.mass.clone(),
-        com: row.com.clone(),
-        inertia: row.inertia.clone(),
+        body: row.body(),
         forces: Forces::of(&row),
         limits: None,
     }

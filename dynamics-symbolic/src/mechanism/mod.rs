@@ -83,12 +83,8 @@ pub(crate) struct Joint {
     pub(crate) law: Law,
     /// Where the link frame is in the joint's frame, each placement in the one before it.
     pub(crate) link_frame: Vec<Placement>,
-    /// Mass of the link.
-    pub(crate) mass: Value,
-    /// Its centre of mass in the link frame.
-    pub(crate) com: [Value; 3],
-    /// Its inertia tensor about the centre of mass: xx, yy, zz, xy, yz, xz.
-    pub(crate) inertia: [Value; 6],
+    /// The body of the link, in the link frame.
+    pub(crate) body: Body,
     /// Friction, motor and spring: none at a joint that stands still.
     pub(crate) forces: Forces,
     /// The range of positions, where it is known.

@@ -1,7 +1,7 @@
 //! From the rows of a table to a mechanism.
 
 use super::{Aligned, FixedBody, Forces, Frame, Joint, Law, Mechanism, Origin, Tree, base};
-use crate::robot::{Body, Convention, JointType, Placement, Robot, Row, Value};
+use crate::robot::{Convention, JointType, Placement, Robot, Row, Value};
 
 impl From<&Robot> for Mechanism {
     fn from(robot: &Robot) -> Self {
@@ -69,13 +69,11 @@ fn fixed_bodies(robot: &Robot) -> Vec<FixedBody> {
     let tool = robot.tool.as_ref().filter(|tool| tool.has_body());
     let tool = tool.and_then(|tool| {
         let Frame { link, places } = tip(robot);
-        let body = Body {
-            mass: tool.mass.clone(),
-            com: tool.com.clone(),
-            inertia: tool.inertia.clone(),
-        };
-        let link = link?;
-        Some(FixedBody { link, places, body })
+        Some(FixedBody {
+            link: link?,
+            places,
+            body: tool.body.clone(),
+        })
     });
     let of_frames = robot.frames.iter().filter_map(|frame| {
         Some(FixedBody {
@@ -122,9 +120,7 @@ fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> 
         d: row.d.clone(),
         origin,
         link_frame,
-        mass: row.mass.clone(),
-        com: row.com.clone(),
-        inertia: row.inertia.clone(),
+        body: row.body(),
         forces: match law {
             Law::Standing { .. } => Forces::of(&Row::new("", row.joint_type)),
             Law::Free { .. } | Law::Base { .. } | Law::Following { .. } => Forces::of(row),

@@ -5,21 +5,8 @@
 //! No operation is added, and sums keep the products that are fused into them.
 
 use super::{
-    Constant, ConstantId, ConstantPool, Instruction, Line, Operand, Program, Readers, Rest,
-    UpToSign,
+    Constant, ConstantId, ConstantPool, Instruction, Operand, Program, Readers, UpToSign, cycles,
 };
-use crate::robot::Symbol;
-
-/// How long operations take, in cycles: today's processors differ by a few, and only the proportions matter.
-mod cycles {
-    pub(super) const SINE: u32 = 60;
-    pub(super) const EXPONENTIAL: u32 = 60;
-    pub(super) const SIGN: u32 = 6;
-    pub(super) const ADD: u32 = 3;
-    pub(super) const MULTIPLY: u32 = 3;
-    pub(super) const FUSED: u32 = 4;
-    pub(super) const DIVIDE: u32 = 13;
-}
 
 impl Program {
     /// The same outputs from as many operations, in shorter chains.
@@ -46,48 +33,6 @@ impl Program {
             instructions: balance.instructions,
             is_plain: self.is_plain,
         }
-    }
-}
-
-/// When an input is ready.
-fn cycles_of_input(input: &Symbol) -> u32 {
-    match input {
-        Symbol::Sine(_) | Symbol::Cosine(_) => cycles::SINE,
-        Symbol::AngleSine(_) | Symbol::AngleCosine(_) => cycles::SINE,
-        Symbol::VelocitySign(_) => cycles::SIGN,
-        Symbol::Stribeck(_) => cycles::EXPONENTIAL,
-        _ => 0,
-    }
-}
-
-/// When the result of each line is ready; zero for products that are written into sums.
-pub(super) fn ready_times(program: &Program, lines: &[Option<Line>]) -> Vec<u32> {
-    let mut ready = Vec::with_capacity(lines.len());
-    for line in lines {
-        let of_operand = |operand| match operand {
-            Operand::Constant(_) => 0,
-            Operand::Input(index) => cycles_of_input(&program.inputs[index as usize]),
-            Operand::Result(index) => ready[index as usize],
-        };
-        let of_line = |line: &Line| {
-            let operands = line.operands().into_iter().map(of_operand);
-            operands.max().unwrap_or(0) + cycles_of(line)
-        };
-        let time = line.as_ref().map_or(0, of_line);
-        ready.push(time);
-    }
-    ready
-}
-
-fn cycles_of(line: &Line) -> u32 {
-    match line {
-        Line::Single(Instruction::Add(..) | Instruction::Sub(..)) => cycles::ADD,
-        Line::Single(Instruction::Mul(..)) => cycles::MULTIPLY,
-        Line::Single(Instruction::Div(..)) => cycles::DIVIDE,
-        Line::Fused { rest, .. } => match rest {
-            Rest::Product(..) => cycles::MULTIPLY + cycles::FUSED,
-            Rest::Plus(_) | Rest::Minus(_) => cycles::FUSED,
-        },
     }
 }
 
@@ -166,7 +111,7 @@ impl Balance<'_> {
     fn read(&self, operand: Operand) -> Scheduled {
         let ready = match operand {
             Operand::Constant(_) => 0,
-            Operand::Input(index) => cycles_of_input(&self.program.inputs[index as usize]),
+            Operand::Input(index) => cycles::of_input(&self.program.inputs[index as usize]),
             Operand::Result(index) => {
                 return self.places[index as usize].expect("operands are placed first");
             }
@@ -311,6 +256,7 @@ fn take_earliest(terms: &mut Vec<Term>) -> (Term, Term) {
 mod tests {
     use super::*;
     use crate::program::Output;
+    use crate::robot::Symbol;
 
     const SINE: Operand = Operand::Input(0);
     const A: Operand = Operand::Input(1);

@@ -7,6 +7,7 @@ mod build;
 mod circle;
 mod constant;
 mod count;
+mod cycles;
 mod evaluate;
 mod line;
 mod order;

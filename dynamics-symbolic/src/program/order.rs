@@ -6,7 +6,7 @@
 //! Goodman and Hsu 1988): by preference the line whose operands are ready latest, as long as it makes few more results wait.
 //! No digit depends on it.
 
-use super::balance::ready_times;
+use super::cycles::ready_times;
 use super::{Line, Operand, Program, UpToSign};
 use core::cmp::Reverse;
 use std::collections::BinaryHeap;

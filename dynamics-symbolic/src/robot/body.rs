@@ -13,3 +13,10 @@ pub struct Body<C = Value> {
     /// tensor, kg m^2.
     pub inertia: [C; 6],
 }
+
+impl Body {
+    /// Whether its mass and its tensor are the number zero.
+    pub fn is_massless(&self) -> bool {
+        self.mass.is_zero() && self.inertia.iter().all(Value::is_zero)
+    }
+}

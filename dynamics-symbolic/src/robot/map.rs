@@ -127,9 +127,7 @@ impl<C> Tool<C> {
     pub fn map<D>(&self, cell: &mut impl FnMut(&C, Quantity) -> D) -> Tool<D> {
         Tool {
             placement: self.placement.map(cell),
-            mass: cell(&self.mass, Number),
-            com: self.com.each_ref().map(|x| cell(x, Number)),
-            inertia: self.inertia.each_ref().map(|x| cell(x, Number)),
+            body: self.body.map(cell),
         }
     }
 }

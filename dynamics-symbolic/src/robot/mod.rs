@@ -121,6 +121,15 @@ impl Row {
         self.locked.is_none() && self.follows.is_none()
     }
 
+    /// The body of the link.
+    pub fn body(&self) -> Body {
+        Body {
+            mass: self.mass.clone(),
+            com: self.com.clone(),
+            inertia: self.inertia.clone(),
+        }
+    }
+
     /// Whether the row has a motor: its reflected inertia is then a parameter of the arm, even where
     /// the table says that it is zero.
     pub fn has_motor(&self) -> bool {
@@ -207,14 +216,6 @@ impl Robot {
     /// Where frame 0 stands in the world, if it stands there and is not the world's.
     pub fn placement(&self) -> Option<&Placement> {
         match self.base.as_ref()? {
-            Base::Standing(placement) => Some(placement),
-            Base::Floating(_) => None,
-        }
-    }
-
-    /// The same, to be changed.
-    pub fn placement_mut(&mut self) -> Option<&mut Placement> {
-        match self.base.as_mut()? {
             Base::Standing(placement) => Some(placement),
             Base::Floating(_) => None,
         }

@@ -1,6 +1,6 @@
 //! Where the robot stands, and what is fixed to its tip.
 
-use super::Value;
+use super::{Body, Value};
 
 /// The place of a frame in another one, `T(xyz) Rz(yaw) Ry(pitch) Rx(roll)`, as in URDF.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,18 +16,13 @@ pub struct Placement<C = Value> {
 pub struct Tool<C = Value> {
     /// The tool frame in that link's frame.
     pub placement: Placement<C>,
-    /// Mass of the body, kg.
-    pub mass: C,
-    /// Its centre of mass in the tool frame, m.
-    pub com: [C; 3],
-    /// Its inertia tensor about the centre of mass, axes parallel to the tool frame: entries xx, yy,
-    /// zz, xy, yz, xz of the tensor, kg m^2.
-    pub inertia: [C; 6],
+    /// The body, in the tool frame.
+    pub body: Body<C>,
 }
 
 impl Tool {
-    /// Whether a body is there: not where its mass and its tensor are the number zero.
+    /// Whether a body is there.
     pub fn has_body(&self) -> bool {
-        !self.mass.is_zero() || self.inertia.iter().any(|entry| !entry.is_zero())
+        !self.body.is_massless()
     }
 }

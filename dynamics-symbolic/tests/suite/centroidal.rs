@@ -16,7 +16,7 @@ fn linear_momentum_is_that_of_the_center_of_mass() {
             assert_eq!(of(Function::CentroidalMomentumMatrix), None, "{name}");
             continue;
         };
-        let tool = robot.tool.iter().map(|tool| &tool.mass);
+        let tool = robot.tool.iter().map(|tool| &tool.body.mass);
         let masses = robot.rows.iter().map(|row| &row.mass).chain(tool);
         let mass = masses.fold(Number::ZERO, |sum, mass| sum + point.value(mass));
         let by_center: Vec<_> = by_center.into_iter().map(|x| x * mass).collect();

@@ -147,9 +147,7 @@ fn with_tool(joint_type: JointType) -> Robot {
         rows: vec![row],
         tool: Some(Tool {
             placement: at(vector([1, 1, -1])).remove(0),
-            mass: tool.mass,
-            com: tool.com,
-            inertia: tool.inertia,
+            body: tool,
         }),
         ..free(body())
     };

@@ -5,7 +5,7 @@ use arms::{decimal, robot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::prove;
-use dynamics_symbolic::robot::{Base, Placement, Robot, Tool, Value};
+use dynamics_symbolic::robot::{Base, Body, Placement, Robot, Tool, Value};
 
 /// Revolute and prismatic joints.
 const ARMS: [&str; 3] = ["stanford", "scara", "two_link_craig"];
@@ -22,9 +22,19 @@ fn tool(mass: Value) -> Tool {
     let entries = [0.02, 0.03, 0.025, 0.001, -0.002, 0.003];
     Tool {
         placement: placement([0.1, -0.02, 0.3], [0.4, 0.0, -1.1]),
-        com: [0.01, 0.02, 0.05].map(decimal),
-        inertia: entries.map(|entry| mass.clone() * decimal(entry)),
-        mass,
+        body: Body {
+            com: [0.01, 0.02, 0.05].map(decimal),
+            inertia: entries.map(|entry| mass.clone() * decimal(entry)),
+            mass,
+        },
+    }
+}
+
+/// The place of the base of an arm that has one.
+fn base(arm: &mut Robot) -> &mut Placement {
+    match &mut arm.base {
+        Some(Base::Standing(base)) => base,
+        _ => panic!("a base that stands"),
     }
 }
 
@@ -135,14 +145,14 @@ fn a_program_of_another_base_or_tool_is_refused() {
     arm.tool = Some(tool(decimal(2.0)));
     type Change = fn(&mut Robot);
     let of_tool: [Change; 4] = [
-        |arm| arm.tool.as_mut().expect("a tool").mass = decimal(2.001),
-        |arm| arm.tool.as_mut().expect("a tool").com[1] = decimal(0.021),
+        |arm| arm.tool.as_mut().expect("a tool").body.mass = decimal(2.001),
+        |arm| arm.tool.as_mut().expect("a tool").body.com[1] = decimal(0.021),
         |arm| arm.tool.as_mut().expect("a tool").placement.xyz[0] = decimal(0.101),
         |arm| arm.tool.as_mut().expect("a tool").placement.rpy[2] = decimal(-1.2),
     ];
     let of_base: [Change; 2] = [
-        |arm| arm.placement_mut().expect("a base").rpy[0] = decimal(0.31),
-        |arm| arm.placement_mut().expect("a base").xyz[2] = decimal(0.81),
+        |arm| base(arm).rpy[0] = decimal(0.31),
+        |arm| base(arm).xyz[2] = decimal(0.81),
     ];
     let refused = |change: Change, functions: &[Function]| {
         let mut other = arm.clone();

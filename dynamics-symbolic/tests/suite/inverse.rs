@@ -101,9 +101,9 @@ fn every_damage_is_found() {
 fn only_sizes(plan: &Plan, index: usize) -> bool {
     use dynamics_symbolic::inverse::Rule;
     use dynamics_symbolic::program::Operand;
-    let firsts = plan.first_outputs();
-    let steps = plan.steps.iter().zip(firsts);
-    let proven = steps.flat_map(|(step, first)| {
+    let steps = plan.steps.iter().enumerate();
+    let proven = steps.flat_map(|(number, step)| {
+        let first = plan.outputs_of(number).start;
         let count = match step {
             Step::Joint(_, Rule::Turns) => 4,
             Step::Joint(_, Rule::Turn) | Step::Direction(_) | Step::Condition => 3,

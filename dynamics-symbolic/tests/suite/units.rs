@@ -8,7 +8,7 @@ use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{
-    Base, JointType, Placement, Robot, Spring, Stribeck, Symbol, Tool, Value,
+    Base, Body, JointType, Placement, Robot, Spring, Stribeck, Symbol, Tool, Value,
 };
 
 /// Powers of length and mass.
@@ -77,14 +77,15 @@ impl Arm {
         let placed = |placement: &mut Placement, field: &mut dyn FnMut(&mut Value, Unit)| {
             placement.xyz.iter_mut().for_each(|x| field(x, LENGTH));
         };
-        if let Some(base) = robot.placement_mut() {
+        if let Some(Base::Standing(base)) = &mut robot.base {
             placed(base, &mut field);
         }
         if let Some(tool) = &mut robot.tool {
             placed(&mut tool.placement, &mut field);
-            field(&mut tool.mass, MASS);
-            tool.com.iter_mut().for_each(|c| field(c, LENGTH));
-            tool.inertia.iter_mut().for_each(|j| field(j, INERTIA));
+            field(&mut tool.body.mass, MASS);
+            tool.body.com.iter_mut().for_each(|c| field(c, LENGTH));
+            let inertia = tool.body.inertia.iter_mut();
+            inertia.for_each(|j| field(j, INERTIA));
         }
         robot.fields = (0..fields.len()).map(|i| format!("p{i}")).collect();
         Arm { robot, fields }
@@ -203,9 +204,11 @@ fn mounted(mut robot: Robot) -> Robot {
     )));
     robot.tool = Some(Tool {
         placement: placement([0.1, 0.02, 0.15], [0.9, 0.0, -0.3]),
-        mass: arms::decimal(1.7),
-        com: [0.01, -0.03, 0.07].map(arms::decimal),
-        inertia: [0.02, 0.03, 0.025, 0.001, -0.002, 0.003].map(arms::decimal),
+        body: Body {
+            mass: arms::decimal(1.7),
+            com: [0.01, -0.03, 0.07].map(arms::decimal),
+            inertia: [0.02, 0.03, 0.025, 0.001, -0.002, 0.003].map(arms::decimal),
+        },
     });
     robot
 }

@@ -1,7 +1,9 @@
 //! Robots from data files.
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::{Base, Convention, JointType, Placement, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{
+    Base, Body, Convention, JointType, Placement, Robot, Row, Tool, Value,
+};
 use serde_json::Value as Json;
 
 /// The robots that have a data file and reference values.
@@ -105,9 +107,11 @@ pub fn robot(name: &str) -> Robot {
         base: json.get("base").map(placement).map(Base::Standing),
         tool: json.get("tool").map(|tool| Tool {
             placement: placement(tool),
-            mass: cell(tool, "mass"),
-            com: cells(&tool["com"]),
-            inertia: cells(&tool["inertia"]),
+            body: Body {
+                mass: cell(tool, "mass"),
+                com: cells(&tool["com"]),
+                inertia: cells(&tool["inertia"]),
+            },
         }),
     }
 }

@@ -311,14 +311,16 @@ impl Tables {
         robot.base = (choice != 0).then(|| Base::Standing(self.placement()));
         robot.tool = (choice != 1).then(|| Tool {
             placement: self.placement(),
-            mass: match self.bodies {
-                Bodies::Any => self.cell(),
-                Bodies::Physical => self.positive(),
-            },
-            com: [(); 3].map(|()| self.cell()),
-            inertia: match self.bodies {
-                Bodies::Any => [(); 6].map(|()| self.cell()),
-                Bodies::Physical => self.tensor(),
+            body: Body {
+                mass: match self.bodies {
+                    Bodies::Any => self.cell(),
+                    Bodies::Physical => self.positive(),
+                },
+                com: [(); 3].map(|()| self.cell()),
+                inertia: match self.bodies {
+                    Bodies::Any => [(); 6].map(|()| self.cell()),
+                    Bodies::Physical => self.tensor(),
+                },
             },
         });
         robot.fields = (0..self.fields).map(|i| format!("p{i}")).collect();

@@ -339,7 +339,8 @@ impl Exact<'_> {
                 .filter(|_| robot.tip_row() == Some(i))
                 .map(|tool| {
                     let place = frame.placed(std::slice::from_ref(&tool.placement));
-                    Load::new(motion, &place, &tool.mass, &tool.com, &tool.inertia)
+                    let Body { mass, com, inertia } = &tool.body;
+                    Load::new(motion, &place, mass, com, inertia)
                 });
             let of_body = |(pose, Body { mass, com, inertia }): (Pose, &Body)| {
                 Load::new(motion, &pose, mass, com, inertia)

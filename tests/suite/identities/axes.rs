@@ -3,7 +3,7 @@
 use robot_dynamics::nalgebra::{Matrix4, SVector};
 use robot_dynamics::{
     Scalar,
-    table::{Convention, Frame, JointMotion, JointType, Row, Table},
+    table::{Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Table},
 };
 
 /// An axis at `factor * q + offset`, q the position of its joint.
@@ -72,11 +72,11 @@ pub(super) fn with_axes<const N: usize>(table: &Table<N>, axes: &[Axis]) -> Tabl
         },
     };
     let motions: Vec<JointMotion> = axes.iter().map(motion).collect();
-    let (convention, gravity) = (table.convention, table.gravity);
+    let coupled = RuntimeTable::couple(table.convention, table.gravity, &rows, &motions);
     Table {
         base: table.base,
         tool: table.tool,
-        ..Table::couple_rows(convention, gravity, &rows, &motions)
+        ..coupled.of_joints().expect("as many joints")
     }
 }
 

@@ -2,15 +2,8 @@
 
 use nalgebra::{Matrix4, Vector6};
 
-use super::error::{InvalidSetting, Outcome, SizedFloatingError};
-use super::on_charts::OnCharts;
-use super::recorder::Recorder;
-use super::torque::{Laws, SampledLaws, TorqueLaw};
-use super::trajectory::SizedTrajectory;
-use super::{Continuous, ContinuousWrench, Sampled, Setting, Simulation, ToolWrench, WrenchAt};
+use super::{Sampled, Simulation, WrenchAt};
 use crate::Pose;
-use crate::closed_form::is_rotation;
-use crate::equations_of_motion::EquationsOfMotion;
 use crate::integrate::Phase;
 use crate::size::Size;
 use crate::stand::{Charts, OnBase};
@@ -124,110 +117,4 @@ impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, Sample
     ) -> Simulation<'a, R, F, OnBase<D, V>, W, Sampled> {
         self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
     }
-}
-
-impl<R, L, W, D: Size, V: Size> Simulation<'_, R, L, OnBase<D, V>, W, Continuous>
-where
-    R: EquationsOfMotion<OnBase<D, V>>,
-    L: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
-    W: ToolWrench<R, OnBase<D, V>> + ContinuousWrench,
-{
-    /// Runs the simulation.
-    ///
-    /// Methods are explicit ones; the rotation of the base stays one within 1e-15, however many steps there are.
-    ///
-    /// # Errors
-    ///
-    /// [`SizedFloatingError`], with the time and the state reached and all samples up to there. Implicit methods are an
-    /// invalid setting. Never panics, unless a law does.
-    pub fn run(&self) -> Outcome<OnBase<D, V>> {
-        let charts = Charts::around(self.start.rotation);
-        let laws = Laws::<_, _, _, OnBase<D, V>> {
-            robot: self.robot,
-            charts: &charts,
-            torque: &self.torque,
-            tool_wrench: &self.tool_wrench,
-            greatest: self.setting.greatest.as_ref(),
-        };
-        let end = self.setting.run_on(self.robot, &self.start, &charts, &laws);
-        placed(charts, end)
-    }
-}
-
-impl<R, L, W, D: Size, V: Size> Simulation<'_, R, L, OnBase<D, V>, W, Sampled>
-where
-    R: EquationsOfMotion<OnBase<D, V>>,
-    L: FnMut(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
-    W: ToolWrench<R, OnBase<D, V>>,
-{
-    /// Runs the simulation, as under laws that are functions of time and state.
-    ///
-    /// # Errors
-    ///
-    /// [`SizedFloatingError`], as under these.
-    pub fn run(&mut self) -> Outcome<OnBase<D, V>> {
-        let charts = Charts::around(self.start.rotation);
-        let laws = SampledLaws::<_, _, _, OnBase<D, V>>::new(
-            self.robot.size(),
-            (self.robot, &charts),
-            Some(self.asked.period),
-            &mut self.torque,
-            &mut self.tool_wrench,
-            self.setting.greatest.as_ref(),
-        );
-        let end = self.setting.run_on(self.robot, &self.start, &charts, &laws);
-        placed(charts, end)
-    }
-}
-
-impl<V: Size> Setting<V> {
-    /// A run in charts, if it begins at a rotation.
-    fn run_on<R: EquationsOfMotion<OnBase<D, V>>, D: Size>(
-        &self,
-        robot: &R,
-        start: &Pose<f64>,
-        charts: &Charts<D, V>,
-        laws: &impl TorqueLaw<V>,
-    ) -> Outcome<V> {
-        if is_rotation(&start.rotation) {
-            return self.run(&OnCharts { robot, charts }, laws);
-        }
-        let nothing = Recorder::new(self.plan.initial.clone());
-        nothing.finished(Err(InvalidSetting::Rotation.into()), 0)
-    }
-}
-
-/// A motion in charts with the poses of the base.
-fn placed<D: Size, V: Size>(charts: Charts<D, V>, end: Outcome<V>) -> Outcome<OnBase<D, V>> {
-    let (trajectory, reached) = match end {
-        Ok(trajectory) => (trajectory, None),
-        Err(error) => {
-            let (base, q) = (charts.pose(&error.q), charts.joints(&error.q));
-            (
-                error.trajectory,
-                Some((error.time, base, q, error.qd, error.cause)),
-            )
-        }
-    };
-    let q = trajectory.q.iter().map(|at| charts.joints(at)).collect();
-    let trajectory = SizedTrajectory {
-        t: trajectory.t,
-        base: charts.noted(),
-        q,
-        qd: trajectory.qd,
-        qdd: trajectory.qdd,
-        tau: trajectory.tau,
-        work: trajectory.work,
-    };
-    let Some((time, base, q, qd, cause)) = reached else {
-        return Ok(trajectory);
-    };
-    Err(Box::new(SizedFloatingError {
-        time,
-        base,
-        q,
-        qd,
-        cause,
-        trajectory,
-    }))
 }

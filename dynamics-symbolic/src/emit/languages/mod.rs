@@ -24,9 +24,9 @@ pub use python::{python_module, python_module_name};
 
 use super::documentation;
 use super::inputs::{in_order, input_names};
-use super::names::{line_names, plain};
+use super::names::line_names;
 use super::pivots::pivots;
-use crate::function::{Argument, Request, Sizes};
+use crate::function::{Argument, Request, Sizes, plain};
 use crate::robot::Robot;
 use body::Angle;
 

@@ -70,7 +70,7 @@ struct Scales {
 
 impl Scales {
     fn new(arm: &Mechanism, moving: &MovingJoints<f64>, sizes: &[f64]) -> Self {
-        let masses = arm.joints.iter().map(|joint| &joint.mass);
+        let masses = arm.joints.iter().map(|joint| &joint.body.mass);
         let masses = masses.chain(arm.fixed_bodies.iter().map(|fixed| &fixed.body.mass));
         let mass: f64 = masses.map(|mass| mass.to_f64(&[])).sum();
         let mut scales = Scales {

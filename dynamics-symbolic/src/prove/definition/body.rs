@@ -3,7 +3,7 @@
 use super::super::assignment::{Assignment, Number};
 use super::pose::{Lift, Pose};
 use crate::linear::{Symmetric3, Vector3};
-use crate::robot::Value;
+use crate::robot;
 
 /// A rigid body in the axes of its frame.
 pub(super) struct Body {
@@ -14,16 +14,11 @@ pub(super) struct Body {
 }
 
 impl Body {
-    pub(super) fn new(
-        point: &mut Assignment,
-        mass: &Value,
-        com: &[Value; 3],
-        inertia: &[Value; 6],
-    ) -> Self {
-        let inertia = inertia.each_ref().map(|entry| point.cell(entry));
+    pub(super) fn new(point: &mut Assignment, body: &robot::Body) -> Self {
+        let inertia = body.inertia.each_ref().map(|entry| point.cell(entry));
         Body {
-            mass: point.cell(mass),
-            com: Vector3(com.each_ref().map(|x| point.cell(x))),
+            mass: point.cell(&body.mass),
+            com: Vector3(body.com.each_ref().map(|x| point.cell(x))),
             inertia: Symmetric3::from_entries(inertia),
         }
     }

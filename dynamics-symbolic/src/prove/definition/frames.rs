@@ -67,7 +67,7 @@ impl FixedBody {
             Some(FixedBody {
                 row: Some(row?),
                 place,
-                body: Body::new(point, &tool.mass, &tool.com, &tool.inertia),
+                body: Body::new(point, &tool.body),
             })
         });
         let base_stands = robot.floating().is_none();
@@ -81,7 +81,7 @@ impl FixedBody {
             Some(FixedBody {
                 row,
                 place,
-                body: Body::new(point, &body.mass, &body.com, &body.inertia),
+                body: Body::new(point, body),
             })
         };
         let of_frames = robot.frames.iter().filter_map(&mut fixed);

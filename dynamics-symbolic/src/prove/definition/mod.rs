@@ -131,7 +131,7 @@ impl Definition {
         let base = robot.placement().map(|base| place::placement(point, base));
         let floating = robot.floating().map(|body| {
             point.note([u64::MAX]);
-            Body::new(point, &body.mass, &body.com, &body.inertia)
+            Body::new(point, body)
         });
         let base = match floating {
             Some(_) => pose_of_base(point),

@@ -40,7 +40,7 @@ impl Row {
             parent,
             joint: Joint::new(point, robot, index),
             place: Place::new(point, robot.convention, row),
-            body: Body::new(point, &row.mass, &row.com, &row.inertia),
+            body: Body::new(point, &row.body()),
             has_motor: row.has_motor() && moves,
             reflected: ratio * ratio * point.cell(&row.motor_inertia),
             friction: Friction::new(point, row),
