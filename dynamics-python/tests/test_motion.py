@@ -247,6 +247,9 @@ def test_sticking(cart: rd.Robot) -> None:
     arm = rd.Robot.from_toml(text)
     motion = arm.simulate([0.0], [1.0], friction="sticking")
     assert motion.qd[-1, 0] == 0 and motion.q[-1, 0] > 0
+    with pytest.raises(rd.SimulationError, match="joint 1 is held at rest .*: take sticking friction") as raised:
+        arm.simulate([0.0], [1.0], tolerance=1e-6, samples=10_001)
+    assert 0.2 < raised.value.time < 1 and raised.value.trajectory.work.steps < 12_000
     with pytest.raises(ValueError, match="`friction` is \"glue\""):
         arm.simulate([0.0], friction="glue")
 
@@ -282,6 +285,12 @@ def test_a_base_that_moves() -> None:
         assert base.shape == (4, 4) and q.shape == (1,) and v.shape == (7,)
         return np.zeros(7)
 
+    aside = np.eye(4)
+    aside[0, 3] = 0.1
+    with pytest.raises(ValueError, match="`base` is no homogeneous transform, .*transposed"):
+        body.simulate([0.0], base=aside.T)
+    with pytest.raises(ValueError, match="`base` is no homogeneous transform, .*transposed"):
+        body.potential_energy(np.stack([aside, aside.T]), np.zeros((2, 1)))
     velocity = [0, 0, 0, 0, 0, 0, 3.0]
     motion = body.simulate([0.0], velocity, torque=law, duration=1, samples=11)
     assert motion.base is not None and motion.base.shape == (11, 4, 4)

@@ -139,7 +139,7 @@ def simulate(
     constant = None if callable(torque) else torque
     plan = {
         **settings,
-        "base": None if base is None else _entries_of_pose(base),
+        "base": None if base is None else _rows_of_pose(base),
         "q": vector("q", q, len(arm.joint_names)),
         "v": vector("qd", qd, arm.dof),
         "wrenches": wrenches,
@@ -175,12 +175,13 @@ def vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
     return numbers
 
 
-def _entries_of_pose(given: ArrayLike) -> list[float]:
-    """The rotation by rows, then the position."""
+def _rows_of_pose(given: ArrayLike) -> list[float]:
+    """The entries of a homogeneous matrix by rows."""
     pose = np.asarray(given, dtype=np.float64)
     if pose.shape != (4, 4):
         raise ValueError(f"`base` has the shape {pose.shape}: expected (4, 4)")
-    return [*pose[:3, :3].ravel().tolist(), *pose[:3, 3].tolist()]
+    entries: list[float] = pose.ravel().tolist()
+    return entries
 
 
 def _trajectory(arrays: dict[str, Any], joint_names: list[str]) -> Trajectory:
