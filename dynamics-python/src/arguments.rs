@@ -156,7 +156,7 @@ pub(crate) fn require_transform(name: &str, matrix: &[f64]) -> PyResult<()> {
     if !last.iter().zip([0.0, 0.0, 0.0, 1.0]).any(misses) {
         return Ok(());
     }
-    let is_transposed = [3, 7, 11].iter().all(|k| matrix[*k] == 0.0);
+    let is_transposed = last[3] == 1.0 && [3, 7, 11].iter().all(|k| matrix[*k] == 0.0);
     let way_out = if is_transposed {
         ", so it is transposed: rows and columns change places"
     } else {

@@ -63,6 +63,22 @@ type Stopped = (f64, String, bool);
 
 impl Plan {
     fn method(&self) -> PyResult<Method> {
+        let refused = |name: &str, way_out: &str| {
+            let message = format!("`method` {:?} has no `{name}`: {way_out}", self.method);
+            Err(PyValueError::new_err(message))
+        };
+        let controls = [
+            ("tolerance", self.tolerance.is_some()),
+            ("max_step", self.max_step.is_some()),
+            ("max_steps", self.max_steps.is_some()),
+        ];
+        let is_controlled = matches!(&*self.method, "dormand_prince" | "dop853" | "radau5");
+        if is_controlled && self.step.is_some() {
+            return refused("step", "it chooses its steps, which `max_step` bounds");
+        }
+        if let Some((name, _)) = controls.iter().find(|(_, given)| *given && !is_controlled) {
+            return refused(name, "all of its steps have the length `step`");
+        }
         let step = || {
             self.step.ok_or_else(|| {
                 let message = format!(

@@ -258,6 +258,8 @@ def test_settings_that_make_no_sense(cart: rd.Robot) -> None:
     for settings, message in [
         ({"method": "verlet"}, "`method` is \"verlet\""),
         ({"method": "runge_kutta4"}, "`step` is missing"),
+        ({"step": 0.1}, "\"dormand_prince\" has no `step`: it chooses its steps"),
+        ({"method": "runge_kutta4", "step": 0.1, "tolerance": 1e-6}, "has no `tolerance`: all of its steps"),
         ({"duration": -1.0}, "duration"),
         ({"torque": [1, 2]}, r"`torque` has the shape \(2,\): expected \(1,\)"),
         ({"base": np.eye(4)}, "stands"),
@@ -271,6 +273,8 @@ def test_settings_that_make_no_sense(cart: rd.Robot) -> None:
     ]:
         with pytest.raises(TypeError, match=message):
             cart.simulate([0.0], **{setting: 3})
+    with pytest.raises(TypeError, match="`samples` is -1: .*negative"):
+        cart.simulate([0.0], samples=-1)
 
 
 def test_a_base_that_moves() -> None:

@@ -76,6 +76,10 @@ def test_why_nothing_is_found(reaching: rd.Robot) -> None:
         reaching.reach([1e300, 0, 0])
     with pytest.raises(ValueError, match="shape"):
         reaching.reach([1, 2])
+    with pytest.raises(ValueError, match="frames and targets are as many: found 2 and 1"):
+        reaching.reach([[0.5, 0, 0.5]], frame=["left", "right"])
+    with pytest.raises(TypeError, match="`attempts` is -1: .*negative"):
+        reaching.reach([0.5, 0, 0.5], attempts=-1)
     with pytest.raises(ValueError, match="no frame was given"):
         reaching.reach([], frame=[])
     with pytest.raises(ValueError, match="`start` has the shape"):

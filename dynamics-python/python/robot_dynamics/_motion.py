@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._keywords import require_known
+from ._keywords import require_kinds, require_known
 
 Law = Callable[..., ArrayLike]
 """Torques as a function `law(t, q, qd)`, or `law(t, base, q, v)` where the base moves."""
@@ -147,7 +147,11 @@ def simulate(
     }
     if held is not None and moves:
         raise ValueError("`held_tool_wrench` is of a robot whose base stands: this one moves")
-    arrays, stopped = arm.simulate(plan, law, vector("torque", constant, arm.dof))
+    try:
+        arrays, stopped = arm.simulate(plan, law, vector("torque", constant, arm.dof))
+    except TypeError as error:
+        require_kinds(error, plan)
+        raise
     motion = _trajectory(arrays, arm.joint_names)
     if stopped is None:
         return motion
