@@ -148,6 +148,12 @@ fn lengths(parts: impl Iterator<Item = (usize, Option<usize>)>) -> (usize, Optio
 fn each_joint<S: Simd, E: Precision, const N: usize>(
     lanes: impl Fn(usize) -> E::Native<S>,
 ) -> SVector<Wide<S, E>, N> {
+    if N == 0 {
+        // A body without joints has no first one.
+        return SVector::from_data(ArrayStorage([core::array::from_fn(|joint| {
+            Wide(lanes(joint))
+        })]));
+    }
     // Not `from_fn`, which is not inlined for certain.
     let mut vector = [Wide(lanes(0)); N];
     for joint in 1..N {
