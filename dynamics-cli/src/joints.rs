@@ -5,6 +5,8 @@ use std::io::Write as _;
 
 use dynamics_symbolic::robot::{JointType, Robot};
 
+use crate::csv::shortest;
+
 /// From so many turns on, an angle was perhaps meant in degrees.
 const TURNS: f64 = 2.0;
 
@@ -32,12 +34,23 @@ fn is_in_degrees(angle: f64) -> bool {
     angle.abs() > TURNS * TAU
 }
 
+/// So many decimals of a number, unless it is astronomic.
+fn rounded(x: f64, decimals: usize) -> String {
+    if x.abs() < 1e9 {
+        format!("{x:.decimals$}")
+    } else {
+        format!("{x:.1e}")
+    }
+}
+
 fn remark(source: &str, angle: f64, name: &str) {
     // A remark that cannot be written is no failure.
     let _ = writeln!(
         std::io::stderr(),
-        "`{source}`: {angle} rad of `{name}` are {:.1} turns: angles are in radians, and {angle} degrees are {:.4}",
-        angle.abs() / TAU,
-        angle.to_radians()
+        "`{source}`: {} rad of `{name}` are {} turns: angles are in radians, and {} degrees are {}",
+        shortest(angle),
+        rounded(angle.abs() / TAU, 1),
+        shortest(angle),
+        rounded(angle.to_radians(), 4)
     );
 }

@@ -1,6 +1,8 @@
 //! Arguments: arrays of any shape, strides and kind of numbers, read as rows of doubles.
 
-use numpy::{PyArrayDescrMethods, PyArrayDyn, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{
+    PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -147,6 +149,24 @@ fn as_array<'py>(
     Ok(array.cast_into::<PyUntypedArray>()?)
 }
 
+/// Refuses a matrix by rows that is no homogeneous transform, such as a transposed one. NaN may stand for a pose that is unknown.
+pub(crate) fn require_transform(name: &str, matrix: &[f64]) -> PyResult<()> {
+    let last = &matrix[12..16];
+    let misses = |(x, expected): (&f64, f64)| (x - expected).abs() > 1e-6;
+    if !last.iter().zip([0.0, 0.0, 0.0, 1.0]).any(misses) {
+        return Ok(());
+    }
+    let is_transposed = last[3] == 1.0 && [3, 7, 11].iter().all(|k| matrix[*k] == 0.0);
+    let way_out = if is_transposed {
+        ", so it is transposed: rows and columns change places"
+    } else {
+        ""
+    };
+    Err(PyValueError::new_err(format!(
+        "`{name}` is no homogeneous transform, whose last row is [0, 0, 0, 1]: its last row is {last:?}{way_out}"
+    )))
+}
+
 /// Homogeneous matrices as twelve numbers each: the rotation by rows, then the position.
 fn entries_of_poses<'py>(
     numpy: &Bound<'py, PyModule>,
@@ -160,6 +180,12 @@ fn entries_of_poses<'py>(
         PyTuple::new(py, shape)
     };
     let flat = poses.call_method1("reshape", (shape(16)?,))?;
+    let numbers: Bound<'py, PyArrayDyn<f64>> = numpy
+        .call_method1("ascontiguousarray", (&flat,))?
+        .cast_into()?;
+    for pose in numbers.try_readonly()?.as_slice()?.chunks_exact(16) {
+        require_transform(BASE, pose)?;
+    }
     let places = [0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11];
     numpy.call_method1("take", (flat, places.to_vec(), -1))
 }

@@ -1,7 +1,7 @@
 //! Simulations, under torques that are constant or a law of Python.
 
 use dynamics_evaluation::{EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot};
-use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Matrix4, Vector3, Vector6};
 use dynamics_runtime::simulation::{
     Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, SizedModel,
     SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work, WrenchAt,
@@ -11,6 +11,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::arguments::require_transform;
 use crate::force::{Force, Wrench};
 use crate::results::array;
 use crate::robot::Arm;
@@ -19,7 +20,8 @@ use crate::robot::Arm;
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Plan {
-    base: Option<[f64; 12]>,
+    /// The pose of a base that moves, a homogeneous matrix by rows.
+    base: Option<[f64; 16]>,
     q: Vec<f64>,
     v: Vec<f64>,
     duration: f64,
@@ -59,6 +61,22 @@ type Stopped = (f64, String, bool);
 
 impl Plan {
     fn method(&self) -> PyResult<Method> {
+        let refused = |name: &str, way_out: &str| {
+            let message = format!("`method` {:?} has no `{name}`: {way_out}", self.method);
+            Err(PyValueError::new_err(message))
+        };
+        let controls = [
+            ("tolerance", self.tolerance.is_some()),
+            ("max_step", self.max_step.is_some()),
+            ("max_steps", self.max_steps.is_some()),
+        ];
+        let is_controlled = matches!(&*self.method, "dormand_prince" | "dop853" | "radau5");
+        if is_controlled && self.step.is_some() {
+            return refused("step", "it chooses its steps, which `max_step` bounds");
+        }
+        if let Some((name, _)) = controls.iter().find(|(_, given)| *given && !is_controlled) {
+            return refused(name, "all of its steps have the length `step`");
+        }
         let step = || {
             self.step.ok_or_else(|| {
                 let message = format!(
@@ -225,7 +243,7 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
 fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
     let dynamics = robot.dynamics_on_base()?;
     let [q, v] = plan.start();
-    let base = plan.base.map_or_else(Pose::identity, Pose::of_entries);
+    let base = plan.base.map_or_else(Pose::identity, pose_of);
     let places = plan.wrenches.iter();
     let places = places.map(|wrench| robot.place_on_base(wrench.frame.as_deref()));
     let places = places.collect::<Result<Vec<RuntimePlace<'_, Moves>>, _>>()?;
@@ -250,6 +268,14 @@ fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: 
 /// The entries of a homogeneous matrix by rows.
 pub(crate) fn rows_of(matrix: &Matrix4<f64>) -> [f64; 16] {
     core::array::from_fn(|k| matrix[(k / 4, k % 4)])
+}
+
+/// The pose of a homogeneous matrix by rows.
+fn pose_of(rows: [f64; 16]) -> Pose<f64> {
+    Pose {
+        rotation: Matrix3::from_fn(|i, j| rows[4 * i + j]),
+        position: Vector3::from_fn(|i, _| rows[4 * i + 3]),
+    }
 }
 
 /// The homogeneous matrix of a pose by rows.
@@ -301,6 +327,9 @@ impl Arm {
         constant: Vec<f64>,
     ) -> PyResult<(Bound<'py, PyDict>, Option<Stopped>)> {
         let kinds = (plan.method()?, plan.friction()?);
+        if let Some(base) = &plan.base {
+            require_transform("base", base)?;
+        }
         for wrench in plan.wrenches.iter().chain(&plan.held_wrench) {
             self.description.kinematics(wrench.frame.as_deref())?;
         }

@@ -6,6 +6,7 @@ use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Vector3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::arguments::require_transform;
 use crate::robot::Arm;
 
 /// The request of a search.
@@ -39,6 +40,7 @@ fn target(numbers: &[f64]) -> PyResult<Target> {
         6 => Ok(Target::pointing(vector(0), vector(3))),
         9 => Ok(Target::rotation(rotation(3))),
         16 => {
+            require_transform("target", numbers)?;
             let origin = Vector3::new(numbers[3], numbers[7], numbers[11]);
             Ok(Target::rotation(rotation(4)).at(origin))
         }

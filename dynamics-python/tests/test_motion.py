@@ -247,6 +247,9 @@ def test_sticking(cart: rd.Robot) -> None:
     arm = rd.Robot.from_toml(text)
     motion = arm.simulate([0.0], [1.0], friction="sticking")
     assert motion.qd[-1, 0] == 0 and motion.q[-1, 0] > 0
+    with pytest.raises(rd.SimulationError, match="joint 1 is held at rest .*: take sticking friction") as raised:
+        arm.simulate([0.0], [1.0], tolerance=1e-6, samples=10_001)
+    assert 0.2 < raised.value.time < 1 and raised.value.trajectory.work.steps < 12_000
     with pytest.raises(ValueError, match="`friction` is \"glue\""):
         arm.simulate([0.0], friction="glue")
 
@@ -255,6 +258,8 @@ def test_settings_that_make_no_sense(cart: rd.Robot) -> None:
     for settings, message in [
         ({"method": "verlet"}, "`method` is \"verlet\""),
         ({"method": "runge_kutta4"}, "`step` is missing"),
+        ({"step": 0.1}, "\"dormand_prince\" has no `step`: it chooses its steps"),
+        ({"method": "runge_kutta4", "step": 0.1, "tolerance": 1e-6}, "has no `tolerance`: all of its steps"),
         ({"duration": -1.0}, "duration"),
         ({"torque": [1, 2]}, r"`torque` has the shape \(2,\): expected \(1,\)"),
         ({"base": np.eye(4)}, "stands"),
@@ -268,6 +273,8 @@ def test_settings_that_make_no_sense(cart: rd.Robot) -> None:
     ]:
         with pytest.raises(TypeError, match=message):
             cart.simulate([0.0], **{setting: 3})
+    with pytest.raises(TypeError, match="`samples` is -1: .*negative"):
+        cart.simulate([0.0], samples=-1)
 
 
 def test_a_base_that_moves() -> None:
@@ -282,6 +289,12 @@ def test_a_base_that_moves() -> None:
         assert base.shape == (4, 4) and q.shape == (1,) and v.shape == (7,)
         return np.zeros(7)
 
+    aside = np.eye(4)
+    aside[0, 3] = 0.1
+    with pytest.raises(ValueError, match="`base` is no homogeneous transform, .*transposed"):
+        body.simulate([0.0], base=aside.T)
+    with pytest.raises(ValueError, match="`base` is no homogeneous transform, .*transposed"):
+        body.potential_energy(np.stack([aside, aside.T]), np.zeros((2, 1)))
     velocity = [0, 0, 0, 0, 0, 0, 3.0]
     motion = body.simulate([0.0], velocity, torque=law, duration=1, samples=11)
     assert motion.base is not None and motion.base.shape == (11, 4, 4)

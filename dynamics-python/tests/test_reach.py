@@ -67,8 +67,19 @@ def test_why_nothing_is_found(reaching: rd.Robot) -> None:
     assert raised.value.position == pytest.approx(np.linalg.norm(tip - [3, 0, 0]))
     with pytest.raises(ValueError, match="target 1 is none"):
         reaching.reach([np.nan, 0, 0])
+    pose = reaching.forward_kinematics(raised.value.q)
+    with pytest.raises(ValueError, match="its last row is .*transposed"):
+        reaching.reach(pose.T)
+    with pytest.raises(ValueError, match=r"its last row is \[0.0, 0.0, 0.0, 0.0\]$"):
+        reaching.reach(np.vstack([pose[:3], np.zeros(4)]))
+    with pytest.raises(rd.NotReached, match="target 1 is 1.000e300 m from the base, .* 1.000e300 m"):
+        reaching.reach([1e300, 0, 0])
     with pytest.raises(ValueError, match="shape"):
         reaching.reach([1, 2])
+    with pytest.raises(ValueError, match="frames and targets are as many: found 2 and 1"):
+        reaching.reach([[0.5, 0, 0.5]], frame=["left", "right"])
+    with pytest.raises(TypeError, match="`attempts` is -1: .*negative"):
+        reaching.reach([0.5, 0, 0.5], attempts=-1)
     with pytest.raises(ValueError, match="no frame was given"):
         reaching.reach([], frame=[])
     with pytest.raises(ValueError, match="`start` has the shape"):

@@ -461,6 +461,18 @@ fn a_free_body_obeys_newton_and_euler() {
     assert!((back - a).amax() < 1e-13);
     let height = (base.position + base.rotation * c).z;
     assert!((stone.potential_energy(&base, &none) - 3.0 * 9.81 * height).abs() < 1e-12);
+    // Batches, whose vectors of positions are empty.
+    let (poses, positions, velocities) = (vec![base; 21], vec![none; 21], vec![v; 21]);
+    let mut forces = vec![SVector::<f64, 6>::zeros(); 21];
+    stone
+        .inverse_dynamics_batch(&poses, &positions, &velocities, &vec![a; 21], &mut forces)
+        .expect("as many");
+    assert!(forces.iter().all(|one| (one - found).amax() < 1e-13));
+    stone
+        .coriolis_vector_batch(&positions, &velocities, &mut forces)
+        .expect("as many");
+    let bias = stone.coriolis_vector(&none, &v);
+    assert!(forces.iter().all(|one| (one - bias).amax() < 1e-13));
     // Without mass there is no acceleration; the base is named.
     let error = Stone { m: 0.0 }.forward_dynamics(&base, &none, &v, &found);
     assert!(error.is_err_and(|error| error.to_string().contains("base")));

@@ -32,6 +32,7 @@ robot_dynamics! {
         pivot: revolute { mass: 2, com: [0.5, 0, 0] },
         knee: revolute { a: 1, mass: 1, com: [0.25, 0, 0] },
     ],
+    functions: [default, taylor_series],
 }
 
 #[test]
@@ -58,6 +59,10 @@ fn the_generated_file_is_what_the_macro_expands_to() {
         Expected
             .forward_dynamics(q, qd, tau)
             .expect("accelerations")
+    );
+    assert_eq!(
+        TwoRods.taylor_series(q, qd, tau, 8).expect("a series"),
+        Expected.taylor_series(q, qd, tau, 8).expect("a series")
     );
 }
 

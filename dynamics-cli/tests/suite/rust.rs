@@ -30,7 +30,7 @@ fn assert_compiled(name: &str, table: &str, functions: &str) {
 
 #[test]
 fn generated_rust_is_the_file_that_is_compiled() {
-    assert_compiled("two_rods", PENDULUM, "default");
+    assert_compiled("two_rods", PENDULUM, "default,taylor_series");
 }
 
 /// Names in the cells are the fields of the struct.

@@ -30,8 +30,9 @@ const STRICT: ParseOptions = ParseOptions {
     allow_extended_string_escapes: false,
 };
 
-/// Reads a document; what is no JSON is reported.
+/// Reads a document; what is no JSON is reported. The mark at the start of a file, which editors of Windows write, says nothing.
 pub(crate) fn document(text: &str, diagnostics: &Diagnostics) -> Option<Node> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines = Lines::new(text);
     match parse_to_ast(text, &CollectOptions::default(), &STRICT) {
         Ok(document) => {

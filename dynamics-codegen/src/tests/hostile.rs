@@ -107,6 +107,42 @@ fn factors_that_multiply_beside_the_arm() {
     }
 }
 
+/// Names of a file that would fill a page, and overflow the widths of columns.
+#[cfg(feature = "files")]
+#[test]
+fn names_of_a_urdf_file_without_end() {
+    use crate::files::{Format, Request, table};
+
+    let name = "n".repeat(100_000);
+    let start = "n".repeat(40);
+    let text = format!(
+        "<robot name='arm'><link name='base'/><link name='{name}'/><joint name='{name}' type='revolute'>\
+         <parent link='base'/><child link='{name}'/></joint></robot>"
+    );
+    let errors = table("arm", &text, Format::Urdf, &Request::default()).unwrap_err();
+    for error in &errors[..2] {
+        let message = format!("a name has at most 200 letters: `{start}...` has 100000");
+        assert_eq!(error.message, message);
+    }
+}
+
+/// Editors of Windows write it at the start of a file.
+#[cfg(feature = "files")]
+#[test]
+fn a_byte_order_mark_says_nothing() {
+    use crate::files::{Format, Request, table};
+
+    let text = |mark: &str| {
+        format!(
+            r#"{mark}{{"convention": "modified", "gravity": [0, 0, 9], "joint": [{{"name": "a", "type": "revolute", "mass": 1}}]}}"#
+        )
+    };
+    for mark in ["", "\u{feff}"] {
+        let table = table("arm", &text(mark), Format::Json, &Request::default());
+        assert!(table.is_ok(), "{mark:?}");
+    }
+}
+
 /// Whether a divisor is zero is judged modulo a prime, of which a multiple is no zero.
 #[test]
 fn divisors_that_look_like_zero() {

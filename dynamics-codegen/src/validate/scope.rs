@@ -559,10 +559,8 @@ pub(super) fn number(value: &Value) -> Option<f64> {
 
 /// The length of a vector, where its components are known numbers.
 pub(super) fn norm(vector: &[Value; 3]) -> Option<f64> {
-    let [x, y, z] = vector
-        .each_ref()
-        .map(|component| Some(number(component)?.powi(2)));
-    Some((x? + y? + z?).sqrt())
+    let [x, y, z] = vector.each_ref().map(number);
+    Some(x?.hypot(y?).hypot(z?))
 }
 
 /// The values, where all of them are known.

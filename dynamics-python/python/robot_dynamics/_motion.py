@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._keywords import require_known
+from ._keywords import require_kinds, require_known
 
 Law = Callable[..., ArrayLike]
 """Torques as a function `law(t, q, qd)`, or `law(t, base, q, v)` where the base moves."""
@@ -139,7 +139,7 @@ def simulate(
     constant = None if callable(torque) else torque
     plan = {
         **settings,
-        "base": None if base is None else _entries_of_pose(base),
+        "base": None if base is None else _rows_of_pose(base),
         "q": vector("q", q, len(arm.joint_names)),
         "v": vector("qd", qd, arm.dof),
         "wrenches": wrenches,
@@ -147,7 +147,11 @@ def simulate(
     }
     if held is not None and moves:
         raise ValueError("`held_tool_wrench` is of a robot whose base stands: this one moves")
-    arrays, stopped = arm.simulate(plan, law, vector("torque", constant, arm.dof))
+    try:
+        arrays, stopped = arm.simulate(plan, law, vector("torque", constant, arm.dof))
+    except TypeError as error:
+        require_kinds(error, plan)
+        raise
     motion = _trajectory(arrays, arm.joint_names)
     if stopped is None:
         return motion
@@ -175,12 +179,13 @@ def vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
     return numbers
 
 
-def _entries_of_pose(given: ArrayLike) -> list[float]:
-    """The rotation by rows, then the position."""
+def _rows_of_pose(given: ArrayLike) -> list[float]:
+    """The entries of a homogeneous matrix by rows."""
     pose = np.asarray(given, dtype=np.float64)
     if pose.shape != (4, 4):
         raise ValueError(f"`base` has the shape {pose.shape}: expected (4, 4)")
-    return [*pose[:3, :3].ravel().tolist(), *pose[:3, 3].tolist()]
+    entries: list[float] = pose.ravel().tolist()
+    return entries
 
 
 def _trajectory(arrays: dict[str, Any], joint_names: list[str]) -> Trajectory:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
+from ._keywords import require_kinds
 from ._motion import vector
 
 _SHAPES = ((3,), (2, 3), (3, 3), (4, 4))
@@ -41,7 +42,10 @@ def reach(
     if frame is None or isinstance(frame, str):
         targets = [(frame, _numbers(target))]
     else:
-        targets = [(name, _numbers(one)) for name, one in zip(frame, target, strict=True)]  # type: ignore[arg-type]
+        names, places = list(frame), list(target)  # type: ignore[arg-type]
+        if len(names) != len(places):
+            raise ValueError(f"frames and targets are as many: found {len(names)} and {len(places)}")
+        targets = [(name, _numbers(one)) for name, one in zip(names, places)]
     joints = len(arm.joint_names)
     start, posture = asked["start"], asked["posture"]
     plan = {
@@ -50,7 +54,11 @@ def reach(
         "start": vector("start", start, joints),
         "posture": None if posture is None else vector("posture", posture, joints),
     }
-    found, failed = arm.reach(plan)
+    try:
+        found, failed = arm.reach(plan)
+    except TypeError as error:
+        require_kinds(error, plan)
+        raise
     if failed is None:
         return [np.array(q) for q, _, _ in found]
     reason, is_setting = failed

@@ -70,7 +70,8 @@ pub enum Reason {
     },
     /// The nearest descent had used up its iterations while it still came nearer.
     Iterations,
-    /// A target is not finite, its rotation is none, or a weight is not a positive number.
+    /// A target is not finite, its rotation is none, its matrix has another last row than 0, 0, 0, 1, or a weight is not a
+    /// positive number.
     Target {
         /// The target, counted from 0.
         target: usize,
@@ -109,8 +110,10 @@ impl fmt::Display for Reason {
                 reach,
             } => write!(
                 f,
-                "target {} is {distance:.6} m from the base, and the arm reaches {reach:.6} m at most",
-                target + 1
+                "target {} is {} m from the base, and the arm reaches {} m at most",
+                target + 1,
+                Metres(*distance),
+                Metres(*reach)
             ),
             Reason::Minimum => f.write_str("no motion of the joints comes nearer"),
             Reason::Limits { joint } => {
@@ -119,7 +122,7 @@ impl fmt::Display for Reason {
             Reason::Iterations => f.write_str("the iterations of an attempt are used up"),
             Reason::Target { target } => write!(
                 f,
-                "target {} is none: expected finite numbers, a rotation of orthogonal unit vectors and weights above zero",
+                "target {} is none: expected finite numbers, a rotation of orthogonal unit vectors, 0, 0, 0, 1 as the last row of a matrix, and weights above zero",
                 target + 1
             ),
             Reason::Count { targets, frames } => {
@@ -142,14 +145,27 @@ impl fmt::Display for Reason {
     }
 }
 
+/// A length with the digits that are read: micrometres, unless it is astronomic.
+struct Metres(f64);
+
+impl fmt::Display for Metres {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            length if length < 1e9 => write!(f, "{length:.6}"),
+            length => write!(f, "{length:.3e}"),
+        }
+    }
+}
+
 impl<D: Size> fmt::Display for NotReached<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "not reached: {}", self.reason)?;
         if self.attempts > 0 {
             let (attempts, residual) = (self.attempts, self.residual);
+            let plural = if attempts == 1 { "" } else { "s" };
             write!(
                 f,
-                "; {residual} are missing at the nearest of {attempts} attempts"
+                "; {residual} are missing at the nearest of {attempts} attempt{plural}"
             )?;
         }
         Ok(())

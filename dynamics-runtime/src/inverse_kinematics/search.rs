@@ -5,7 +5,7 @@ use super::descent::{Descent, End};
 use super::ending::{NotReached, Reached, Reason, Residual};
 use super::places::Places;
 use super::problem::Problem;
-use super::target::Target;
+use super::target::{Target, length};
 use crate::float::first_non_finite;
 use crate::random::SplitMix64;
 use crate::size::{JointVector as _, Size};
@@ -122,7 +122,7 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         let reach = self.joints.reach * (1.0 + 1e-9);
         let mut indexed = targets.iter().enumerate();
         indexed.find_map(|(target, wanted)| {
-            let distance = (wanted.position? - self.joints.base).norm();
+            let distance = length(&(wanted.position? - self.joints.base));
             (distance > reach + self.tolerance.of_positions()).then_some(Reason::OutOfReach {
                 target,
                 distance,

@@ -14,6 +14,8 @@ use crate::quaternion;
 pub struct Target {
     pub(super) position: Option<Vector3<f64>>,
     pub(super) turn: Turn,
+    /// Whether it was given as a homogeneous transform that is one.
+    is_transform: bool,
     pub(super) position_weight: f64,
     pub(super) rotation_weight: f64,
 }
@@ -37,15 +39,20 @@ impl Target {
         Target {
             position,
             turn,
+            is_transform: true,
             position_weight: 1.0,
             rotation_weight: 1.0,
         }
     }
 
-    /// A position, m, and a rotation: a homogeneous transform, as `forward_kinematics` gives it.
+    /// A position, m, and a rotation: a homogeneous transform, as `forward_kinematics` gives it, whose last row is 0, 0, 0, 1.
     pub fn pose(pose: &Matrix4<f64>) -> Self {
         let rotation = pose.fixed_view::<3, 3>(0, 0).into_owned();
-        Target::new(Some(origin(pose)), Turn::Full(rotation))
+        let last = [0, 1, 2, 3].map(|column| pose[(3, column)]);
+        Target {
+            is_transform: is_last_row(last),
+            ..Target::new(Some(origin(pose)), Turn::Full(rotation))
+        }
     }
 
     /// A position alone, m; the rotation is free.
@@ -78,7 +85,7 @@ impl Target {
         self
     }
 
-    /// Whether it can be requested: its numbers are finite, its weights above zero and its rotation is one.
+    /// Whether it can be requested: its numbers are finite, its weights above zero, and its rotation and its matrix are ones.
     pub(super) fn is_possible(&self) -> bool {
         let is_weight = |weight: f64| weight > 0.0 && weight.is_finite();
         let position = self.position.unwrap_or_default();
@@ -90,6 +97,7 @@ impl Target {
             }
         };
         is_turn
+            && self.is_transform
             && position.iter().all(|x| x.is_finite())
             && is_weight(self.position_weight)
             && is_weight(self.rotation_weight)
@@ -131,6 +139,24 @@ pub(super) struct Missing {
     pub(super) rotation: Option<Vector3<f64>>,
     /// The direction about which the frame may turn.
     pub(super) about: Option<Vector3<f64>>,
+}
+
+/// Whether this is the last row of a homogeneous transform. That of a transposed one has the position.
+fn is_last_row(row: [f64; 4]) -> bool {
+    let pairs = row.iter().zip([0.0, 0.0, 0.0, 1.0]);
+    pairs
+        .into_iter()
+        .all(|(x, expected)| (x - expected).abs() <= 1e-6)
+}
+
+/// The length of a vector, also where its square is beyond the numbers.
+pub(super) fn length(vector: &Vector3<f64>) -> f64 {
+    let length = vector.norm();
+    if length.is_finite() {
+        return length;
+    }
+    let most = vector.amax();
+    (vector / most).norm() * most
 }
 
 /// The origin of a frame.

@@ -1,7 +1,7 @@
 //! When a target is reached.
 
 use super::ending::Residual;
-use super::target::Missing;
+use super::target::{Missing, length};
 
 /// How far a frame may be from its target.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ impl Tolerance {
 impl Residual {
     /// The larger of both, and what is missing of one more target.
     pub(super) fn and(self, missing: &Missing) -> Self {
-        let position = missing.position.map_or(0.0, |error| error.norm());
+        let position = missing.position.map_or(0.0, |error| length(&error));
         let chord = missing.rotation.map_or(0.0, |error| error.norm());
         Residual {
             position: larger(self.position, position),

@@ -217,6 +217,10 @@ fn read<K: Stand>(
     if !may_lack_header || rows.row.iter().all(|cell| cell.parse::<f64>().is_err()) {
         quantities = rows.quantities::<K>(n, points_of)?;
         width = rows.row.len();
+        let (found, expected) = (width, 1 + of_pose + n);
+        if found < expected {
+            return Err(rows.mistake(0, CsvMistake::Cells { found, expected }));
+        }
         is_row = rows.advance();
     }
     let of_place = 1 + of_pose + n;
@@ -373,6 +377,7 @@ impl<'t> Rows<'t> {
             first += of_base.len();
             if let (0, Some(names)) = (k, names) {
                 self.in_order(first, names)?;
+                self.in_units(first, joints)?;
             }
             // Columns of positions may have other names in points.
             let is_free = names.is_some() && k == 0 && !moves;
@@ -403,6 +408,24 @@ impl<'t> Rows<'t> {
             if let Some(found) = other.filter(|_| !is_right) {
                 let [found, expected] = [found, expected].map(|name| (*name).to_owned());
                 return Err(self.mistake(i + first, CsvMistake::Joint { found, expected }));
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a header that says another unit of the time, or of positions, from a column on.
+    fn in_units(&self, first: usize, joints: usize) -> Result<(), CsvError> {
+        let columns = (first..first + joints).map(|column| (column, "rad, or m"));
+        for (column, expected) in [(0, "s")].into_iter().chain(columns) {
+            let cell = self.row.get(column).unwrap_or_default();
+            let unit = cell
+                .strip_suffix(']')
+                .and_then(|cell| cell.rsplit_once('['));
+            if let Some((_, found)) = unit
+                && !expected.split(", or ").any(|word| word == found)
+            {
+                let found = found.to_owned();
+                return Err(self.mistake(column, CsvMistake::Unit { found, expected }));
             }
         }
         Ok(())
@@ -445,6 +468,13 @@ pub enum CsvMistake {
         /// The name of the arm's joint.
         expected: String,
     },
+    /// The header has a column in another unit.
+    Unit {
+        /// The unit in the header.
+        found: String,
+        /// The units that a column may be in.
+        expected: &'static str,
+    },
     /// The cell holds this, which is no number, or no finite one in a point to pass.
     Number(String),
     /// The line has too few cells, or too many.
@@ -475,7 +505,17 @@ impl fmt::Display for CsvMistake {
                 f,
                 "a column of `{found}`, expected one of `{expected}`: columns are in the order of the joints"
             ),
-            CsvMistake::Number(found) => write!(f, "`{found}`: expected a number"),
+            CsvMistake::Unit { found, expected } => {
+                write!(f, "a column in `{found}`: expected one in {expected}")
+            }
+            CsvMistake::Number(found) => {
+                let way_out = match found {
+                    _ if found.contains([';', '\t']) => ", and commas between numbers",
+                    _ if found.contains(',') => " with a decimal point",
+                    _ => "",
+                };
+                write!(f, "`{found}`: expected a number{way_out}")
+            }
             CsvMistake::Cells { found, expected } => {
                 let plural = if *found == 1 { "" } else { "s" };
                 write!(
@@ -665,6 +705,42 @@ mod tests {
                 "expected two rows of numbers or more",
             ),
             ("t,q_a,q_b,qd_a\n", (1, 5), 15, "a column `qd` was expected"),
+            (
+                "t,q_a\n0,1\n",
+                (1, 1),
+                1,
+                "found 2 numbers, expected 3 separated by commas",
+            ),
+            (
+                "t;q_a;q_b\n0;1;2\n",
+                (1, 1),
+                1,
+                "found 1 number, expected 3 separated by commas",
+            ),
+            (
+                "t,x,y\n0,\"1,5\",2\n",
+                (2, 2),
+                3,
+                "`1,5`: expected a number with a decimal point",
+            ),
+            (
+                "t,x,y\n0;1;2\n",
+                (2, 1),
+                1,
+                "`0;1;2`: expected a number, and commas between numbers",
+            ),
+            (
+                "t [ms],x,y\n0,1,2\n",
+                (1, 1),
+                1,
+                "a column in `ms`: expected one in s",
+            ),
+            (
+                "t [s],q.a [rad],q.b [deg]\n0,1,2\n",
+                (1, 3),
+                17,
+                "a column in `deg`: expected one in rad, or m",
+            ),
         ] {
             let error = read(text).unwrap_err();
             let found = ((error.line, error.column), error.letter);

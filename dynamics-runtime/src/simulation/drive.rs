@@ -1,5 +1,6 @@
 //! An integration from sample to sample.
 
+use super::chatter::Chatter;
 use super::error::Cause;
 use super::events::{Eventful, Finder};
 use super::motion::Motion;
@@ -10,8 +11,8 @@ use crate::integrate::{Failure, Stepper};
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
-/// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples. Events are those that `F`
-/// finds.
+/// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples; any number of steps of one length,
+/// which have no such bound. Events are those that `F` finds.
 ///
 /// Steppers of [`Simulation`](crate::Simulation) are trait objects, so that this is compiled once for all of its
 /// methods: a call is nothing beside a step.
@@ -20,7 +21,7 @@ pub(super) fn drive<F, S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, K, D: Size>(
     system: &S,
     stepper: &mut K,
     recorder: &mut Recorder<D>,
-    max_steps: usize,
+    max_steps: Option<usize>,
 ) -> Result<(), Cause>
 where
     F: Finder<S, R, L, K, D>,
@@ -32,17 +33,25 @@ where
         return run.drive(recorder, max_steps);
     }
     let mut instants = Instants::new(motion.torque.period(), recorder.duration);
+    let mut chatter = max_steps.map(|_| Chatter::new(motion.robot.size()));
     let mut steps = 0;
     while recorder.next_sample().is_some() {
-        if steps == max_steps {
-            return Err(Cause::TooManySteps);
-        }
-        let made = stepper.step(system, instants.next());
+        let made = if Some(steps) == max_steps {
+            Err(Cause::TooManySteps)
+        } else {
+            stepper.step(system, instants.next()).map_err(Cause::from)
+        };
         recorder.work.rejected = stepper.rejected();
-        made?;
+        made.map_err(|cause| match &mut chatter {
+            Some(chatter) => chatter.blamed(cause, motion, recorder.t, &recorder.phase),
+            None => cause,
+        })?;
         let (t, phase) = (stepper.t(), stepper.phase().clone());
         recorder.reach(t, phase.clone())?;
         steps += 1;
+        if let Some(chatter) = &mut chatter {
+            chatter.after_step(motion, t, &phase)?;
+        }
         let mut taken = motion.take_within(system, stepper, recorder)?;
         if instants.begin(t) {
             motion.torque.sample(t, &phase)?;
@@ -157,8 +166,14 @@ mod tests {
             recorder.plan(&plan).unwrap();
             recorder.push(motion.sample_at(0.0, plan.initial.clone()));
             let mut clock = Clock(0.0, plan.initial.clone());
-            drive::<ByMargins, _, _, _, _, _>(&motion, &(), &mut clock, &mut recorder, 1_000_000)
-                .unwrap();
+            drive::<ByMargins, _, _, _, _, _>(
+                &motion,
+                &(),
+                &mut clock,
+                &mut recorder,
+                Some(1_000_000),
+            )
+            .unwrap();
             assert_eq!(law.1.get(), 999_999);
             assert_eq!(recorder.work.steps, 1_000_000);
             assert_eq!((recorder.t, recorder.next_sample()), (1e3, None));

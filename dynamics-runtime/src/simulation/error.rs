@@ -83,12 +83,20 @@ pub enum Cause {
         /// The end of its range, rad or m.
         limit: f64,
     },
-    /// A joint of [`Friction::Sticking`](crate::Friction::Sticking), or at a stop, stops and is let go again and again.
-    /// The torques drive it back to rest whichever way it moves, and friction does not hold it there.
+    /// A joint stops and is let go again and again. The torques drive it back to rest whichever way it moves, and neither
+    /// friction ([`Friction::Sticking`](crate::Friction::Sticking)) nor a stop holds it there.
     ///
     /// Torque laws that jump where the velocity passes zero, such as those with `signum`, do that. Make the law continuous
     /// there, by a boundary layer for example.
     Chatter {
+        /// The joint, counted from 0.
+        joint: usize,
+    },
+    /// A joint with dry friction by its sign ([`Friction::Sign`](crate::Friction::Sign)) should stick: it turns back again and
+    /// again, in ever shorter steps.
+    ///
+    /// [`Friction::Sticking`](crate::Friction::Sticking) lets it rest.
+    Sticks {
         /// The joint, counted from 0.
         joint: usize,
     },
@@ -300,7 +308,9 @@ impl Cause {
                 "no step is short enough for the tolerance: shorter ones are lost in the rounding of the time",
             ),
             Cause::NoConvergence => f.write_str("the step is too long for an implicit method"),
-            Cause::TooManySteps => f.write_str("more steps between two samples than `max_steps`"),
+            Cause::TooManySteps => f.write_str(
+                "more steps between two samples than `max_steps`: a larger tolerance, more samples or, for a stiff arm, Radau's method help",
+            ),
             Cause::JointLimit { joint, limit } => {
                 write!(f, "{} passes its limit {limit:?}", behind.name(*joint))
             }
@@ -308,6 +318,11 @@ impl Cause {
                 f,
                 "{} chatters: the torques drive it back to rest from both sides",
                 behind.name(*joint)
+            ),
+            Cause::Sticks { joint } => write!(
+                f,
+                "{} is held at rest by its dry friction, and friction by the sign of the velocity cannot rest: take sticking friction",
+                counted.name(*joint)
             ),
             Cause::Impacts { joints } => write!(
                 f,

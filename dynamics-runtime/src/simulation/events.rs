@@ -104,7 +104,7 @@ where
     pub(super) fn drive(
         mut self,
         recorder: &mut Recorder<D>,
-        max_steps: usize,
+        max_steps: Option<usize>,
     ) -> Result<(), Cause> {
         let mut steps = 0;
         while let Some(next) = recorder.next_sample() {
@@ -114,7 +114,7 @@ where
             if self.since_sample.count >= MOST_BETWEEN_SAMPLES {
                 return Err(self.endless(self.since_sample.hit));
             }
-            if steps == max_steps {
+            if Some(steps) == max_steps {
                 return Err(self.too_many(steps));
             }
             let made = self.advance(self.instants.next());

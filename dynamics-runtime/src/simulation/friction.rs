@@ -20,8 +20,8 @@ pub enum Friction {
     /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity. Methods with error control end in
-    /// [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps); those of fixed step leave a velocity
-    /// proportional to the step.
+    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) after 10 000 steps of that, if the simulation was given this
+    /// kind of friction; those of fixed step leave a velocity proportional to the step.
     #[default]
     Sign,
     /// With stopping and sticking as events.

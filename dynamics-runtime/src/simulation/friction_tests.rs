@@ -300,3 +300,49 @@ fn an_arm_that_slips_and_sticks_loses_energy() {
         assert!(error < 1e-5, "{error:e}: {method:?}");
     }
 }
+
+/// Half of the friction pushes the block when it comes to rest after 0.2 s. At this tolerance the steps are long enough to creep
+/// to the end of the run, in ten millions of them.
+#[test]
+fn a_joint_that_should_stick_ends_a_run_by_the_sign() {
+    let methods: [Method; 3] = [
+        DormandPrince::with_tolerance(1e-6).into(),
+        Dop853::with_tolerance(1e-6).into(),
+        Radau5::with_tolerance(1e-6).into(),
+    ];
+    for method in methods {
+        let run = Simulation::new(&Block)
+            .friction(Friction::Sign)
+            .torque(|_, _, _| Vector1::new(0.5))
+            .initial(Vector1::zeros(), Vector1::new(0.1))
+            .method(method)
+            .duration(10.0)
+            .samples(1001);
+        let Err(error) = run.run() else {
+            panic!("{method:?}: it crept to the end");
+        };
+        assert_eq!(error.cause, Cause::Sticks { joint: 0 }, "{method:?}");
+        assert!(
+            error.to_string().contains("joint 1 is held at rest"),
+            "{error}"
+        );
+        let work = error.trajectory.work;
+        assert!(
+            error.time > 0.19 && work.steps < 12_000,
+            "{method:?}: {work:?}"
+        );
+    }
+}
+
+/// A block that is shaken passes rest again and again, and goes on.
+#[test]
+fn passing_rest_often_is_no_chatter() {
+    let run = Simulation::new(&Block)
+        .friction(Friction::Sign)
+        .torque(|t, _, _| Vector1::new(10.0 * (100.0 * t).cos()))
+        .method(DormandPrince::with_tolerance(1e-6))
+        .duration(500.0)
+        .samples(3);
+    let motion = run.run().expect("the end");
+    assert!(motion.work.steps > 100_000, "{:?}", motion.work);
+}

@@ -212,7 +212,7 @@ fn fixed<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let mut run = FixedStep::start(method, recorder.grid(step), recorder.phase.clone());
-    follow(motion, system, &mut run, recorder, usize::MAX)
+    follow(motion, system, &mut run, recorder, None)
 }
 
 fn canonical<R: EquationsOfMotion<D>, L: TorqueLaw<D>, const STAGES: usize, D: Size>(
@@ -237,7 +237,8 @@ where
 {
     let (range, phase) = (control.range(recorder.duration), recorder.phase.clone());
     let mut run = start(motion, phase, control.tolerance, range)?;
-    follow(motion, motion, &mut run, recorder, control.max_steps).map_err(Cause::of_long_steps)
+    follow(motion, motion, &mut run, recorder, Some(control.max_steps))
+        .map_err(Cause::of_long_steps)
 }
 
 /// Follows a motion by a stepper that is known at run time alone.
@@ -246,7 +247,7 @@ fn follow<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     system: &S,
     stepper: &mut dyn Stepper<S, Cause, D>,
     recorder: &mut Recorder<D>,
-    max_steps: usize,
+    max_steps: Option<usize>,
 ) -> Result<(), Cause> {
     drive::<ByMargins, _, _, _, _, _>(motion, system, stepper, recorder, max_steps)
 }

@@ -2,6 +2,7 @@
 
 mod by_margins;
 mod by_series;
+mod chatter;
 mod complementarity;
 mod contacts;
 #[cfg(feature = "csv")]

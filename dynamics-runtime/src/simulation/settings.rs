@@ -131,7 +131,7 @@ settings! {
     /// of fourth order.
     ///
     /// Under dry friction a joint that sticks makes the steps minute, and the run ends with
-    /// [`Cause::TooManySteps`](crate::simulation::Cause::TooManySteps), unless stopping and sticking are events
+    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks), unless stopping and sticking are events
     /// ([`Friction::Sticking`](crate::Friction::Sticking)).
     DormandPrince, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }

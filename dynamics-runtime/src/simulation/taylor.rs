@@ -228,8 +228,13 @@ where
         let range = control.range(recorder.duration);
         let (start, order) = (recorder.phase.clone(), self.series_order());
         let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        let end =
-            drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, control.max_steps);
+        let end = drive::<BySeries, _, _, _, _, _>(
+            motion,
+            motion,
+            &mut run,
+            recorder,
+            Some(control.max_steps),
+        );
         // One series for each step; impacts evaluate the equations besides.
         motion.count(recorder.work.steps);
         end.map_err(Cause::of_long_steps)

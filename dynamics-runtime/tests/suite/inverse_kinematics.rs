@@ -337,6 +337,21 @@ fn ends_say_why() {
         "the last descent goes to the end"
     );
 
+    // Its square is beyond the numbers.
+    let (_, error) = reason(solver.solve(at(1e300, 0.0, 0.0), &start));
+    assert!(
+        error.to_string().starts_with(
+            "not reached: target 1 is 1.000e300 m from the base, and the arm reaches 1."
+        ) && error
+            .to_string()
+            .ends_with("; 1.000e300 m and 0.000e0 rad are missing at the nearest of 1 attempt"),
+        "{error}"
+    );
+
+    assert_eq!(
+        reason(solver.solve(&pose.transpose(), &start)).0,
+        Reason::Target { target: 0 }
+    );
     let mut not_a_number = pose;
     not_a_number[(0, 3)] = f64::NAN;
     assert_eq!(

@@ -213,7 +213,8 @@ impl<'p> Series<'p> {
     }
 
     fn body(&self) -> TokenStream {
-        let (path, [real, x]) = (self.path, ["real", "x"].map(ident));
+        let path = self.path;
+        let [real, x, number] = ["real", "x", "number"].map(ident);
         let constants = inputs::constant_inputs(self.robot, self.program, path);
         let (known, moved): (Vec<_>, Vec<_>) =
             (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);
@@ -248,8 +249,8 @@ impl<'p> Series<'p> {
         let solve = self.term_call("solve", quote!(#forces));
         quote! {
             let #real = {
-                let #x = #like;
-                move |x: f64| #path::Scalar::constant(#x, x)
+                let #number = #like;
+                move |#x: f64| #path::Scalar::constant(#number, #x)
             };
             #constants
             #known_inputs

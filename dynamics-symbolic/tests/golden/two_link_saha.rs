@@ -2166,8 +2166,8 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
         term: &mut impl ::robot_dynamics::SeriesTerm<T, 2>,
     ) {
         let real = {
-            let x = ::robot_dynamics::SeriesTerm::like(term);
-            move |x: f64| ::robot_dynamics::Scalar::constant(x, x)
+            let number = ::robot_dynamics::SeriesTerm::like(term);
+            move |x: f64| ::robot_dynamics::Scalar::constant(number, x)
         };
         let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
         let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);

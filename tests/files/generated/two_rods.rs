@@ -43,7 +43,7 @@ impl TwoRods {
     ];
 
     /// Operations of each generated method, by the method's name.
-    pub const OPERATIONS: [(&'static str, ::robot_dynamics::Operations); 7] = [
+    pub const OPERATIONS: [(&'static str, ::robot_dynamics::Operations); 8] = [
         (
             "mass_matrix",
             ::robot_dynamics::Operations {
@@ -109,6 +109,16 @@ impl TwoRods {
             ::robot_dynamics::Operations {
                 multiplications: 3,
                 additions: 2,
+                divisions: 0,
+                sin_cos: 2,
+                exponentials: 0,
+            },
+        ),
+        (
+            "taylor_series",
+            ::robot_dynamics::Operations {
+                multiplications: 13,
+                additions: 10,
                 divisions: 0,
                 sin_cos: 2,
                 exponentials: 0,
@@ -444,6 +454,35 @@ impl TwoRods {
         );
         all_values
     }
+
+    /// Taylor coefficients q_0, q_1, ... of the motion q(t) = sum q_k t^k that starts at t = 0 from `q` and `qd` under the constant `tau`, up to `order` (2 to 30); zero beyond. Coulomb friction keeps the sign that it has at the start: the series ends where a joint reverses.
+    ///
+    /// `q`: joint positions, rad; `qd`: joint velocities, rad per s; `tau`: joint forces and torques, N m.
+    ///
+    /// Operations of the equations of motion at each order, inner sums of products apart: 13 multiplications, 10 additions, sines and cosines of 2 angles.
+    ///
+    /** # Errors
+
+ `SingularMassMatrix` where M(q) is not positive definite to working precision, or not finite: it names the joint whose pivot failed.*/
+
+    ///
+    /// Never panics, never allocates; what depends on an input that is not finite is not finite.
+    #[inline]
+    #[allow(unused_variables, clippy::all)]
+    pub fn taylor_series<T: ::robot_dynamics::Scalar>(
+        &self,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        tau: &::robot_dynamics::nalgebra::SVector<T, 2>,
+        order: usize,
+    ) -> ::core::result::Result<
+        ::robot_dynamics::TaylorCoefficients<T, 2>,
+        ::robot_dynamics::SingularMassMatrix,
+    > {
+        <Self as ::robot_dynamics::TaylorDynamics<
+            2,
+        >>::taylor_series(self, q, qd, tau, order)
+    }
 }
 
 #[automatically_derived]
@@ -691,6 +730,88 @@ impl ::robot_dynamics::ForwardDynamics<2> for TwoRods {
 
 #[automatically_derived]
 #[allow(deprecated, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
+impl ::robot_dynamics::TaylorDynamics<2> for TwoRods {
+    type Products<T: ::robot_dynamics::Scalar> = ::robot_dynamics::ProductTable<
+        T,
+        0,
+        2,
+        0,
+    >;
+
+    #[inline(always)]
+    fn series_term<T: ::robot_dynamics::Scalar>(
+        &self,
+        term: &mut impl ::robot_dynamics::SeriesTerm<T, 2>,
+    ) {
+        let real = {
+            let number = ::robot_dynamics::SeriesTerm::like(term);
+            move |x: f64| ::robot_dynamics::Scalar::constant(number, x)
+        };
+        let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);
+        let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
+        let c_2 = ::robot_dynamics::SeriesTerm::cosine(term, 1);
+        let s_2 = ::robot_dynamics::SeriesTerm::sine(term, 1);
+        let qd_1 = ::robot_dynamics::SeriesTerm::velocity(term, 0);
+        let qd_2 = ::robot_dynamics::SeriesTerm::velocity(term, 1);
+        ::robot_dynamics::SeriesTerm::turn(term, 0, 6);
+        ::robot_dynamics::SeriesTerm::turn(term, 1, 8);
+        let t_2 = real(0.25) * c_2;
+        let t_5 = real(0.25) * s_2;
+        let t_6 = ::robot_dynamics::SeriesTerm::product(term, 0, qd_1, qd_1);
+        let t_8 = real(9.81).mul_add(c_1, t_6);
+        let t_12 = ::robot_dynamics::SeriesTerm::product(term, 2, t_5, t_8);
+        let t_14 = qd_1 + qd_2;
+        let t_15 = ::robot_dynamics::SeriesTerm::product(term, 3, t_14, t_14);
+        let t_19 = ::robot_dynamics::SeriesTerm::product(term, 4, t_5, t_15);
+        let forces = {
+            let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+            let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
+            let t_1 = qdd_1 + qdd_2;
+            let t_4 = real(9.81).mul_add(s_1, qdd_1);
+            let t_10 = ::robot_dynamics::SeriesTerm::trial(term, 1, t_2, t_4);
+            let t_11 = real(0.0625).mul_add(t_1, t_10);
+            let t_13 = t_12 + t_11;
+            let t_18 = real(19.62).mul_add(s_1, (real(1.5) * qdd_1));
+            let t_20 = t_18 - t_19;
+            let t_21 = ::robot_dynamics::SeriesTerm::trial(term, 5, t_2, t_1);
+            let t_22 = t_21 + t_20;
+            let t_23 = t_13 + t_22;
+            [t_23, t_13]
+        };
+        ::robot_dynamics::SeriesTerm::solve(term, forces);
+        let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+        let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
+        let t_1 = qdd_1 + qdd_2;
+        let t_4 = real(9.81).mul_add(s_1, qdd_1);
+        let t_10 = ::robot_dynamics::SeriesTerm::product(term, 1, t_2, t_4);
+        let t_21 = ::robot_dynamics::SeriesTerm::product(term, 5, t_2, t_1);
+    }
+
+    #[inline(always)]
+    fn leading_matrix<T: ::robot_dynamics::Scalar>(
+        &self,
+        sines: &impl ::robot_dynamics::Inputs<T>,
+        q: &::robot_dynamics::nalgebra::SVector<T, 2>,
+    ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
+        let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
+        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            sines,
+            [1],
+            [::robot_dynamics::Part::Cosine],
+            [q.data.0[0][1]],
+        );
+        let t_1 = real(0.25) * c_2;
+        let t_2 = t_1 + t_1;
+        let t_3 = real(1.5625) + t_2;
+        let t_4 = real(0.0625) + t_1;
+        ::robot_dynamics::nalgebra::SMatrix::from_data(
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4], [t_4, real(0.0625)]]),
+        )
+    }
+}
+
+#[automatically_derived]
+#[allow(deprecated, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
 impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2>
 for TwoRods {
     type Arguments = (::robot_dynamics::Entries<2, 1>, ::robot_dynamics::Entries<2, 1>);
@@ -849,6 +970,13 @@ impl ::robot_dynamics::Model<2> for TwoRods {
                 &mut found_values,
                 "potential_energy",
                 Self::potential_energy::<T>(self, &at_state.q),
+            );
+            ::robot_dynamics::Evaluation::set(
+                &mut found_values,
+                "taylor_series",
+                Self::taylor_series::<
+                    T,
+                >(self, &at_state.q, &at_state.qd, &at_state.tau, at_state.order),
             );
             ::robot_dynamics::Evaluation::combined(
                 found_values,

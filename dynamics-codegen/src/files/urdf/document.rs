@@ -12,7 +12,8 @@ use super::rounding::Rounding;
 use crate::diagnose::{Diagnostics, Reported};
 use crate::files::Request;
 use crate::geometry::{Transform, Vector, direction};
-use crate::mistake::{Mistake, file as text, urdf as mistake};
+use crate::limits::MOST_LETTERS;
+use crate::mistake::{Mistake, file as text, size, urdf as mistake};
 use crate::parse::number::in_file;
 use crate::place::Place;
 use crate::validate::is_in_whole_degrees;
@@ -318,6 +319,8 @@ impl Reader<'_> {
         let word = name.value();
         if word.chars().any(char::is_control) {
             Err(self.error(node, text::control_in_name(word)))
+        } else if word.len() > MOST_LETTERS {
+            Err(self.error(node, size::name(word)))
         } else {
             Ok(word.to_owned())
         }

@@ -153,5 +153,6 @@ mod tests {
         assert_eq!(snake_case("my arm.2"), "my_arm_2");
         assert_eq!(snake_case("7bot"), "_7bot");
         assert_eq!(free_name("r#double", "do double"), "double_");
+        assert_eq!(free_name("M_PI", c::WORDS), "M_PI_");
     }
 }

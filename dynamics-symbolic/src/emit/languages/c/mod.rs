@@ -28,7 +28,7 @@ pub struct CSource {
     pub source: String,
 }
 
-/// The keywords of C and of C++.
+/// The keywords of C and of C++, and the constants that compilers and standard headers define as macros.
 pub(super) const WORDS: &str = "
 alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept
 const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype default
@@ -37,6 +37,8 @@ int long mutable namespace new noexcept not not_eq nullptr operator or or_eq pri
 public register reinterpret_cast requires restrict return short signed sizeof static static_assert
 static_cast struct switch template this thread_local throw true try typedef typeid typename typeof
 union unsigned using virtual void volatile wchar_t while xor xor_eq _Bool _Complex
+BUFSIZ EOF HUGE_VAL HUGE_VALF HUGE_VALL INFINITY NAN NULL RAND_MAX linux unix math_errhandling stdin stdout stderr
+M_1_PI M_2_PI M_2_SQRTPI M_E M_LN10 M_LN2 M_LOG10E M_LOG2E M_PI M_PI_2 M_PI_4 M_SQRT1_2 M_SQRT2
 ";
 
 const REFUSAL: &str = "Returns 0; or, where M(q) is not positive definite to working precision or not finite, the \
