@@ -322,7 +322,7 @@ impl Cause {
             Cause::Sticks { joint } => write!(
                 f,
                 "{} is held at rest by its dry friction, and friction by the sign of the velocity cannot rest: take sticking friction",
-                counted.name(*joint)
+                behind.name(*joint)
             ),
             Cause::Impacts { joints } => write!(
                 f,
