@@ -15,7 +15,7 @@ use crate::{Argument, Function, Request, Shape, Size};
 enum Receiver {
     /// One arm for all states, `Self`.
     Arm,
-    /// An arm for each state, of type `R`.
+    /// An arm for each state.
     Each,
 }
 
@@ -43,6 +43,7 @@ pub fn batch_methods(item: TokenStream) -> TokenStream {
 }
 
 /// A function at many states.
+#[derive(Clone)]
 pub struct Batch {
     /// The name of the function.
     name: String,
@@ -52,6 +53,8 @@ pub struct Batch {
     result: Ident,
     refuses: bool,
     receiver: Receiver,
+    /// The type of an arm.
+    arm: TokenStream,
     /// The type of the function for the trait `Function`, and its value.
     function: [TokenStream; 2],
     /// The numbers of joints and of degrees of freedom, where they are known.
@@ -64,13 +67,7 @@ impl Batch {
     /// The methods for many states of a function of the runtime.
     fn of_table(function: Function, receiver: Receiver) -> Batch {
         let request = Request::from(function);
-        let settings = settings(function.arguments());
-        let name = format_ident!("{function:?}");
-        let value = if settings.is_empty() {
-            quote!(functions::#name)
-        } else {
-            quote!(functions::#name { #(#settings),* })
-        };
+        let (name, value) = (format_ident!("{function:?}"), value(function));
         Batch {
             name: function.name().to_owned(),
             description: description(function),
@@ -78,7 +75,11 @@ impl Batch {
             result: format_ident!("{}", request.result()),
             refuses: request.refuses(),
             receiver,
-            function: [quote!(functions::#name), value],
+            arm: match receiver {
+                Receiver::Arm => quote!(Self),
+                Receiver::Each => quote!(R),
+            },
+            function: [quote!(functions::#name), quote!(functions::#value)],
             sizes: None,
             path: quote!(crate),
         }
@@ -95,10 +96,11 @@ impl Batch {
     ) -> Batch {
         let function = match request.function() {
             Some(function) => {
+                let value = value(function);
                 let name = format_ident!("{function:?}");
                 [
                     quote!(#path::functions::#name),
-                    quote!(#path::functions::#name),
+                    quote!(#path::functions::#value),
                 ]
             }
             None => {
@@ -114,15 +116,28 @@ impl Batch {
             result: Ident::new("all_values", Span::call_site()),
             refuses: request.refuses(),
             receiver: Receiver::Arm,
+            arm: quote!(Self),
             function,
             sizes,
             path: path.clone(),
         }
     }
 
+    /// The same with an arm of this type for each state.
+    #[must_use]
+    pub fn of_each(&self, arm: &Ident) -> Batch {
+        Batch {
+            receiver: Receiver::Each,
+            arm: arm.to_token_stream(),
+            ..self.clone()
+        }
+    }
+
     /// The method, on one core or on all.
     pub fn method(&self, parallel: bool) -> TokenStream {
-        let Batch { path, result, .. } = self;
+        let Batch {
+            path, result, arm, ..
+        } = self;
         let [function, value] = &self.function;
         let is_of_table = self.sizes.is_none();
         let (prefix, run) = if parallel {
@@ -137,9 +152,9 @@ impl Batch {
             None => [quote!(N), quote!(N)],
         };
         let generic = is_of_table.then(|| quote!(, const N: usize));
-        let (arm, arms) = match self.receiver {
-            Receiver::Arm => (quote!(Self), quote!(self)),
-            Receiver::Each => (quote!(R), quote!(self.0)),
+        let arms = match self.receiver {
+            Receiver::Arm => quote!(self),
+            Receiver::Each => quote!(self.0),
         };
         let arguments = self.arguments.iter().map(|argument| {
             let name = format_ident!("{}", argument.name());
@@ -187,15 +202,15 @@ impl Batch {
         if self.sizes.is_some() {
             return None;
         }
-        let (path, [function, _]) = (&self.path, &self.function);
+        let (path, arm, [function, _]) = (&self.path, &self.arm, &self.function);
         let sync = parallel.then(|| quote!(+ Sync));
         let shapes = self.arguments.iter().filter_map(|a| a.shape());
         let lengths = shapes.map(|shape| length(shape, [n, n]));
         let function =
             quote!(#path::Function<#function, #n, Arguments = (#(#path::Entries<#lengths, 1>,)*)>);
         Some(match self.receiver {
-            Receiver::Arm => quote!(where Self: #function + Sized #sync),
-            Receiver::Each => quote!(where R: #function + #path::Fields #sync),
+            Receiver::Arm => quote!(where #arm: #function + Sized #sync),
+            Receiver::Each => quote!(where #arm: #function + #path::Fields #sync),
         })
     }
 
@@ -257,6 +272,19 @@ impl Batch {
             self.result, self.name
         ));
         lines
+    }
+}
+
+/// The value of a function's type, with the settings among its arguments.
+fn value(function: Function) -> TokenStream {
+    let (name, settings) = (
+        format_ident!("{function:?}"),
+        settings(function.arguments()),
+    );
+    if settings.is_empty() {
+        quote!(#name)
+    } else {
+        quote!(#name { #(#settings),* })
     }
 }
 

@@ -115,7 +115,8 @@ pub use batch::on_all_cores;
 #[cfg(feature = "std")]
 #[doc(hidden)]
 pub use batch::{
-    BatchError, Fields, LengthMismatch, Precision, States, StatesMut, failing, on_one_core,
+    BatchError, Fields, LengthMismatch, Precision, States, StatesMut, WithParameters, failing,
+    on_one_core,
 };
 #[doc(hidden)]
 pub use dual::Dual;

@@ -7,6 +7,7 @@ mod functions;
 
 mod arms;
 mod compare;
+mod each;
 mod states;
 
 use arms::{CRANE, Crane, Strut, Wrist};

@@ -1,38 +1,111 @@
-//! Several functions as one at many states.
+//! Functions at many states that belong to a robot: several as one, those of frames, and all of one whose base moves.
 
 use dynamics_symbolic::function::Batch;
 use dynamics_symbolic::{Request, method_name};
-use proc_macro2::TokenStream;
-use quote::quote;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
 
 use super::target::Target;
 
-/// The batches of several functions as one, which stand beside the methods.
-pub(super) fn fused(target: &Target, requests: &[Request]) -> TokenStream {
-    let Target {
-        name, cfgs, path, ..
-    } = target;
+/// Whether a batch is no method of the runtime's trait `Batch`.
+fn is_own(target: &Target, request: &Request) -> bool {
+    target.freedoms.has_base() || request.function().is_none()
+}
+
+/// The batches of requests, unless a request has the name.
+fn batches(
+    target: &Target,
+    requests: &[Request],
+    is_meant: impl Fn(&Request) -> bool,
+) -> Vec<Batch> {
     let is_taken = |name: &str| requests.iter().any(|request| request.name() == name);
-    let fused = requests.iter().enumerate().filter(|(_, request)| {
+    let free = requests.iter().enumerate().filter(|(_, request)| {
         let name = request.name();
         let names = [format!("{name}_batch"), format!("par_{name}_batch")];
-        let is_own = target.freedoms.has_base() || request.function().is_none();
-        is_own && !names.iter().any(|name| is_taken(name))
+        is_meant(request) && !names.iter().any(|name| is_taken(name))
     });
     let batch = |(index, request): (usize, &Request)| {
         let sizes = target.is_known().then(|| [target.n(), target.v()]);
-        Batch::of_robot(request, index, &method_name(request), sizes, path)
+        Batch::of_robot(request, index, &method_name(request), sizes, target.path)
     };
-    let fused: Vec<Batch> = fused.map(batch).collect();
-    if fused.is_empty() {
+    free.map(batch).collect()
+}
+
+/// The batches of one robot that belong to it, beside its methods.
+pub(super) fn of_one(target: &Target, requests: &[Request]) -> TokenStream {
+    let (name, own) = (
+        target.name,
+        batches(target, requests, |r| is_own(target, r)),
+    );
+    methods(target, &own, &quote!(#name))
+}
+
+/// The batches in which every state has a robot of its own, where some belong to the robot: a type that has all of them.
+/// It replaces the runtime's in the trait that reads fields.
+pub(super) fn of_each(
+    target: &Target,
+    requests: &[Request],
+    fields: &TokenStream,
+) -> Option<TokenStream> {
+    if !requests.iter().any(|r| is_own(target, r)) || !target.is_known() {
+        return None;
+    }
+    let Target {
+        name,
+        visibility,
+        cfgs,
+        path,
+        ..
+    } = target;
+    let all = batches(target, requests, |_| true).into_iter();
+    let all: Vec<Batch> = all.map(|batch| batch.of_each(name)).collect();
+    let of_each = type_of_each(name);
+    let methods = methods(target, &all, &quote!(#of_each<'_>));
+    Some(quote! {
+        #path::__with_std! {
+            #cfgs
+            #[doc(hidden)]
+            #[allow(
+                missing_debug_implementations,
+                non_camel_case_types,
+                unreachable_pub,
+                clippy::all,
+                clippy::pedantic,
+                clippy::nursery
+            )]
+            #[derive(::core::clone::Clone, ::core::marker::Copy)]
+            #visibility struct #of_each<'a>(&'a [#name]);
+
+            #cfgs
+            #[automatically_derived]
+            impl<'a> ::core::convert::From<&'a [#name]> for #of_each<'a> {
+                #[inline]
+                fn from(arms: &'a [#name]) -> Self {
+                    #of_each(arms)
+                }
+            }
+        }
+        #methods
+        #fields
+    })
+}
+
+/// The type of robots of which each state has one.
+pub(super) fn type_of_each(name: &Ident) -> Ident {
+    format_ident!("__{name}OfEach")
+}
+
+fn methods(target: &Target, batches: &[Batch], of: &TokenStream) -> TokenStream {
+    let Target { cfgs, path, .. } = target;
+    if batches.is_empty() {
         return TokenStream::new();
     }
     let [one, all] = [false, true].map(|parallel| {
-        let methods = fused.iter().map(|batch| batch.method(parallel));
+        let methods = batches.iter().map(|batch| batch.method(parallel));
         quote! {
             #cfgs
             #[allow(dead_code, deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
-            impl #name { #(#methods)* }
+            impl #of { #(#methods)* }
         }
     });
     quote! {

@@ -65,7 +65,7 @@ pub(crate) fn robot(
             .iter()
             .map(|method| method.function.clone())
             .collect(),
-        fields: traits::fields(&target, &robot.fields),
+        field: traits::field_by_index(&robot.fields),
         angles: angles(robot, methods),
         evaluation: evaluate::evaluation(&target, robot, &requests),
     };
@@ -124,7 +124,7 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         functions: functions
             .map(|(i, r)| stub_of_function(r, i, target.freedoms, path))
             .collect(),
-        fields: Some(traits::fields_by(&target, &unimplemented)),
+        field: Some(unimplemented.clone()),
         angles: Vec::new(),
         evaluation: Evaluation {
             functions: unimplemented,
@@ -304,8 +304,8 @@ struct Items {
     provided: Vec<(Function, TokenStream)>,
     /// For each method the items of the trait `Function`, unless it has a trait of its own.
     functions: Vec<Option<TokenStream>>,
-    /// The trait that reads the fields, where there are some.
-    fields: Option<TokenStream>,
+    /// The value of the field of the number `index`, where there are some.
+    field: Option<TokenStream>,
     /// Whether a function of a trait of its own reads the sine of each joint.
     angles: Vec<bool>,
     evaluation: Evaluation,
@@ -324,7 +324,9 @@ impl Items {
         );
         let provided = traits::provided(target, self.provided.into_iter());
         let of_function = traits::functions(target, requests.iter().zip(self.functions));
-        let (fields, batches) = (self.fields, batch::fused(target, requests));
+        let field = self.field.as_ref();
+        let fields = field.map(|value| traits::fields(target, value, requests));
+        let batches = batch::of_one(target, requests);
         quote!(#inherent #provided #of_function #fields #batches #traits)
     }
 

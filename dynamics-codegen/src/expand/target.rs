@@ -8,6 +8,8 @@ use crate::call::Structure;
 /// The struct that items are written for.
 pub(super) struct Target<'a> {
     pub(super) name: &'a Ident,
+    /// `pub`, `pub(crate)`, ... or nothing.
+    pub(super) visibility: &'a TokenStream,
     /// Attributes that switch the struct on and off: its impls go with it.
     pub(super) cfgs: &'a TokenStream,
     /// The degrees of freedom; none where an error left the number of joints unknown.
@@ -24,6 +26,7 @@ impl<'a> Target<'a> {
     ) -> Target<'a> {
         Target {
             name: &structure.name,
+            visibility: &structure.visibility,
             cfgs: &structure.cfgs,
             freedoms: freedoms.into(),
             path,

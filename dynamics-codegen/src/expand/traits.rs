@@ -6,6 +6,7 @@ use dynamics_symbolic::{Function, Request, function_type, handed_on};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
+use super::batch;
 use super::evaluate::Evaluation;
 use super::target::Target;
 
@@ -79,8 +80,8 @@ pub(super) fn functions<'a>(
     items.enumerate().filter_map(implementation).collect()
 }
 
-/// The trait that reads the fields, where there are some.
-pub(super) fn fields(target: &Target, fields: &[String]) -> Option<TokenStream> {
+/// The value of the field of the number `index`, where there are some.
+pub(super) fn field_by_index(fields: &[String]) -> Option<TokenStream> {
     if fields.is_empty() {
         return None;
     }
@@ -88,29 +89,35 @@ pub(super) fn fields(target: &Target, fields: &[String]) -> Option<TokenStream> 
         let (i, name) = (Literal::usize_unsuffixed(i), field(name));
         quote!(#i => self.#name,)
     });
-    let value = quote! {
+    Some(quote! {
         match index {
             #(#arms)*
             _ => 0.0,
         }
-    };
-    Some(fields_by(target, &value))
+    })
 }
 
-/// The trait that reads the field of the number `index`.
-pub(super) fn fields_by(target: &Target, value: &TokenStream) -> TokenStream {
+/// The trait that reads the field of the number `index`, beside the batches that belong to the robot.
+pub(super) fn fields(target: &Target, value: &TokenStream, requests: &[Request]) -> TokenStream {
     let path = target.path;
     let start = start(target, &quote!(), quote!(Fields));
-    quote! {
-        #path::__with_std! {
-            #start {
-                #[inline(always)]
-                fn field(&self, index: usize) -> f64 {
-                    #value
+    let fields = |of_each: TokenStream| {
+        quote! {
+            #path::__with_std! {
+                #start {
+                    type OfEach<'a> = #of_each;
+
+                    #[inline(always)]
+                    fn field(&self, index: usize) -> f64 {
+                        #value
+                    }
                 }
             }
         }
-    }
+    };
+    let of_each = batch::type_of_each(target.name);
+    let with_own = batch::of_each(target, requests, &fields(quote!(#of_each<'a>)));
+    with_own.unwrap_or_else(|| fields(quote!(#path::WithParameters<'a, Self>)))
 }
 
 /// The method by which structure-preserving integration asks an arm with forward dynamics for momenta, where there are

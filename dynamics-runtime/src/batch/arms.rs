@@ -13,7 +13,13 @@ use crate::sine::Part;
     message = "the fields of `{Self}` cannot be read in lanes",
     note = "a struct of `robot_dynamics!` with fields can: `pub struct {Self} {{ payload: f64 }}`"
 )]
-pub trait Fields {
+pub trait Fields: Sized {
+    /// Arms of which each state has one: [`WithParameters`](super::WithParameters), or a type of the arm's own with
+    /// further methods.
+    type OfEach<'a>: From<&'a [Self]>
+    where
+        Self: 'a;
+
     /// A field.
     fn field(&self, index: usize) -> f64;
 }

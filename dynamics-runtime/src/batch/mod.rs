@@ -77,13 +77,15 @@ pub trait Batch {
     /// A batch in which every state has an arm of its own: `arms` has a struct for each state, which differ in
     /// their fields. Masses that are estimated, tools that are tried out, gravity on a slope.
     ///
-    /// It has the methods of this trait: `Batch::with_parameters(&arms).gravity_vector_batch(&q, &mut tau)`, for
-    /// instance. They take the time of one arm's and that of reading the fields.
-    fn with_parameters(arms: &[Self]) -> WithParameters<'_, Self>
+    /// It has the methods of this trait, and the batches that stand beside the methods of the struct: functions at frames,
+    /// several functions as one, all functions of a robot whose base moves. An instance is
+    /// `Batch::with_parameters(&arms).gravity_vector_batch(&q, &mut tau)`. They take the time of one arm's and that of
+    /// reading the fields.
+    fn with_parameters(arms: &[Self]) -> Self::OfEach<'_>
     where
-        Self: Sized,
+        Self: Fields,
     {
-        WithParameters(arms)
+        arms.into()
     }
 }
 }
@@ -103,6 +105,12 @@ impl<R> Clone for WithParameters<'_, R> {
 }
 
 impl<R> Copy for WithParameters<'_, R> {}
+
+impl<'a, R> From<&'a [R]> for WithParameters<'a, R> {
+    fn from(arms: &'a [R]) -> Self {
+        WithParameters(arms)
+    }
+}
 
 dynamics_macros::batch_methods! {
 impl<R> WithParameters<'_, R> {}

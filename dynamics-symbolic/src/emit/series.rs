@@ -354,7 +354,7 @@ impl<'p> Series<'p> {
         if let Some(slot) = self.slots[index] {
             let slot = Literal::usize_unsuffixed(slot);
             let (a, b) = if self.swapped[index] { (b, a) } else { (a, b) };
-            let (a, b) = (self.number(a), self.number(b));
+            let (a, b) = (self.argument(a), self.argument(b));
             return self.term_call(product, quote!(#slot, #a, #b));
         }
         // The operands of a sum of series are series, of any other operation numbers.
@@ -379,13 +379,18 @@ impl<'p> Series<'p> {
             _ => return None,
         };
         if let Some((x, y)) = self.inlined_product(b) {
-            let (x, y, a) = (self.number(x), self.number(y), self.series(a));
+            let (x, y, a) = (self.number(x), self.argument(y), self.addend(a));
             let x = if is_difference { quote!((-#x)) } else { x };
             return Some(quote!(#x.mul_add(#y, #a)));
         }
         let (x, y) = self.inlined_product(a)?;
-        let (x, y, b) = (self.number(x), self.number(y), self.series(b));
-        let b = if is_difference { quote!(-#b) } else { b };
+        let (x, y) = (self.number(x), self.argument(y));
+        let b = if is_difference {
+            let b = self.series(b);
+            quote!(-#b)
+        } else {
+            self.addend(b)
+        };
         Some(quote!(#x.mul_add(#y, #b)))
     }
 
@@ -402,14 +407,22 @@ impl<'p> Series<'p> {
         quote!(#path::SeriesTerm::#method(#term #comma #arguments))
     }
 
-    /// An operand as it is.
+    /// An operand as it is, in parentheses where it is a product.
     fn number(&self, operand: Operand) -> TokenStream {
+        let number = self.argument(operand);
+        match operand {
+            Operand::Result(index) if self.inlined[index as usize] => quote!((#number)),
+            _ => number,
+        }
+    }
+
+    /// An operand as an argument of a call.
+    fn argument(&self, operand: Operand) -> TokenStream {
         match operand {
             Operand::Constant(id) => inputs::real(self.constants[id.index()]),
             Operand::Input(index) => self.inputs[index as usize].to_token_stream(),
             Operand::Result(index) if self.inlined[index as usize] => {
-                let value = self.value(index as usize, STORED);
-                quote!((#value))
+                self.value(index as usize, STORED)
             }
             Operand::Result(index) => name(index as usize).to_token_stream(),
         }
@@ -417,7 +430,15 @@ impl<'p> Series<'p> {
 
     /// An operand as a coefficient: constants have them at order 0 alone.
     fn series(&self, operand: Operand) -> TokenStream {
-        let number = self.number(operand);
+        match self.kind(operand) {
+            Kind::Constant => self.addend(operand),
+            _ => self.number(operand),
+        }
+    }
+
+    /// The same as an argument of a call.
+    fn addend(&self, operand: Operand) -> TokenStream {
+        let number = self.argument(operand);
         match self.kind(operand) {
             Kind::Constant => self.term_call("constant", number),
             _ => number,

@@ -343,6 +343,8 @@ impl ::robot_dynamics::GravityVector<2> for NamedRods {
         clippy::nursery
     )]
     impl ::robot_dynamics::Fields for NamedRods {
+        type OfEach<'a> = ::robot_dynamics::WithParameters<'a, Self>;
+
         #[inline(always)]
         fn field(&self, index: usize) -> f64 {
             match index {

@@ -771,7 +771,7 @@ impl ::robot_dynamics::TaylorDynamics<2> for TwoRods {
             let t_10 = ::robot_dynamics::SeriesTerm::trial(term, 1, t_2, t_4);
             let t_11 = real(0.0625).mul_add(t_1, t_10);
             let t_13 = t_12 + t_11;
-            let t_18 = real(19.62).mul_add(s_1, (real(1.5) * qdd_1));
+            let t_18 = real(19.62).mul_add(s_1, real(1.5) * qdd_1);
             let t_20 = t_18 - t_19;
             let t_21 = ::robot_dynamics::SeriesTerm::trial(term, 5, t_2, t_1);
             let t_22 = t_21 + t_20;
