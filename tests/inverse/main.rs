@@ -315,11 +315,14 @@ fn rotations_that_are_none_have_no_solution() {
             changed(&|pose| pose.fixed_view_mut::<3, 3>(0, 0).neg_mut()),
             changed(&|pose| pose.fixed_view_mut::<3, 3>(0, 0).scale_mut(1.001)),
             changed(&|pose| pose.fixed_view_mut::<3, 3>(0, 0).fill(0.0)),
+            changed(&|pose| pose[(3, 3)] = 0.0),
         ];
         for found in none {
             assert_eq!(found.is_empty(), A::READS_ROTATION, "{}", A::NAME);
             assert!(found.is_empty() || found == solved);
         }
+        let transposed = arm.solutions(&pose.transpose(), 0.3);
+        assert!(transposed.is_empty() || !A::READS_ROTATION, "{}", A::NAME);
         // Roundings are no reason.
         let near = changed(&|pose| pose[(1, 1)] += 1e-12);
         assert_eq!(near.len(), solved.len(), "{}", A::NAME);

@@ -101,6 +101,11 @@ int main(void)
     double far[4][4] = {{{{1, 0, 0, NAN}}, {{0, 1, 0, 0}}, {{0, 0, 1, 0}}, {{0, 0, 0, 1}}}}, found[8][{joints}];
     int singular[8];
     all += 100000 * {name}_inverse_kinematics({arm}(const double(*)[4])far{elbow}, found, singular);
+    double pose[4][4], transposed[4][4];
+    for (int i = 0; i < {joints}; ++i) found[0][i] = 0.3;
+    {name}_forward_kinematics({arm}found[0], pose);
+    for (int i = 0; i < 16; ++i) transposed[i % 4][i / 4] = pose[i / 4][i % 4];
+    all += 100000 * {name}_inverse_kinematics({arm}(const double(*)[4])transposed{elbow}, found, singular);
     printf("%d %.1e %d\n", all, worst, lost);
     return 0;
 }}
@@ -140,6 +145,9 @@ for (let draws = 0; draws < 200; ++draws) {{
 }}
 const far = [[1, 0, 0, NaN], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]];
 all += 100000 * inverse_kinematics({arm}far{elbow}).length;
+const pose = forward_kinematics({arm}Array({joints}).fill(0.3));
+const transposed = pose[0].map((_, j) => pose.map((row) => row[j]));
+all += 100000 * inverse_kinematics({arm}transposed{elbow}).length;
 console.log(`${{all}} ${{worst.toExponential(1)}} ${{lost}}`);
 "#
     )

@@ -8,7 +8,9 @@ mod solutions;
 
 pub use real::Real;
 #[doc(hidden)]
-pub use roots::{Found, Roots, direction, is_reached, is_rotation, slide, slides, turn, turns};
+pub use roots::{
+    Found, Roots, direction, is_pose, is_reached, is_rotation, slide, slides, turn, turns,
+};
 #[doc(hidden)]
 pub use solutions::Branches;
 pub(crate) use solutions::nearest_turn;

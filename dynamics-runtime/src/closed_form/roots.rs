@@ -1,6 +1,6 @@
 //! The equations in one joint.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix4, Vector3};
 
 use super::Real;
 
@@ -146,6 +146,15 @@ pub fn direction<T: Real>(
     (Vector3::new(x * scale, y * scale, z * scale), is_any)
 }
 
+/// Whether a homogeneous matrix is a pose: a rotation, and a last row of 0, 0, 0, 1, which a transposed one has as its last
+/// column.
+#[inline]
+pub fn is_pose<T: Real>(matrix: &Matrix4<T>) -> bool {
+    let [x, y, z, position] = &matrix.data.0;
+    let misses = [x[3], y[3], z[3], position[3] - T::from_f64(1.0)];
+    are_small(&misses) && is_rotation(&matrix.fixed_view::<3, 3>(0, 0).into_owned())
+}
+
 /// Whether a matrix is a rotation: two columns of length one at right angles, and their vector product the third.
 #[inline]
 pub fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
@@ -159,6 +168,11 @@ pub fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
         c * d - a * f - h,
         a * e - b * d - i,
     ];
+    are_small(&misses)
+}
+
+#[inline]
+fn are_small<T: Real>(misses: &[T]) -> bool {
     misses
         .iter()
         .all(|x| *x <= T::ROTATION && *x >= -T::ROTATION)

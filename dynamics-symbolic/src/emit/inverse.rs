@@ -35,7 +35,7 @@ pub fn inverse_kinematics(
     let steps = match plan.target {
         Target::Position => steps,
         _ => quote! {
-            if #path::closed_form::is_rotation(&#pose.fixed_view::<3, 3>(0, 0).into_owned()) {
+            if #path::closed_form::is_pose(#pose) {
                 #steps
             }
         },
@@ -134,7 +134,7 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
     let most = plan.branches();
     let none = match plan.target {
         Target::Position => "none if it is out of reach",
-        _ => "none if it is out of reach, or if its rotation is none",
+        _ => "none if it is out of reach, or no rigid transform",
     };
     let operations = plan.program.operations();
     let count = operations.multiplications + operations.additions + operations.divisions;

@@ -59,7 +59,7 @@ fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
     let turning = format!("{before}{}{behind}", turning.join(", "));
     let mut statements = vec![turning, words.begin.to_owned()];
     if plan.target != Target::Position {
-        statements.push(format!("if (!is_rotation(pose)) return {result};"));
+        statements.push(format!("if (!is_pose(pose)) return {result};"));
     }
     statements.extend(writer.inputs());
     writer.from(0, &[], 0, &mut statements);

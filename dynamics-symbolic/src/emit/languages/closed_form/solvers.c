@@ -87,11 +87,13 @@ static inline double product(const double pose[4][4], int i, int j)
     return pose[0][i] * pose[0][j] + pose[1][i] * pose[1][j] + pose[2][i] * pose[2][j];
 }
 
-/* Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third. */
-static inline int is_rotation(const double pose[4][4])
+/* Whether a matrix is a pose. Two columns of its rotation have length one and are at right angles, and their vector product
+   is the third. The last row is 0, 0, 0, 1, which a transposed pose has as its last column. */
+static inline int is_pose(const double pose[4][4])
 {
     int is_one = fabs(product(pose, 0, 0) - 1) <= ROTATION && fabs(product(pose, 1, 1) - 1) <= ROTATION
                  && fabs(product(pose, 0, 1)) <= ROTATION;
+    for (int i = 0; i < 4; ++i) is_one = is_one && fabs(pose[3][i] - (i == 3)) <= ROTATION;
     for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
         const double third = pose[j][0] * pose[k][1] - pose[k][0] * pose[j][1];
         is_one = is_one && fabs(third - pose[i][2]) <= ROTATION;
@@ -115,6 +117,6 @@ static inline int keep(const found *joints, const int *turning, int count, int i
 /* A file need not need all of these. */
 static inline void are_used(void)
 {
-    (void)turn; (void)turns; (void)slide; (void)slides; (void)direction; (void)is_reached; (void)is_rotation; (void)keep;
+    (void)turn; (void)turns; (void)slide; (void)slides; (void)direction; (void)is_reached; (void)is_pose; (void)keep;
     (void)are_used;
 }

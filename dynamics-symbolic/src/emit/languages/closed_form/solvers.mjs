@@ -58,12 +58,14 @@ function direction(x, y, z, u, v, w, size) {
 
 const is_reached = (x, y, z, size) => x * x + y * y + z * z <= REACHED * REACHED * size && Number.isFinite(size);
 
-/** Whether the rotation of a pose is one: two columns of length one at right angles, and their vector product the third. */
-function is_rotation(pose) {
+/** Whether a matrix is a pose. Two columns of its rotation have length one and are at right angles, and their vector product
+ * is the third. The last row is 0, 0, 0, 1, which a transposed pose has as its last column. */
+function is_pose(pose) {
   const [x, y, z] = [0, 1, 2].map((column) => pose.slice(0, 3).map((row) => row[column]));
   const product = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const thirds = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
   const misses = [product(x, x) - 1, product(y, y) - 1, product(x, y), ...thirds.map((third, i) => third - z[i])];
+  misses.push(...pose[3].map((x, i) => x - (i === 3 ? 1 : 0)));
   return misses.every((miss) => Math.abs(miss) <= ROTATION);
 }
 
