@@ -7,10 +7,9 @@ mod roots;
 mod solutions;
 
 pub use real::Real;
+pub(crate) use roots::is_rotation;
 #[doc(hidden)]
-pub use roots::{
-    Found, Roots, direction, is_pose, is_reached, is_rotation, slide, slides, turn, turns,
-};
+pub use roots::{Found, Roots, direction, is_pose, is_reached, slide, slides, turn, turns};
 #[doc(hidden)]
 pub use solutions::Branches;
 pub(crate) use solutions::nearest_turn;

@@ -157,7 +157,7 @@ pub fn is_pose<T: Real>(matrix: &Matrix4<T>) -> bool {
 
 /// Whether a matrix is a rotation: two columns of length one at right angles, and their vector product the third.
 #[inline]
-pub fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
+pub(crate) fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
     let [[a, b, c], [d, e, f], [g, h, i]] = matrix.data.0;
     let one = T::from_f64(1.0);
     let misses = [
