@@ -80,8 +80,8 @@ pub(super) fn of_each(
             #[automatically_derived]
             impl<'a> ::core::convert::From<&'a [#name]> for #of_each<'a> {
                 #[inline]
-                fn from(arms: &'a [#name]) -> Self {
-                    #of_each(arms)
+                fn from(all_arms: &'a [#name]) -> Self {
+                    #of_each(all_arms)
                 }
             }
         }

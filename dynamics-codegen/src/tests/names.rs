@@ -33,7 +33,7 @@ fn names_of_variables_are_apart_from_those_around_the_call() {
         "struct Arm {{ l: f64, off: f64 }} convention: standard, gravity: [0, 0, -9.81], joints: [
             a: revolute {{ a: l, alpha: off, mass: 1, com: [1, 2, 3], friction: {{ coulomb: 1 }} }},
             b: prismatic {{ mass: l, alpha: 0.3 }},
-        ], functions: [{}], tests: true",
+        ], functions: [{}, both = (mass_matrix, gravity_vector)], tests: true",
         functions.join(", ")
     );
     let seven = "struct Seven; convention: standard, gravity: [0, 0, 1], joints: [

@@ -214,7 +214,7 @@ impl<'p> Series<'p> {
 
     fn body(&self) -> TokenStream {
         let path = self.path;
-        let [real, x, number] = ["real", "x", "number"].map(ident);
+        let [real, x, number] = ["real", "x", "a_number"].map(ident);
         let constants = inputs::constant_inputs(self.robot, self.program, path);
         let (known, moved): (Vec<_>, Vec<_>) =
             (0..self.program.instructions.len()).partition(|&i| self.kinds[i] != Kind::Moved);

@@ -744,8 +744,8 @@ impl ::robot_dynamics::TaylorDynamics<2> for TwoRods {
         term: &mut impl ::robot_dynamics::SeriesTerm<T, 2>,
     ) {
         let real = {
-            let number = ::robot_dynamics::SeriesTerm::like(term);
-            move |x: f64| ::robot_dynamics::Scalar::constant(number, x)
+            let a_number = ::robot_dynamics::SeriesTerm::like(term);
+            move |x: f64| ::robot_dynamics::Scalar::constant(a_number, x)
         };
         let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);
         let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
