@@ -141,7 +141,7 @@ pub(super) struct Missing {
     pub(super) about: Option<Vector3<f64>>,
 }
 
-/// Whether this is the last row of a homogeneous transform. That of a transposed one has the position.
+/// Whether this is the last row of a homogeneous transform. The last row of a transposed one has the position.
 fn is_last_row(row: [f64; 4]) -> bool {
     let pairs = row.iter().zip([0.0, 0.0, 0.0, 1.0]);
     pairs

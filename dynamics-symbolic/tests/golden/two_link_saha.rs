@@ -2166,8 +2166,8 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
         term: &mut impl ::robot_dynamics::SeriesTerm<T, 2>,
     ) {
         let real = {
-            let number = ::robot_dynamics::SeriesTerm::like(term);
-            move |x: f64| ::robot_dynamics::Scalar::constant(number, x)
+            let a_number = ::robot_dynamics::SeriesTerm::like(term);
+            move |x: f64| ::robot_dynamics::Scalar::constant(a_number, x)
         };
         let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
         let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);
@@ -2191,7 +2191,7 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
             let t_11 = real(0.3333333333333333).mul_add(t_3, t_10);
             let t_12 = ::robot_dynamics::SeriesTerm::trial(term, 3, c_2, t_8);
             let t_13 = t_12 + t_11;
-            let t_16 = real(49.05).mul_add(c_1, (real(8.0) * qdd_1));
+            let t_16 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
             let t_18 = ::robot_dynamics::SeriesTerm::trial(term, 5, c_2, t_3);
             let t_19 = t_18 - t_17;
             let t_20 = t_16 + t_19;
