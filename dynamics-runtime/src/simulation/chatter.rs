@@ -20,10 +20,16 @@ pub(super) struct Chatter<D: Size> {
     steps: usize,
     /// When it was asked last.
     since: f64,
+    /// When the first of these questions was due, and the steps since then.
+    began: f64,
+    taken: usize,
 }
 
 /// A joint chatters if it is near rest so many times, one after the other.
 const QUESTIONS: usize = 16;
+
+/// A run ends if chattering to its end would take more steps than these: a shorter one is followed.
+const MOST_STEPS: f64 = 500_000.0;
 
 /// The least number of steps between two questions.
 const STEPS: usize = 500;
@@ -38,17 +44,21 @@ impl<D: Size> Chatter<D> {
             questions: 0,
             steps: 0,
             since: 0.0,
+            began: 0.0,
+            taken: 0,
         }
     }
 
-    /// The end of a run in which a joint chatters, after a step that led to this phase.
+    /// The end of a run in which a joint chatters, after a step that led to this phase. So much time is left of the run.
     pub(super) fn after_step<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
         &mut self,
         motion: &Motion<R, L, D>,
         t: f64,
         phase: &Phase<D>,
+        left: f64,
     ) -> Result<(), Cause> {
         self.steps += 1;
+        self.taken += 1;
         // Not in step with a motion that repeats itself.
         if self.steps < STEPS + self.questions * self.questions {
             return Ok(());
@@ -57,10 +67,12 @@ impl<D: Size> Chatter<D> {
         self.questions += 1;
         if joint.is_none() {
             *self = Chatter::new(motion.robot.size());
+            self.began = t;
         }
         (self.steps, self.since) = (0, t);
+        let is_endless = self.taken as f64 * left > MOST_STEPS * (t - self.began);
         match joint {
-            Some(joint) if self.questions == QUESTIONS => Err(motion.chatters(joint)),
+            Some(joint) if self.questions >= QUESTIONS && is_endless => Err(motion.chatters(joint)),
             _ => Ok(()),
         }
     }

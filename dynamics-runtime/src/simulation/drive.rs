@@ -50,7 +50,7 @@ where
         recorder.reach(t, phase.clone())?;
         steps += 1;
         if let Some(chatter) = &mut chatter {
-            chatter.after_step(motion, t, &phase)?;
+            chatter.after_step(motion, t, &phase, recorder.duration - t)?;
         }
         let mut taken = motion.take_within(system, stepper, recorder)?;
         if instants.begin(t) {

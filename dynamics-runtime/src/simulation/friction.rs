@@ -20,7 +20,7 @@ pub enum Friction {
     /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity. Methods with error control end in
-    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) after 10 000 steps of that, if the simulation was given this
+    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) if the rest would take over 500,000 steps, and the simulation was given this
     /// kind of friction; those of fixed step leave a velocity proportional to the step.
     #[default]
     Sign,
