@@ -7,9 +7,9 @@ mod roots;
 mod solutions;
 
 pub use real::Real;
-pub(crate) use roots::is_rotation;
 #[doc(hidden)]
 pub use roots::{Found, Roots, direction, is_pose, is_reached, slide, slides, turn, turns};
+pub(crate) use roots::{is_homogeneous, is_rotation};
 #[doc(hidden)]
 pub use solutions::Branches;
 pub(crate) use solutions::nearest_turn;

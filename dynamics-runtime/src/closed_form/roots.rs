@@ -146,13 +146,17 @@ pub fn direction<T: Real>(
     (Vector3::new(x * scale, y * scale, z * scale), is_any)
 }
 
-/// Whether a homogeneous matrix is a pose: a rotation, and a last row of 0, 0, 0, 1, which a transposed one has as its last
-/// column.
+/// Whether a matrix is a pose: homogeneous, with a rotation.
 #[inline]
 pub fn is_pose<T: Real>(matrix: &Matrix4<T>) -> bool {
+    is_homogeneous(matrix) && is_rotation(&matrix.fixed_view::<3, 3>(0, 0).into_owned())
+}
+
+/// Whether the last row of a matrix is 0, 0, 0, 1, which a transposed pose has as its last column.
+#[inline]
+pub(crate) fn is_homogeneous<T: Real>(matrix: &Matrix4<T>) -> bool {
     let [x, y, z, position] = &matrix.data.0;
-    let misses = [x[3], y[3], z[3], position[3] - T::from_f64(1.0)];
-    are_small(&misses) && is_rotation(&matrix.fixed_view::<3, 3>(0, 0).into_owned())
+    are_small(&[x[3], y[3], z[3], position[3] - T::from_f64(1.0)])
 }
 
 /// Whether a matrix is a rotation: two columns of length one at right angles, and their vector product the third.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix4, Vector3};
 
-use crate::closed_form::is_rotation;
+use crate::closed_form::{is_homogeneous, is_rotation};
 use crate::float::Float as _;
 use crate::quaternion;
 
@@ -48,9 +48,8 @@ impl Target {
     /// A position, m, and a rotation: a homogeneous transform, as `forward_kinematics` gives it, whose last row is 0, 0, 0, 1.
     pub fn pose(pose: &Matrix4<f64>) -> Self {
         let rotation = pose.fixed_view::<3, 3>(0, 0).into_owned();
-        let last = [0, 1, 2, 3].map(|column| pose[(3, column)]);
         Target {
-            is_transform: is_last_row(last),
+            is_transform: is_homogeneous(pose),
             ..Target::new(Some(origin(pose)), Turn::Full(rotation))
         }
     }
@@ -139,14 +138,6 @@ pub(super) struct Missing {
     pub(super) rotation: Option<Vector3<f64>>,
     /// The direction about which the frame may turn.
     pub(super) about: Option<Vector3<f64>>,
-}
-
-/// Whether this is the last row of a homogeneous transform. The last row of a transposed one has the position.
-fn is_last_row(row: [f64; 4]) -> bool {
-    let pairs = row.iter().zip([0.0, 0.0, 0.0, 1.0]);
-    pairs
-        .into_iter()
-        .all(|(x, expected)| (x - expected).abs() <= 1e-6)
 }
 
 /// The length of a vector, also where its square is beyond the numbers.

@@ -87,7 +87,8 @@ pub enum Cause {
     /// friction ([`Friction::Sticking`](crate::Friction::Sticking)) nor a stop holds it there.
     ///
     /// Torque laws that jump where the velocity passes zero, such as those with `signum`, do that. Make the law continuous
-    /// there, by a boundary layer for example.
+    /// there, by a boundary layer for example. Dry friction does it too in a simulation that was not given a kind of friction.
+    /// [`Friction::Sticking`](crate::Friction::Sticking) lets the joint rest.
     Chatter {
         /// The joint, counted from 0.
         joint: usize,

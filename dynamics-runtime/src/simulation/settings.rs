@@ -130,9 +130,9 @@ settings! {
     /// and with the motion's own sensitivity. Samples between the steps are taken from a polynomial
     /// of fourth order.
     ///
-    /// Under dry friction a joint that sticks makes the steps minute, and the run ends with
-    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks), unless stopping and sticking are events
-    /// ([`Friction::Sticking`](crate::Friction::Sticking)).
+    /// Under dry friction a joint that sticks makes the steps minute, unless stopping and sticking are events
+    /// ([`Friction::Sticking`](crate::Friction::Sticking)). A run that would take over 500,000 of them ends with
+    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks).
     DormandPrince, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
