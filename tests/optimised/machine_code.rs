@@ -102,15 +102,22 @@ impl Listing {
         calls.filter_map(|line| target(line)).collect()
     }
 
+    /// The instructions of a kind in a function and in what it calls.
+    #[track_caller]
+    pub(crate) fn of_kind(&self, function: &str, is_of_kind: impl Fn(&str) -> bool) -> Vec<&str> {
+        let reached = self.reached_from(function);
+        assert!(!reached.is_empty(), "{function} is not in the listing");
+        let all = reached.iter().flat_map(|(_, instructions)| *instructions);
+        all.map(String::as_str)
+            .filter(|line| is_of_kind(line))
+            .collect()
+    }
+
     /// That no instruction of a kind is in a function, nor in what it calls.
     #[track_caller]
     pub(crate) fn assert_free(&self, function: &str, is_of_kind: impl Fn(&str) -> bool) {
-        let reached = self.reached_from(function);
-        assert!(!reached.is_empty(), "{function} is not in the listing");
-        for (name, instructions) in reached {
-            let found = instructions.iter().find(|line| is_of_kind(line));
-            assert_eq!(found, None, "{function} calls {name}");
-        }
+        let found = self.of_kind(function, is_of_kind);
+        assert!(found.is_empty(), "{function} reaches {found:?}");
     }
 }
 

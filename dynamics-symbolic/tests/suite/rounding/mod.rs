@@ -18,15 +18,19 @@ fn programs_of_hard_arms_lose_no_digits() {
     digits.assert_none_lost();
 }
 
-/// `cargo test --release -p dynamics-symbolic --test suite rounding:: -- --ignored`
-#[test]
-#[ignore = "takes minutes in a release build"]
-fn ten_thousand_programs_of_hard_arms_lose_no_digits() {
-    let seeds = [2, 3].map(|seed| std::thread::spawn(move || Digits::of_arms(seed, 240)));
-    let [first, second] = seeds.map(|seed| seed.join().expect("all programs run"));
-    let digits = first.join(second);
-    assert!(digits.programs() >= 10_000);
-    digits.assert_none_lost();
+mod release {
+    use super::Digits;
+
+    /// `cargo test --release -p dynamics-symbolic --test suite rounding::release -- --ignored`
+    #[test]
+    #[ignore = "minutes in a release build: run before a release"]
+    fn ten_thousand_programs_of_hard_arms_lose_no_digits() {
+        let seeds = [2, 3].map(|seed| std::thread::spawn(move || Digits::of_arms(seed, 240)));
+        let [first, second] = seeds.map(|seed| seed.join().expect("all programs run"));
+        let digits = first.join(second);
+        assert!(digits.programs() >= 10_000);
+        digits.assert_none_lost();
+    }
 }
 
 /// Arms that are built, each with four right angles: every function with the first, which is the furthest
