@@ -187,21 +187,27 @@ fn programs_of_random_arms_with_joint_forces_agree_with_newton_euler() {
     assert_varied(&compare_drawn(4, 5, Tables::robot_with_joint_forces));
 }
 
-/// `cargo test -p random_arms -- --ignored`
-#[test]
-#[ignore = "takes two minutes: .ci/run runs it"]
-fn programs_of_many_random_arms_agree_with_newton_euler() {
-    let seeds = [
-        || compare(10, 200),
-        || compare_drawn(11, 80, Tables::mounted_robot),
-        || compare_drawn(12, 80, Tables::robot_with_joint_forces),
-        || compare_drawn(13, 25, Tables::coupled_robot),
-        || compare_by_turns(14, 5_000, 17, tree_of_usual_length),
-        || compare_by_turns(15, 5_000, 17, tree_of_usual_length),
+/// `cargo test -p random_arms -- --ignored`. The counts are those of a release, over `share`.
+fn compare_many(share: usize) {
+    type Seed = fn(usize) -> Tally;
+    let seeds: [Seed; 6] = [
+        |share| compare(10, 200 / share),
+        |share| compare_drawn(11, 80 / share, Tables::mounted_robot),
+        |share| compare_drawn(12, 80 / share, Tables::robot_with_joint_forces),
+        |share| compare_drawn(13, 30 / share, Tables::coupled_robot),
+        |share| compare_by_turns(14, 5_000 / share, 17, tree_of_usual_length),
+        |share| compare_by_turns(15, 5_000 / share, 17, tree_of_usual_length),
     ];
-    for seed in seeds.map(std::thread::spawn) {
-        assert_varied(&seed.join().expect("all arms agree"));
+    let tallies = seeds.map(|seed| std::thread::spawn(move || seed(share)));
+    for tally in tallies {
+        assert_varied(&tally.join().expect("all arms agree"));
     }
+}
+
+#[test]
+#[ignore = "takes half a minute: .ci/run runs it"]
+fn programs_of_many_random_arms_agree_with_newton_euler() {
+    compare_many(10);
 }
 
 /// Rows on any link with all cells that a table may have at once.
@@ -213,20 +219,22 @@ fn programs_of_random_trees_with_all_cells_agree_with_newton_euler() {
 }
 
 /// M, and one function of each robot by turns.
-#[test]
-#[ignore = "takes minutes: .ci/run runs it"]
-fn programs_of_many_random_robots_on_moving_bases_agree_with_newton_euler() {
-    let tally = compare_by_turns(16, 1_000, 31, tree_on_moving_base);
+fn compare_many_on_moving_bases(count: usize) {
+    let tally = compare_by_turns(16, count, 31, tree_on_moving_base);
     println!("largest error {:.1e}", tally.largest);
     assert!(2 * tally.with_fields > tally.arms);
 }
 
-/// M of trees on a base that moves is positive definite, at a state each, but for joints that move no mass.
 #[test]
-#[ignore = "takes minutes: .ci/run runs it"]
-fn mass_matrices_of_many_random_robots_on_moving_bases_are_positive() {
+#[ignore = "takes a quarter of a minute: .ci/run runs it"]
+fn programs_of_many_random_robots_on_moving_bases_agree_with_newton_euler() {
+    compare_many_on_moving_bases(100);
+}
+
+/// M of trees on a base that moves is positive definite, at a state each, but for joints that move no mass.
+fn assert_positive(count: usize) {
     let mut tables = Tables::new(18, Bodies::Physical);
-    for number in 0..10_000 {
+    for number in 0..count {
         let robot = tree_on_moving_base(&mut tables);
         let fields = (0..robot.fields.len()).map(|_| 0.1 + tables.below(1_000) as f64 / 500.0);
         let fields: Vec<_> = fields.collect();
@@ -244,6 +252,33 @@ fn mass_matrices_of_many_random_robots_on_moving_bases_are_positive() {
             is_positive(&arm, &q),
             "table {number}: M at {q:?}, {fields:?}"
         );
+    }
+}
+
+#[test]
+#[ignore = "takes seconds: .ci/run runs it"]
+fn mass_matrices_of_many_random_robots_on_moving_bases_are_positive() {
+    assert_positive(1_000);
+}
+
+/// Ten times as many robots: `cargo test -p random_arms -- --ignored release::`.
+mod release {
+    #[test]
+    #[ignore = "four minutes: run before a release"]
+    fn programs_of_many_random_arms_agree_with_newton_euler() {
+        super::compare_many(1);
+    }
+
+    #[test]
+    #[ignore = "two minutes: run before a release"]
+    fn programs_of_many_random_robots_on_moving_bases_agree_with_newton_euler() {
+        super::compare_many_on_moving_bases(1_000);
+    }
+
+    #[test]
+    #[ignore = "a minute: run before a release"]
+    fn mass_matrices_of_many_random_robots_on_moving_bases_are_positive() {
+        super::assert_positive(10_000);
     }
 }
 

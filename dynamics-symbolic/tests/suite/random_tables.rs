@@ -61,28 +61,32 @@ fn regressors_of_arms_whose_axes_meet_are_proven() {
 }
 
 /// Many more: `cargo test -p dynamics-symbolic --test suite random_tables:: -- --ignored`.
-#[test]
-#[ignore = "takes a minute: .ci/run runs it"]
-fn every_function_of_many_random_arms_is_proven() {
-    let functions = [Function::Regressor, Function::BaseParameters];
-    prove_tables(100, 300, true, &functions);
-    prove_tables(100, 200, false, &Function::ALL);
-    prove_tables(101, 50, true, &Function::ALL);
-}
+mod release {
+    use super::*;
 
-#[test]
-#[ignore = "takes a minute: .ci/run runs it"]
-fn every_function_of_many_random_arms_of_each_kind_is_proven() {
-    let kinds = [
-        Tables::locked_robot,
-        Tables::mounted_robot,
-        Tables::mounted_and_locked_robot,
-        Tables::robot_with_joint_forces,
-        Tables::coupled_robot,
-        Tables::tree,
-        Tables::tree_with_all_cells,
-    ];
-    prove_drawn(100, 40, &kinds);
+    #[test]
+    #[ignore = "a minute: run before a release"]
+    fn every_function_of_many_random_arms_is_proven() {
+        let functions = [Function::Regressor, Function::BaseParameters];
+        prove_tables(100, 300, true, &functions);
+        prove_tables(100, 200, false, &Function::ALL);
+        prove_tables(101, 50, true, &Function::ALL);
+    }
+
+    #[test]
+    #[ignore = "a minute: run before a release"]
+    fn every_function_of_many_random_arms_of_each_kind_is_proven() {
+        let kinds = [
+            Tables::locked_robot,
+            Tables::mounted_robot,
+            Tables::mounted_and_locked_robot,
+            Tables::robot_with_joint_forces,
+            Tables::coupled_robot,
+            Tables::tree,
+            Tables::tree_with_all_cells,
+        ];
+        prove_drawn(100, 40, &kinds);
+    }
 }
 
 /// So many trees, every other one with all cells, as the recursions are written: without the search for short programs,

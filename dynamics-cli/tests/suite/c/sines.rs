@@ -181,10 +181,14 @@ fn sines_of_single_precision_are_those_of_rust() {
     assert_all::<f32>(20 * BY_ALL_LANES);
 }
 
-/// `cargo test --release -p dynamics-cli --test suite c::sines -- --ignored`
-#[test]
-#[ignore = "takes a minute: .ci/run runs it"]
-fn sines_at_many_angles_are_those_of_rust() {
-    assert_all::<f64>(14_000 * BY_ALL_LANES);
-    assert_all::<f32>(14_000 * BY_ALL_LANES);
+mod release {
+    use super::{BY_ALL_LANES, assert_all};
+
+    /// `cargo test --release -p dynamics-cli --test suite c::sines::release -- --ignored`
+    #[test]
+    #[ignore = "a minute: run before a release"]
+    fn sines_at_many_angles_are_those_of_rust() {
+        assert_all::<f64>(14_000 * BY_ALL_LANES);
+        assert_all::<f32>(14_000 * BY_ALL_LANES);
+    }
 }
