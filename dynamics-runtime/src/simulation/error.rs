@@ -114,6 +114,7 @@ pub enum Cause {
 
 /// A set of joints. Joints are counted from 0; it has room for the first 128.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointSet(u128);
 
 impl JointSet {
@@ -122,6 +123,11 @@ impl JointSet {
     /// Whether a joint, counted from 0, is one of them.
     pub fn contains(&self, joint: usize) -> bool {
         joint < Self::ROOM && self.0 >> joint & 1 == 1
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.0 == 0
     }
 
     /// The joints, counted from 0, in order.
@@ -202,6 +208,14 @@ pub enum InvalidSetting {
     },
     /// The speed of regularised friction is not a positive finite number.
     FrictionSpeed(f64),
+    /// Steps of fixed length, or periods at which laws are sampled, would be more than 100 000 between two samples, or 10
+    /// million in a run of fewer than 101 samples.
+    TooManySteps {
+        /// The number of steps up to the end.
+        steps: f64,
+        /// The greatest number of them in a run of so many samples.
+        most: f64,
+    },
     /// The period at which laws are sampled is not a positive finite number of seconds, or lost in the
     /// rounding of the time.
     Period(f64),
@@ -355,6 +369,10 @@ impl InvalidSetting {
             InvalidSetting::Period(period) => {
                 impossible(format_args!("a period of {period:?} s"), TIME)
             }
+            InvalidSetting::TooManySteps { steps, most } => write!(
+                f,
+                "the run would take {steps:.0} steps of fixed length, and with so many samples {most:.0} are the most: take a longer step or control period, or more samples"
+            ),
             InvalidSetting::Tolerance(tolerance) => impossible(
                 format_args!("a tolerance of {tolerance:?}"),
                 "a finite number above zero",

@@ -2,9 +2,9 @@
 
 mod by_margins;
 mod by_series;
-mod chatter;
 mod complementarity;
 mod contacts;
+mod creep;
 #[cfg(feature = "csv")]
 mod csv;
 mod drive;
@@ -19,6 +19,7 @@ mod method;
 mod motion;
 mod on_charts;
 mod plan;
+mod progress;
 mod recorder;
 mod sampling;
 mod settings;
@@ -589,7 +590,7 @@ impl<D: Size, M> Setting<D, M> {
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
         torque::validate(self.greatest.as_ref())?;
-        self.method.validate(motion, self.plan.duration)?;
+        self.method.validate(motion, &self.plan)?;
         recorder.plan(&self.plan)?;
         let (laws, initial) = (motion.torque, recorder.phase.clone());
         let mut begun = laws.sample(0.0, &initial).map(|()| initial.clone());
