@@ -57,9 +57,7 @@ impl<D: Size> Creep<D> {
             if watch.wait > 0 || !(turns || watch.slow > 0.0) {
                 continue;
             }
-            let evaluations = motion.evaluations.get();
             let slow = motion.near_rest(t, &recorder.phase, i, t - since);
-            motion.evaluations.set(evaluations);
             if watch.slow > 0.0 && slow.is_some() {
                 recorder.creeping.extend([i]);
             }

@@ -20,7 +20,8 @@ use crate::size::Size;
 ///
 /// The methods of fixed step divide the interval between two samples into the least number of equal steps that are no
 /// longer than `step`: every sample is the end of a step. An infinite `step` is an error, because it says nothing of
-/// accuracy.
+/// accuracy. So is one that makes more than 100 000 steps between two samples, or 10 million in a run of fewer than 101
+/// samples; periods at which laws are sampled count too.
 ///
 /// On a base that moves, the explicit methods follow its rotation in charts, as H. Munthe-Kaas did (1999); those of this
 /// list from the implicit midpoint rule to Gauss-Legendre, and Radau IIA, refuse it.

@@ -425,8 +425,9 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// A joint at rest at a stop leans on it, with an acceleration of exactly zero, until the stop would have to pull
     /// it; dry friction holds it there besides. Bounces that die out end where they would rise by less than 1e-13 of
     /// the position (and of 1 rad or m), those of several joints together. With [`Method::ExplicitEuler`] they end at a
-    /// rise of half the acceleration times its step squared. Joints that hit 100 000 times between two samples, as
-    /// elastic ones may, end the run in [`Cause::Impacts`].
+    /// rise of half the acceleration times its step squared. Elastic ones that friction damps shrink slowly: once their work is
+    /// great, bounces that rise by less than the tolerance (1e-9 by fixed steps) are rest. Others without end are
+    /// [`Cause::Impacts`].
     ///
     /// Cost: one more evaluation of the forward dynamics at the end of each step, and about ten steps for an impact.
     /// Where joints lean on stops, an evaluation becomes one over dual numbers for each of these joints. A joint that

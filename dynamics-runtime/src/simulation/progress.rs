@@ -29,7 +29,7 @@ pub(super) struct Progress<D: Size> {
     /// The joints that were near rest and driven back each time, in questions one after the other.
     joints: D::Each<bool>,
     questions: u64,
-    /// When the first of these questions was due, and the work until then.
+    /// The time of the first of these questions, and the work until then.
     began: (f64, u64),
     /// When it was asked last, and the work until then.
     asked: (f64, u64),
@@ -52,10 +52,16 @@ const QUESTIONS: u64 = 16;
 const WORK: u64 = 4_000;
 
 /// The most work for the rest of a run without progress: a shorter one is followed.
-const MOST_WORK: f64 = 3e6;
+const MOST_WORK: f64 = 1e6;
 
 /// Bounces above the tolerance may become smaller: they end a run after so much work.
 const WORK_OF_BOUNCES: u64 = 1_000_000;
+
+/// Bounces below the tolerance are rest where the rest of a run would take this share of the most work.
+const COARSE: f64 = 0.1;
+
+/// Bounces are followed as far as positions resolve them for so much work.
+const WORK_TO_REST: u64 = 300_000;
 
 /// Nothing gets on where the rest would take so many times the most work.
 const STANDSTILL: f64 = 1e3;
@@ -118,11 +124,12 @@ impl<D: Size> Progress<D> {
         self.questions += 1;
         if cause.is_none() {
             let creep = core::mem::replace(&mut self.creep, Creep::new(motion.robot.size()));
-            *self = Progress {
-                creep,
-                began: (t, work),
-                ..Progress::new(motion.robot.size(), self.control)
-            };
+            let fresh = Progress::new(motion.robot.size(), self.control);
+            *self = Progress { creep, ..fresh };
+        }
+        // What was before the first of these questions was another motion.
+        if self.questions <= 1 {
+            self.began = (t, work);
         }
         (self.recent, self.asked) = (0, (t, work));
         let cause = cause.filter(|_| self.questions >= QUESTIONS);
@@ -148,13 +155,13 @@ impl<D: Size> Progress<D> {
         let spent = work - before;
         // The work up to the end, over the most.
         let share = spent as f64 * counts / (MOST_WORK * (recorder.t - t));
-        if share <= 1.0 {
-            return Ok(());
-        }
-        if bounces && spent < WORK_OF_BOUNCES && share < STANDSTILL {
+        if bounces && share > COARSE && spent > WORK_TO_REST {
             let tolerance = self.control.map(|control| control.tolerance);
             let tolerance = tolerance.map(|bound| bound.absolute.max(bound.relative));
             motion.coarse.set(tolerance.unwrap_or(FIXED_TOLERANCE));
+        }
+        let may_come_to_rest = bounces && spent < WORK_OF_BOUNCES && share < STANDSTILL;
+        if share <= 1.0 || may_come_to_rest {
             return Ok(());
         }
         Err(cause)
