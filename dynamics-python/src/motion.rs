@@ -54,6 +54,8 @@ struct Motion {
     tau: Vec<DVector<f64>>,
     energies: Vec<[f64; 2]>,
     work: Work,
+    /// The joints that crept.
+    creeping: Vec<usize>,
 }
 
 /// How a run ended early: the time, the reason, and whether a setting makes no sense.
@@ -235,6 +237,12 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
         a: motion.qdd,
         tau: motion.tau,
         work: motion.work,
+        // Behind the freedoms of a base that moves.
+        creeping: motion
+            .creeping
+            .iter()
+            .filter_map(|joint| joint.checked_sub(K::OF_BASE))
+            .collect(),
     };
     (motion, stopped)
 }
@@ -311,6 +319,7 @@ impl Motion {
             ..
         } = self.work;
         arrays.set_item("work", (evaluations, steps, rejected))?;
+        arrays.set_item("creeping", self.creeping.clone())?;
         Ok(arrays)
     }
 }

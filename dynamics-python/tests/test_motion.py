@@ -242,6 +242,16 @@ def test_stops_and_limits(cart: rd.Robot) -> None:
     assert motion.q.min() >= -1 and motion.qd.max() > 0.5
 
 
+def test_joints_that_creep_are_told() -> None:
+    arm = rd.Robot.from_toml(CART + "friction = { coulomb = 5 }\n")
+    with pytest.warns(RuntimeWarning, match="let it creep"):
+        motion = arm.simulate([0.0], [1.0], method="runge_kutta4", step=1e-2)
+    assert motion.creeping == motion.joint_names
+    assert not arm.simulate([0.0], [1.0], method="runge_kutta4", step=1e-2, friction="sticking").creeping
+    with pytest.raises(ValueError, match="more samples"):
+        arm.simulate([0.0], [1.0], method="runge_kutta4", step=1e-2, control_period=1e-9)
+
+
 def test_sticking(cart: rd.Robot) -> None:
     text = CART + "friction = { coulomb = 5 }\n"
     arm = rd.Robot.from_toml(text)

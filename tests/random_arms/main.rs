@@ -4,6 +4,7 @@
 //! The bound is that of [`Check`], 1e-13 per joint relative to the magnitude that each quantity could have.
 
 mod printed;
+mod runs;
 mod second_derivatives;
 mod trees;
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -68,6 +69,8 @@ class Trajectory:
     base: Floats | None = None
     """Poses of a base that moves, `(k, 4, 4)`."""
     joint_names: list[str] = field(default_factory=list)
+    creeping: list[str] = field(default_factory=list)
+    """Joints that dry friction should have held, and that crept by steps of fixed length."""
 
     @property
     def energy(self) -> Floats:
@@ -153,6 +156,13 @@ def simulate(
         require_kinds(error, plan)
         raise
     motion = _trajectory(arrays, arm.joint_names)
+    if motion.creeping:
+        warnings.warn(
+            f"{', '.join(motion.creeping)}: dry friction by its sign cannot hold a joint by steps of fixed length, which "
+            'let it creep: take `friction="sticking"`',
+            RuntimeWarning,
+            stacklevel=3,
+        )
     if stopped is None:
         return motion
     time, reason, is_setting = stopped
@@ -201,4 +211,5 @@ def _trajectory(arrays: dict[str, Any], joint_names: list[str]) -> Trajectory:
         work=Work(*arrays["work"]),
         base=arrays.get("base"),
         joint_names=joint_names,
+        creeping=[joint_names[i] for i in arrays["creeping"]],
     )

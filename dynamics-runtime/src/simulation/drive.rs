@@ -1,18 +1,18 @@
 //! An integration from sample to sample.
 
-use super::chatter::Chatter;
 use super::error::Cause;
 use super::events::{Eventful, Finder};
 use super::motion::Motion;
+use super::progress::Progress;
 use super::recorder::Recorder;
 use super::sampling::Instants;
+use super::settings::ErrorControl;
 use super::torque::TorqueLaw;
 use crate::integrate::{Failure, Stepper};
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
-/// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples; any number of steps of one length,
-/// which have no such bound. Events are those that `F` finds.
+/// Makes steps to the end of the recorder's plan, under error control at most its `max_steps` between two samples. Events are those that `F` finds.
 ///
 /// Steppers of [`Simulation`](crate::Simulation) are trait objects, so that this is compiled once for all of its
 /// methods: a call is nothing beside a step.
@@ -21,7 +21,7 @@ pub(super) fn drive<F, S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, K, D: Size>(
     system: &S,
     stepper: &mut K,
     recorder: &mut Recorder<D>,
-    max_steps: Option<usize>,
+    control: Option<ErrorControl>,
 ) -> Result<(), Cause>
 where
     F: Finder<S, R, L, K, D>,
@@ -29,11 +29,12 @@ where
 {
     if motion.has_events() {
         let duration = recorder.duration;
-        let run = Eventful::<_, _, _, _, F, D>::start(motion, system, stepper, duration)?;
-        return run.drive(recorder, max_steps);
+        let run = Eventful::<_, _, _, _, F, D>::start(motion, system, stepper, duration, control)?;
+        return run.drive(recorder);
     }
     let mut instants = Instants::new(motion.torque.period(), recorder.duration);
-    let mut chatter = max_steps.map(|_| Chatter::new(motion.robot.size()));
+    let mut progress = Progress::new(motion.robot.size(), control);
+    let max_steps = progress.max_steps();
     let mut steps = 0;
     while recorder.next_sample().is_some() {
         let made = if Some(steps) == max_steps {
@@ -42,16 +43,11 @@ where
             stepper.step(system, instants.next()).map_err(Cause::from)
         };
         recorder.work.rejected = stepper.rejected();
-        made.map_err(|cause| match &mut chatter {
-            Some(chatter) => chatter.blamed(cause, motion, recorder.t, &recorder.phase),
-            None => cause,
-        })?;
+        made.map_err(|cause| progress.blamed(cause, motion, recorder.t, &recorder.phase))?;
         let (t, phase) = (stepper.t(), stepper.phase().clone());
         recorder.reach(t, phase.clone())?;
         steps += 1;
-        if let Some(chatter) = &mut chatter {
-            chatter.after_step(motion, t, &phase, recorder.duration - t)?;
-        }
+        progress.after_step(motion, recorder)?;
         let mut taken = motion.take_within(system, stepper, recorder)?;
         if instants.begin(t) {
             motion.torque.sample(t, &phase)?;
@@ -84,6 +80,7 @@ mod tests {
 
     use super::drive;
     use crate::integrate::{Failure, Phase, Stepper};
+    use crate::simulation::DormandPrince;
     use crate::simulation::by_margins::ByMargins;
     use crate::simulation::error::Cause;
     use crate::simulation::friction::Law;
@@ -171,7 +168,7 @@ mod tests {
                 &(),
                 &mut clock,
                 &mut recorder,
-                Some(1_000_000),
+                Some(DormandPrince::default().max_steps(1_000_000).control()),
             )
             .unwrap();
             assert_eq!(law.1.get(), 999_999);

@@ -87,25 +87,27 @@ pub enum Cause {
     /// friction ([`Friction::Sticking`](crate::Friction::Sticking)) nor a stop holds it there.
     ///
     /// Torque laws that jump where the velocity passes zero, such as those with `signum`, do that. Make the law continuous
-    /// there, by a boundary layer for example. Dry friction does it too in a simulation that was not given a kind of friction.
+    /// there, by a boundary layer for example. Under error control, and where steps end at events, this ends a run whose rest
+    /// would take over a million evaluations and steps; a shorter one is followed. Dry friction does it too in a simulation that was not given a kind of friction.
     /// [`Friction::Sticking`](crate::Friction::Sticking) lets the joint rest.
     Chatter {
         /// The joint, counted from 0.
         joint: usize,
     },
     /// A joint with dry friction by its sign ([`Friction::Sign`](crate::Friction::Sign)) should stick: it turns back again and
-    /// again, in ever shorter steps.
+    /// again, in ever shorter steps, and the rest of the run would take over a million evaluations and steps. A run of fixed steps goes on and creeps:
+    /// [`creeping`](crate::simulation::SizedTrajectory::creeping) has its joints.
     ///
     /// [`Friction::Sticking`](crate::Friction::Sticking) lets it rest.
     Sticks {
         /// The joint, counted from 0.
         joint: usize,
     },
-    /// Joints hit their stops, or stop and are let go, too often: 100 000 times between two samples, or 1 000 times
-    /// within distances that positions do not resolve.
+    /// Joints hit their stops again and again: 100 samples, or the rest of the run, would take over a million evaluations
+    /// and steps, and a million were made.
     ///
     /// Elastic stops (a restitution of 1) under a strong force, and torque laws that jump at a stop, do that. A lower
-    /// restitution, a continuous law, or more samples help.
+    /// restitution, a continuous law, or more samples help. Bounces below the tolerance come to rest before that.
     Impacts {
         /// The joints that take part.
         joints: JointSet,
@@ -114,6 +116,7 @@ pub enum Cause {
 
 /// A set of joints. Joints are counted from 0; it has room for the first 128.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointSet(u128);
 
 impl JointSet {
@@ -122,6 +125,11 @@ impl JointSet {
     /// Whether a joint, counted from 0, is one of them.
     pub fn contains(&self, joint: usize) -> bool {
         joint < Self::ROOM && self.0 >> joint & 1 == 1
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.0 == 0
     }
 
     /// The joints, counted from 0, in order.
@@ -202,6 +210,14 @@ pub enum InvalidSetting {
     },
     /// The speed of regularised friction is not a positive finite number.
     FrictionSpeed(f64),
+    /// Steps of fixed length, or periods at which laws are sampled, would be more than 100 000 between two samples, or 10
+    /// million in a run of fewer than 101 samples.
+    TooManySteps {
+        /// The number of steps up to the end.
+        steps: f64,
+        /// The greatest number of them in a run of so many samples.
+        most: f64,
+    },
     /// The period at which laws are sampled is not a positive finite number of seconds, or lost in the
     /// rounding of the time.
     Period(f64),
@@ -355,6 +371,10 @@ impl InvalidSetting {
             InvalidSetting::Period(period) => {
                 impossible(format_args!("a period of {period:?} s"), TIME)
             }
+            InvalidSetting::TooManySteps { steps, most } => write!(
+                f,
+                "the run would take {steps:.0} steps of fixed length, and with so many samples {most:.0} are the most: take a longer step or control period, or more samples"
+            ),
             InvalidSetting::Tolerance(tolerance) => impossible(
                 format_args!("a tolerance of {tolerance:?}"),
                 "a finite number above zero",

@@ -6,8 +6,10 @@ use super::error::{Cause, JointSet};
 use super::friction::Contact;
 use super::limits::{AtLimit, End};
 use super::motion::{Held, Motion};
+use super::progress::Progress;
 use super::recorder::Recorder;
 use super::sampling::Instants;
+use super::settings::ErrorControl;
 use super::torque::TorqueLaw;
 use crate::integrate::{Phase, Stepper};
 use crate::simulation::EquationsOfMotion;
@@ -49,28 +51,9 @@ pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, D: Size> {
     stepper: &'a mut K,
     instants: Instants,
     held: Held<D>,
-    /// Events since the last progress: a step without one, or an impact of a joint that came from farther than
-    /// positions resolve.
-    in_a_row: Events,
-    since_sample: Events,
-    /// The joint of the last event that was no impact.
-    joint: usize,
+    progress: Progress<D>,
     finder: PhantomData<F>,
 }
-
-/// The number of events since a time, and the joints that hit their stops since then.
-#[derive(Clone, Copy, Default)]
-struct Events {
-    count: usize,
-    hit: JointSet,
-}
-
-/// The most events without a step between them that has none. More are chatter: steps of the method cannot follow such
-/// a motion.
-const MOST_IN_A_ROW: usize = 1_000;
-
-/// The most events between two samples: a bound for methods without one of steps, and for elastic bounces without end.
-const MOST_BETWEEN_SAMPLES: usize = 100_000;
 
 impl<'a, S, R, L, K: ?Sized, F, D: Size> Eventful<'a, S, R, L, K, F, D>
 where
@@ -85,6 +68,7 @@ where
         system: &'a S,
         stepper: &'a mut K,
         duration: f64,
+        control: Option<ErrorControl>,
     ) -> Result<Self, Cause> {
         let held = motion.held(stepper.t(), stepper.phase())?;
         Ok(Eventful {
@@ -93,31 +77,21 @@ where
             stepper,
             instants: Instants::new(motion.torque.period(), duration),
             held,
-            in_a_row: Events::default(),
-            since_sample: Events::default(),
-            joint: 0,
+            progress: Progress::new(motion.robot.size(), control),
             finder: PhantomData,
         })
     }
 
-    /// Makes steps to the end of the recorder's plan, at most `max_steps` between two samples.
-    pub(super) fn drive(
-        mut self,
-        recorder: &mut Recorder<D>,
-        max_steps: Option<usize>,
-    ) -> Result<(), Cause> {
+    /// Makes steps to the end of the recorder's plan, under error control at most `max_steps` between two samples.
+    pub(super) fn drive(mut self, recorder: &mut Recorder<D>) -> Result<(), Cause> {
+        let max_steps = self.progress.max_steps();
         let mut steps = 0;
         while let Some(next) = recorder.next_sample() {
-            if self.in_a_row.count >= MOST_IN_A_ROW {
-                return Err(self.endless(self.in_a_row.hit));
-            }
-            if self.since_sample.count >= MOST_BETWEEN_SAMPLES {
-                return Err(self.endless(self.since_sample.hit));
-            }
-            if Some(steps) == max_steps {
-                return Err(self.too_many(steps));
-            }
-            let made = self.advance(self.instants.next());
+            let made = if Some(steps) == max_steps {
+                Err(Cause::TooManySteps)
+            } else {
+                self.advance(self.instants.next())
+            };
             recorder.work.rejected = self.stepper.rejected();
             let event = made.map_err(|cause| self.blamed(cause, recorder, next))?;
             let end = self.stopped(event);
@@ -127,9 +101,10 @@ where
                 .motion
                 .take_within(self.system, self.stepper, recorder)?;
             self.turn(event, recorder)?;
+            self.progress.after_step(self.motion, recorder)?;
             taken |= self.motion.take_here(recorder);
             if taken {
-                (steps, self.since_sample) = (0, Events::default());
+                steps = 0;
             }
             self.motion.recentre(self.system, self.stepper, recorder);
         }
@@ -141,8 +116,6 @@ where
         let t = self.stepper.t();
         if event {
             recorder.phase = self.change(recorder.phase.clone())?;
-        } else {
-            self.in_a_row = Events::default();
         }
         let begins = self.instants.begin(t);
         if begins {
@@ -155,34 +128,16 @@ where
         Ok(())
     }
 
-    /// The end of a run whose steps do not get on: by a joint's events, if most of them had one.
-    fn too_many(&self, steps: usize) -> Cause {
-        if 2 * self.since_sample.count > steps {
-            self.endless(self.since_sample.hit)
-        } else {
-            Cause::TooManySteps
-        }
-    }
-
-    /// The cause of events without end, among them impacts of some joints.
-    fn endless(&self, joints: JointSet) -> Cause {
-        if joints == JointSet::default() {
-            Cause::Chatter { joint: self.joint }
-        } else {
-            Cause::Impacts { joints }
-        }
-    }
-
     /// The cause of a step that fails for no better reason of the method: chatter, if a joint would stop before the
     /// next sample.
-    fn blamed(&self, cause: Cause, reached: &Recorder<D>, next: f64) -> Cause {
-        if !matches!(cause, Cause::NoConvergence | Cause::StepTooSmall) {
-            return cause;
+    fn blamed(&mut self, cause: Cause, reached: &Recorder<D>, next: f64) -> Cause {
+        let (t, phase, motion) = (reached.t, &reached.phase, self.motion);
+        let chatters = matches!(cause, Cause::NoConvergence | Cause::StepTooSmall)
+            .then(|| motion.stops_and_chatters(t, phase, next - t));
+        match chatters.flatten() {
+            Some(joint) => Cause::Chatter { joint },
+            None => self.progress.blamed(cause, motion, t, phase),
         }
-        let left = next - reached.t;
-        let motion = self.motion;
-        let chatters = motion.stops_and_chatters(reached.t, &reached.phase, left);
-        chatters.map_or(cause, |joint| Cause::Chatter { joint })
     }
 
     /// Makes a step, up to the first event in it; whether there was one.
@@ -221,10 +176,7 @@ where
     fn change(&mut self, phase: Phase<D>) -> Result<Phase<D>, Cause> {
         self.passes(&phase)?;
         if let Some(impact) = self.motion.thrown_back(self.stepper.t(), &phase)? {
-            if impact.is_progress {
-                self.in_a_row = Events::default();
-            }
-            self.count(impact.joints);
+            self.progress.count(impact.joints, None);
             return Ok(impact.after);
         }
         let (least, held) = here(self.motion, self.stepper)?;
@@ -237,9 +189,8 @@ where
             Contact::Leans(inwards) if free(i) => self.motion.let_in(i, inwards),
             contact => contact,
         });
-        self.count(JointSet::default());
         let changed = self.motion.joints().find(|i| contacts[*i] != next[*i]);
-        self.joint = changed.unwrap_or(self.joint);
+        self.progress.count(JointSet::default(), changed);
         self.motion.set_contacts(next);
         Ok(phase)
     }
@@ -258,13 +209,5 @@ where
             }
         }
         Ok(())
-    }
-
-    /// Counts an event, in which some joints hit their stops.
-    fn count(&mut self, hit: JointSet) {
-        for events in [&mut self.in_a_row, &mut self.since_sample] {
-            events.count += 1;
-            events.hit.extend(hit.iter());
-        }
     }
 }

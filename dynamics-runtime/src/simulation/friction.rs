@@ -20,8 +20,9 @@ pub enum Friction {
     /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity. Methods with error control end in
-    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) if the rest would take over 500,000 steps, and the simulation was given this
-    /// kind of friction; those of fixed step leave a velocity proportional to the step.
+    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) if the rest would take over a million evaluations and steps, and the
+    /// simulation was given this kind of friction or stops. Those of fixed step leave a velocity proportional to the step, and
+    /// the motion says which joints [creep](crate::simulation::SizedTrajectory::creeping).
     #[default]
     Sign,
     /// With stopping and sticking as events.

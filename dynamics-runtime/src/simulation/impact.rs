@@ -37,8 +37,6 @@ pub(super) struct Impact<D: Size> {
     pub(super) after: Phase<D>,
     /// The joints that hit.
     pub(super) joints: JointSet,
-    /// Whether one of them came from farther than the resolution of its position.
-    pub(super) is_progress: bool,
 }
 
 impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
@@ -77,11 +75,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
             }
         }
         let (tau, at_end) = (self.torques(t, &phase)?, self.each(|i| ends[i].is_some()));
-        let (qdd, responses) = self.responses(&phase, &tau, &at_end)?;
-        let is_progress = self.joints().any(|i| {
-            let fallen = |end: End| 0.5 * phase.qd[i].powi(2) > qdd[i].abs() * end.resolution();
-            hits::<D>(&ends, &phase.qd, i) && ends[i].is_some_and(fallen)
-        });
+        let (_, responses) = self.responses(&phase, &tau, &at_end)?;
         let mut joints = JointSet::default();
         let rebound = rebounds::<D>(phase.qd, &ends, &responses, restitution, &mut joints);
         phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
@@ -89,7 +83,6 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
         Ok(Some(Impact {
             after: after.ok_or(Cause::Impacts { joints })?,
             joints,
-            is_progress,
         }))
     }
 
@@ -150,7 +143,8 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
                 };
                 let hold = end.inwards * balance.forces[i] + self.breakaway(i, end.inwards);
                 let mass = balance.inertia(i);
-                let least = self.limits.least_rise(&end, hold / mass);
+                let coarse = self.coarse.get() * (1.0 + end.at.abs());
+                let least = self.limits.least_rise(&end, hold / mass).max(coarse);
                 0.5 * mass * phase.qd[i].powi(2) > hold * least
             };
             let energy = |i: &usize| phase.qd[*i].powi(2) / responses[(*i, *i)];

@@ -6,6 +6,7 @@ use super::motion::{InMomenta, Motion};
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
 use super::error::{Cause, InvalidSetting};
+use super::plan::Plan;
 use super::recorder::Recorder;
 use super::torque::TorqueLaw;
 use crate::integrate::{
@@ -19,7 +20,8 @@ use crate::size::Size;
 ///
 /// The methods of fixed step divide the interval between two samples into the least number of equal steps that are no
 /// longer than `step`: every sample is the end of a step. An infinite `step` is an error, because it says nothing of
-/// accuracy.
+/// accuracy. So is one that makes more than 100 000 steps between two samples, or 10 million in a run of fewer than 101
+/// samples; periods at which laws are sampled count too.
 ///
 /// On a base that moves, the explicit methods follow its rotation in charts, as H. Munthe-Kaas did (1999); those of this
 /// list from the implicit midpoint rule to Gauss-Legendre, and Radau IIA, refuse it.
@@ -132,8 +134,8 @@ from_settings! { DormandPrince Dop853 Radau5 }
 
 /// A method, and its settings, as a run needs them.
 pub(super) trait Integrator<R, L, D: Size>: Clone {
-    /// Whether the settings make sense for a run of so many seconds.
-    fn validate(&self, motion: &Motion<R, L, D>, duration: f64) -> Result<(), InvalidSetting>;
+    /// Whether the settings make sense for a run.
+    fn validate(&self, motion: &Motion<R, L, D>, plan: &Plan<D>) -> Result<(), InvalidSetting>;
 
     /// The step of a method whose positions are straight lines within a step; 0 of the others.
     fn straight_step(&self) -> f64 {
@@ -185,7 +187,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for 
         }
     }
 
-    fn validate(&self, motion: &Motion<R, L, D>, duration: f64) -> Result<(), InvalidSetting> {
+    fn validate(&self, motion: &Motion<R, L, D>, plan: &Plan<D>) -> Result<(), InvalidSetting> {
         if motion.robot.charts().is_some() && !self.is_explicit() {
             return Err(InvalidSetting::MovingBase);
         }
@@ -196,10 +198,13 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for 
             | Method::RungeKutta4 { step }
             | Method::ImplicitMidpoint { step }
             | Method::GaussLegendre4 { step }
-            | Method::GaussLegendre6 { step } => validate_step(*step, duration),
-            Method::DormandPrince(settings) => settings.control().validate(duration),
-            Method::Dop853(settings) => settings.control().validate(duration),
-            Method::Radau5(settings) => settings.control().validate(duration),
+            | Method::GaussLegendre6 { step } => {
+                validate_step(*step, plan.duration)?;
+                plan.validate_steps(*step, motion.torque.period())
+            }
+            Method::DormandPrince(settings) => settings.control().validate(plan.duration),
+            Method::Dop853(settings) => settings.control().validate(plan.duration),
+            Method::Radau5(settings) => settings.control().validate(plan.duration),
         }
     }
 }
@@ -237,8 +242,7 @@ where
 {
     let (range, phase) = (control.range(recorder.duration), recorder.phase.clone());
     let mut run = start(motion, phase, control.tolerance, range)?;
-    follow(motion, motion, &mut run, recorder, Some(control.max_steps))
-        .map_err(Cause::of_long_steps)
+    follow(motion, motion, &mut run, recorder, Some(control)).map_err(Cause::of_long_steps)
 }
 
 /// Follows a motion by a stepper that is known at run time alone.
@@ -247,7 +251,7 @@ fn follow<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     system: &S,
     stepper: &mut dyn Stepper<S, Cause, D>,
     recorder: &mut Recorder<D>,
-    max_steps: Option<usize>,
+    control: Option<ErrorControl>,
 ) -> Result<(), Cause> {
-    drive::<ByMargins, _, _, _, _, _>(motion, system, stepper, recorder, max_steps)
+    drive::<ByMargins, _, _, _, _, _>(motion, system, stepper, recorder, control)
 }

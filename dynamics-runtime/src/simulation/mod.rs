@@ -2,9 +2,9 @@
 
 mod by_margins;
 mod by_series;
-mod chatter;
 mod complementarity;
 mod contacts;
+mod creep;
 #[cfg(feature = "csv")]
 mod csv;
 mod drive;
@@ -19,6 +19,7 @@ mod method;
 mod motion;
 mod on_charts;
 mod plan;
+mod progress;
 mod recorder;
 mod sampling;
 mod settings;
@@ -424,8 +425,9 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// A joint at rest at a stop leans on it, with an acceleration of exactly zero, until the stop would have to pull
     /// it; dry friction holds it there besides. Bounces that die out end where they would rise by less than 1e-13 of
     /// the position (and of 1 rad or m), those of several joints together. With [`Method::ExplicitEuler`] they end at a
-    /// rise of half the acceleration times its step squared. Joints that hit 100 000 times between two samples, as
-    /// elastic ones may, end the run in [`Cause::Impacts`].
+    /// rise of half the acceleration times its step squared. Elastic ones that friction damps shrink slowly: once their work is
+    /// great, bounces that rise by less than the tolerance (1e-9 by fixed steps) are rest. Others without end are
+    /// [`Cause::Impacts`].
     ///
     /// Cost: one more evaluation of the forward dynamics at the end of each step, and about ten steps for an impact.
     /// Where joints lean on stops, an evaluation becomes one over dual numbers for each of these joints. A joint that
@@ -589,7 +591,7 @@ impl<D: Size, M> Setting<D, M> {
         self.friction.validate()?;
         self.limits.validate(&self.plan.initial)?;
         torque::validate(self.greatest.as_ref())?;
-        self.method.validate(motion, self.plan.duration)?;
+        self.method.validate(motion, &self.plan)?;
         recorder.plan(&self.plan)?;
         let (laws, initial) = (motion.torque, recorder.phase.clone());
         let mut begun = laws.sample(0.0, &initial).map(|()| initial.clone());

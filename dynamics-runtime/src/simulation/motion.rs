@@ -26,6 +26,8 @@ pub(super) struct Motion<'a, R, L, D: Size> {
     contacts: RefCell<D::Each<Contact>>,
     /// How often the equations of motion were evaluated.
     pub(super) evaluations: Cell<u64>,
+    /// The least rise of a bounce where there are bounces without end, relative to the position and to 1 rad or 1 m; else 0.
+    pub(super) coarse: Cell<f64>,
 }
 
 /// Accelerations, and the forces that hold the joints that stick or lean on a stop.
@@ -46,6 +48,7 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
             limits,
             contacts: RefCell::new(size.each(|_| Contact::Slides(0.0))),
             evaluations: Cell::new(0),
+            coarse: Cell::new(0.0),
         }
     }
 

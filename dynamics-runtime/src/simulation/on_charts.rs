@@ -72,6 +72,7 @@ pub(super) fn placed<K: Stand>(charts: K::Charts, end: Outcome<K::Freedoms>) -> 
         qdd: motion.qdd,
         tau: motion.tau,
         work: motion.work,
+        creeping: motion.creeping,
     };
     let Some((time, (base, q), qd, cause)) = reached else {
         return Ok(trajectory);

@@ -44,6 +44,25 @@ impl<D: Size> Plan<D> {
     }
 }
 
+/// The most steps of fixed length between two samples, where there are a hundred samples and more.
+const MOST_STEPS: f64 = 1e5;
+
+impl<D: Size> Plan<D> {
+    /// Whether the steps of a fixed length, and those that end where laws are sampled, are no more than a run may have.
+    pub(super) fn validate_steps(
+        &self,
+        step: f64,
+        period: Option<f64>,
+    ) -> Result<(), InvalidSetting> {
+        let steps = self.duration / step + period.map_or(0.0, |period| self.duration / period);
+        let most = MOST_STEPS * (self.samples as f64 - 1.0).max(100.0);
+        if steps > most * (1.0 + 1e-9) {
+            return Err(InvalidSetting::TooManySteps { steps, most });
+        }
+        Ok(())
+    }
+}
+
 /// The methods by which a simulation is given its plan, except for its start.
 macro_rules! plan_setters {
     () => {

@@ -3,7 +3,7 @@
 //! Accelerations and torques, which are recorded beside the phase, are evaluated once more at each sample. This
 //! counts as no work: torques of a law with a memory could not be had afterwards.
 
-use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
+use super::error::{Cause, InvalidSetting, JointSet, Outcome, SizedSimulationError};
 use super::plan::Plan;
 use super::trajectory::{Sample, SizedTrajectory, Work};
 use crate::integrate::{Grid, Phase, sample_time};
@@ -14,6 +14,8 @@ pub(super) struct Recorder<D: Size> {
     pub(super) t: f64,
     pub(super) phase: Phase<D>,
     pub(super) work: Work,
+    /// The joints that creep.
+    pub(super) creeping: JointSet,
     trajectory: SizedTrajectory<D>,
     pub(super) duration: f64,
     samples: usize,
@@ -26,6 +28,7 @@ impl<D: Size> Recorder<D> {
             t: 0.0,
             phase,
             work: Work::default(),
+            creeping: JointSet::default(),
             trajectory: SizedTrajectory::default(),
             duration: 0.0,
             samples: 0,
@@ -40,6 +43,7 @@ impl<D: Size> Recorder<D> {
             evaluations,
             ..self.work
         };
+        trajectory.creeping = self.creeping;
         match end {
             Ok(()) => Ok(trajectory),
             Err(cause) => Err(Box::new(SizedSimulationError {
@@ -70,6 +74,11 @@ impl<D: Size> Recorder<D> {
     /// The ends of steps no longer than `longest`.
     pub(super) fn grid(&self, longest: f64) -> Grid {
         Grid::new(self.duration, self.intervals(), longest)
+    }
+
+    /// The time between two samples.
+    pub(super) fn interval(&self) -> f64 {
+        self.duration / self.intervals() as f64
     }
 
     fn intervals(&self) -> u64 {

@@ -205,9 +205,9 @@ where
     fn validate(
         &self,
         motion: &Motion<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>>,
-        duration: f64,
+        plan: &Plan<Const<N>>,
     ) -> Result<(), InvalidSetting> {
-        self.control().validate(duration)?;
+        self.control().validate(plan.duration)?;
         if let Some(joint) = motion.friction.dry.iter().position(|dry| !dry.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint });
         }
@@ -228,13 +228,8 @@ where
         let range = control.range(recorder.duration);
         let (start, order) = (recorder.phase.clone(), self.series_order());
         let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        let end = drive::<BySeries, _, _, _, _, _>(
-            motion,
-            motion,
-            &mut run,
-            recorder,
-            Some(control.max_steps),
-        );
+        let end =
+            drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, Some(control));
         // One series for each step; impacts evaluate the equations besides.
         motion.count(recorder.work.steps);
         end.map_err(Cause::of_long_steps)

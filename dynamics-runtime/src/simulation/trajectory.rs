@@ -2,6 +2,7 @@
 
 use nalgebra::Const;
 
+use super::error::JointSet;
 use crate::Energy;
 use crate::equations_of_motion::SizedModel;
 use crate::size::Size;
@@ -48,6 +49,16 @@ pub struct SizedTrajectory<K: Stand> {
     pub tau: Vec<Velocities<K>>,
     /// The work of the run.
     pub work: Work,
+    /// The joints that crept, counted as the velocities: a force that jumps at rest, such as dry friction by its sign, held
+    /// them at rest, and steps of fixed length left them a velocity of the order of the step.
+    ///
+    /// [`Friction::Sticking`](crate::Friction::Sticking) lets such a joint stand. Under error control a joint does not creep
+    /// by more than the tolerance, and is not listed.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "JointSet::is_empty")
+    )]
+    pub creeping: JointSet,
 }
 
 /// Whether the base stands, so that it has no poses.
@@ -76,6 +87,7 @@ impl<K: Stand> Default for SizedTrajectory<K> {
             qdd: Vec::new(),
             tau: Vec::new(),
             work: Work::default(),
+            creeping: JointSet::default(),
         }
     }
 }

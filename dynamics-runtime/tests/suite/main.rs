@@ -13,6 +13,7 @@ mod friction;
 mod inverse_kinematics;
 mod methods;
 mod moving_base;
+mod progress;
 mod reference;
 mod sampling;
 mod saturation;
