@@ -11,6 +11,8 @@ import { between, measured, samplesOf } from "./trajectory.js";
 const JUMP = 0.3;
 /** A pose is singular if its least singular value is below this share of the greatest one, lengths as shares of the arm's. */
 const SINGULAR = 1e-5;
+/** Samples of a line at most: between them too its states are computed. */
+const MOST_SAMPLES = 1001;
 /** Steps to the line, and the change of positions, rad or m, by which the Jacobian's derivative is a difference. */
 const [MOST_STEPS, CHANGE] = [20, 1e-5];
 
@@ -117,7 +119,7 @@ function refused({ joints, limits, size }, before, { q, triples, columns }, rank
 /** The motion from positions to the target of `problem`; where the joints cannot follow, it ends with the reason. */
 export function lineTrajectory(equations, problem, given) {
   const { from, duration, base } = given;
-  const samples = samplesOf(duration);
+  const samples = Math.min(samplesOf(duration), MOST_SAMPLES);
   const h = duration / (samples - 1);
   const rank = rankOf(problem);
   const line = lineOf(problem, given);
