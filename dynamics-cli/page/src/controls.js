@@ -7,6 +7,9 @@ import { lawsOf } from "./laws.js";
 import { reachPanel } from "./reach_panel.js";
 import { slider } from "./slider.js";
 
+/** The shortest and the longest motion, s, as on the command line. */
+const DURATIONS = [1e-3, 1000];
+
 const MODES = { motion: "Motion", reach: "Reach", free: "Free motion", pose: "Pose" };
 const SAID = {
   motion: "From start to end, from rest to rest; inverse dynamics gives the torques.",
@@ -75,12 +78,14 @@ export function controls(model) {
   const rows = element("div", { class: "joints" });
   const panel = element("div", { role: "tabpanel" }, said, settings, rows);
 
-  const duration = element("input", { type: "number", min: "0.1", max: "60", step: "any", "data-key": "duration" });
+  const [shortest, longest] = DURATIONS;
+  const duration = element("input", { type: "number", min: shortest, max: longest, step: "any", "data-key": "duration" });
   const refusedDuration = element("p", { class: "refused", role: "alert" });
   duration.addEventListener("change", () => {
     const seconds = Number(duration.value);
-    refusedDuration.textContent = seconds > 0 ? "" : "expected a number above zero";
-    if (seconds > 0) state.duration = Math.min(seconds, 60);
+    const isPossible = seconds >= shortest && seconds <= longest;
+    refusedDuration.textContent = isPossible ? "" : `expected a number from ${shortest} to ${longest}`;
+    if (isPossible) state.duration = seconds;
     duration.value = state.duration;
     model.changed();
   });

@@ -20,7 +20,7 @@ export function bind(module, fields, isFloating) {
 }
 
 /** What the page shows of a state: all terms of M qdd + V + G + K + F = tau, a tip by its function, and the energies. */
-export function evaluate(equations, { base, q, qd, qdd, tau }, { key }) {
+export function evaluate(equations, { base, q, qd, qdd, tau, friction: acting }, { key }) {
   const gravity = equations.gravity_vector(base, q);
   const friction = equations.friction_vector(qd);
   const spring = equations.spring_vector(q);
@@ -37,7 +37,8 @@ export function evaluate(equations, { base, q, qd, qdd, tau }, { key }) {
     // V = tau(q, qd, 0) - G - K - F: a function of its own would be longer than all of these.
     coriolis: still.map((sum, i) => sum - gravity[i] - spring[i] - friction[i]),
     gravity,
-    friction,
+    // Of a free motion what acts: nothing where friction is left out, and what holds a joint that sticks.
+    friction: acting ?? friction,
     spring,
     tip: equations[key](base, q),
     kinetic: equations.kinetic_energy(q, qd),

@@ -183,7 +183,7 @@ function advance(motion, from, until) {
 export function freeMotion({ equations, table, law, torque, hasFriction, base, q, qd, duration, samples }) {
   const torques = LAWS[law]({ equations, torque, hasFriction });
   const motion = new Motion(equations, table, base, torques, hasFriction);
-  const found = { t: [], base: [], q: [], qd: [], qdd: [], tau: [], work: [], ended: null };
+  const found = { t: [], base: [], q: [], qd: [], qdd: [], tau: [], friction: [], work: [], ended: null };
   let state = { t: 0, y: Float64Array.from([...(motion.chart?.start ?? []), ...q, ...qd, 0]), h: duration / samples };
   try {
     motion.settle(state.y);
@@ -191,13 +191,14 @@ export function freeMotion({ equations, table, law, torque, hasFriction, base, q
       const t = (duration * k) / (samples - 1);
       state = advance(motion, state, t);
       const at = motion.state(state.y);
-      const { qdd, tau } = motion.solve(at);
+      const { qdd, tau, friction, hold } = motion.solve(at);
       found.t.push(t);
       found.base.push(at.base);
       found.q.push(at.q);
       found.qd.push(at.qd);
       found.qdd.push(qdd);
       found.tau.push(tau);
+      found.friction.push(friction.map((force, i) => (motion.contacts[i] === null ? hold[i] : force)));
       found.work.push(state.y[2 * motion.dof]);
     }
   } catch (error) {

@@ -6,7 +6,7 @@ import { units } from "./format.js";
 import { WORLD, placed, rollPitchYaw } from "./frames.js";
 import { lineTrajectory } from "./line_trajectory.js";
 import { FREEDOMS, poseOf } from "./moving_base.js";
-import { approach, carrying, solutions } from "./reach.js";
+import { approach, carrying, isSame, nearest, solutions } from "./reach.js";
 import { refusal } from "./refusal.js";
 import { events } from "./store.js";
 import { freeTrajectory, prescribedTrajectory } from "./trajectory.js";
@@ -69,7 +69,7 @@ export function createModel(make, module, first) {
     target: null,
     hasRotation: true,
     path: "joints",
-    reached: { found: [], chosen: 0, missing: null },
+    reached: { found: [], chosen: -1, missing: null },
     isDragged: false,
     profile: "cycloidal",
     law: "none",
@@ -142,32 +142,23 @@ export function createModel(make, module, first) {
       return { table: model.table, base: model.start(), tip, target: frame, hasRotation, limits, ranges, joints, size };
     },
 
-    /** Solves for the target: all solutions, or while it `isDragged` the nearest one alone. The motion goes to it. */
+    /**
+     * Solves for the target: all solutions, or while it `isDragged` the nearest one alone. The motion goes to the solution that is
+     * nearest to its start, or to the present one where that is to be kept.
+     */
     seek(isDragged = false) {
-      const problem = model.problem();
-      state.isDragged = isDragged;
-      if (isDragged) {
-        const { q, isReached, ...missing } = approach(problem, state.end);
-        state.end = q;
-        state.reached = { found: isReached ? [q] : [], chosen: 0, missing: isReached ? null : missing };
-      } else {
-        const { found, nearest } = solutions(problem, state.end);
-        state.reached = { found, chosen: 0, missing: nearest };
-        state.end = found[0] ?? nearest.q;
-      }
+      solve(isDragged, false);
       state.isPlaying = false;
       model.recompute();
       model.setTime(model.trajectory.duration);
-      tell("reached");
       tell("play");
     },
 
-    /** The motion goes to one of the solutions, or begins there. */
+    /** The motion goes to one of the solutions, or begins there, whole turns removed. */
     choose(index, isStart = false) {
       const { found } = state.reached;
-      if (isStart) found[index].forEach((x, i) => (state.q[i] = x));
-      else [state.end, state.reached.chosen] = [[...found[index]], index];
-      tell("reached");
+      if (isStart) nearest(model.problem(), found[index], ranges.map(startOf)).forEach((x, i) => (state.q[i] = x));
+      else state.end = [...found[index]];
       model.changed();
     },
 
@@ -258,6 +249,7 @@ export function createModel(make, module, first) {
             : null;
       cost = performance.now() - begin;
       timer = undefined;
+      if (isReach) mark();
       tell("trajectory");
       tell("time");
     },
@@ -268,9 +260,41 @@ export function createModel(make, module, first) {
     /** Computes the motion anew, soon. */
     ask() {
       clearTimeout(timer);
-      timer = setTimeout(model.recompute, cost > PROMPT ? 160 : 0);
+      timer = setTimeout(
+        () => {
+          if (state.mode === "reach") solve(false, true);
+          model.recompute();
+        },
+        cost > PROMPT || state.mode === "reach" ? 160 : 0,
+      );
     },
   };
+
+  /** The solutions for the target, by their distance from the start; the end is the first of them, or stays the one that it is. */
+  function solve(isDragged, isKept) {
+    const problem = model.problem();
+    const { q: start, end } = state;
+    state.isDragged = isDragged;
+    if (isDragged) {
+      const { q, isReached, ...missing } = approach(problem, end);
+      state.end = nearest(problem, q, start);
+      state.reached = { found: isReached ? [state.end] : [], chosen: -1, missing: isReached ? null : missing };
+      return;
+    }
+    const { found, missing } = solutions(problem, start);
+    const kept = isKept ? found.find((q) => isSame(problem, q, end)) : undefined;
+    state.reached = { found, chosen: -1, missing };
+    state.end = [...(kept ?? found[0] ?? missing.q)];
+  }
+
+  /** Marks the solution in which the motion ends. */
+  function mark() {
+    const { ended, q } = model.trajectory;
+    const { reached } = state;
+    reached.chosen = ended ? -1 : reached.found.findIndex((one) => isSame(model.problem(), one, q[q.length - 1]));
+    tell("reached");
+  }
+
   let [cost, timer] = [0, undefined];
   model.recompute();
   return model;

@@ -6,7 +6,7 @@ import { add, cross, dot, length, scaled, subtract } from "./frames.js";
 import { NotPositiveDefinite, solved } from "./linear.js";
 
 /** How far the tip may be from the target, m and rad. */
-const TOLERANCE = 1e-9;
+export const TOLERANCE = 1e-9;
 /** A descent ends where so many steps do not halve the error, or after the most of them. */
 const [PERIOD, MOST_STEPS] = [5, 60];
 /** Parts of the damping: of the error, and of the greatest diagonal entry. */
@@ -138,7 +138,7 @@ export function approach(problem, start) {
 }
 
 /** Numbers from 0 to 1, the same in each run (mulberry32). */
-function random(seed) {
+export function random(seed) {
   let a = seed;
   return () => {
     a = (a + 0x6d2b79f5) | 0;
@@ -149,7 +149,7 @@ function random(seed) {
 }
 
 /** The same place of the arm, by whole turns as near to another as the limits allow. */
-function nearest({ table, limits }, q, start) {
+export function nearest({ table, limits }, q, start) {
   const leads = (joint) => table.rows.some(({ follows }) => follows?.joint === joint);
   const joints = table.rows.filter(({ joint }) => joint !== null);
   return q.map((x, i) => {
@@ -161,8 +161,11 @@ function nearest({ table, limits }, q, start) {
   });
 }
 
-/** Whether two positions are one solution: whole turns do not count, and half a turn may be either way. */
-const isSame = (a, b) => a.every((x, i) => [0, 2 * Math.PI].some((turn) => Math.abs(Math.abs(x - b[i]) - turn) < SAME));
+/** Whether two positions are one solution: whole turns of joints that turn do not count. */
+export function isSame({ joints }, a, b) {
+  const turn = 2 * Math.PI;
+  return a.every((x, i) => Math.abs(x - b[i] - (joints[i].type === "revolute" ? turn * Math.round((x - b[i]) / turn) : 0)) < SAME);
+}
 
 /** Distinct solutions, the nearest to a start first, at most so many; and what came nearest, where there are none. */
 export function solutions(problem, start, most = 16) {
@@ -175,9 +178,11 @@ export function solutions(problem, start, most = 16) {
     if (best === null || end.error < best.error) best = end;
     if (!end.isReached) continue;
     const q = nearest(problem, end.q, start);
-    if (!found.some((other) => isSame(q, other))) found.push(q);
+    if (!found.some((other) => isSame(problem, q, other))) found.push(q);
   }
   const away = (q) => Math.max(...q.map((x, i) => Math.abs(x - start[i])));
   found.sort((a, b) => away(a) - away(b));
-  return { found, nearest: found.length > 0 ? null : settle(problem, best.q) };
+  if (found.length > 0) return { found, missing: null };
+  const missing = settle(problem, best.q);
+  return { found, missing: { ...missing, q: nearest(problem, missing.q, start) } };
 }

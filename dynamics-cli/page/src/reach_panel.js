@@ -65,7 +65,11 @@ export function reachPanel(model) {
       element("tbody", {}, found.map(row)),
     );
     said.classList.toggle("refused", missing !== null);
-    said.textContent = missing ? told(missing) : `${found.length} ${found.length === 1 ? "solution" : "solutions"} found: the motion goes to that which is marked.`;
+    said.textContent = missing ? told(missing) : `${found.length} ${found.length === 1 ? "solution" : "solutions"} found: ${aim()}.`;
+  }
+  function aim() {
+    if (state.reached.chosen >= 0) return "the motion goes to that which is marked";
+    return model.trajectory.ended ? "the motion does not come to any" : "the straight line ends at positions that are none of these";
   }
   function told({ way, turn }) {
     const { factor, angleUnit } = model.units;

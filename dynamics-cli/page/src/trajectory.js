@@ -6,7 +6,7 @@ import { prescribed } from "./profiles.js";
 
 /** Samples each second, and how many there are at least and at most. */
 const RATE = 100;
-const [LEAST, MOST] = [201, 2001];
+const [LEAST, MOST] = [201, 10_001];
 
 export function samplesOf(duration) {
   return Math.min(Math.max(Math.round(RATE * duration) + 1, LEAST), MOST);
@@ -47,7 +47,7 @@ export function freeTrajectory(equations, given) {
 /** A motion that cannot begin has its start alone; its accelerations are not known. */
 function stay(found, { base, q, qd }) {
   const unknown = qd.map(() => NaN);
-  for (const [name, value] of Object.entries({ t: 0, base, q, qd, qdd: unknown, tau: unknown, work: 0 })) {
+  for (const [name, value] of Object.entries({ t: 0, base, q, qd, qdd: unknown, tau: unknown, friction: unknown, work: 0 })) {
     found[name].push(value);
   }
 }
@@ -66,7 +66,7 @@ export function measured(equations, trajectory, { key }) {
 export function between(found, t) {
   const { t: times } = found;
   const last = times.length - 1;
-  const sample = (at) => Object.fromEntries(["base", "q", "qd", "qdd", "tau"].map((name) => [name, found[name][at]]));
+  const sample = (at) => Object.fromEntries(["base", "q", "qd", "qdd", "tau", "friction"].map((name) => [name, found[name]?.[at]]));
   if (last < 1) return sample(0);
   const h = times[1] - times[0];
   const k = Math.min(Math.max(Math.floor(t / h), 0), last - 1);
@@ -84,6 +84,7 @@ export function between(found, t) {
     qd: cubics("qd", "qdd", 0),
     qdd: line(found.qdd),
     tau: line(found.tau),
+    friction: found.friction && line(found.friction),
   };
 }
 

@@ -188,7 +188,7 @@ async function refusals(page, name) {
   check(`${name}, mass again`, (await plots()) === 6 && !(await status()).includes("singular"), await status());
   await page.set("duration", -2, "change");
   const duration = await page.evaluate(`(() => { const label = document.querySelector('[data-key="duration"]').closest("label"); return label.nextElementSibling.textContent; })()`);
-  check(`${name}, negative duration`, duration === "expected a number above zero", duration);
+  check(`${name}, negative duration`, duration === "expected a number from 0.001 to 1000", duration);
   await page.click("mode-motion");
 }
 
@@ -240,6 +240,7 @@ async function reach(page, { name }) {
   check(`${name}, handle`, Math.max(0, ...(await worst())) < 1e-8, "the tip is not there");
   // A wheel follows no line.
   if (name !== "brick") await straight(page, name);
+  if (name === "puma560") await withoutPast(page, name);
   await page.set("target-0", 100 * (await page.evaluate("robotPage.size")));
   await computed(page);
   check(`${name}, out of reach`, (await told()).startsWith("No solution found: "), await told());
@@ -247,11 +248,112 @@ async function reach(page, { name }) {
   await page.click("mode-motion");
 }
 
-/** From a pose that is not singular a short way: the tip stays on the line. */
+/** Where the straight line ends is what the list marks; it does not begin in a singular pose; answers have no past. */
+async function withoutPast(page, name) {
+  const solve = (q, end) => page.evaluate(`(() => { robotPage.state.q.splice(0, 6, ${q}); robotPage.state.end = [${end}]; robotPage.placeTarget(); robotPage.seek(); })()`);
+  const found = () => page.evaluate("JSON.stringify(robotPage.state.reached.found)");
+  const status = () => page.evaluate(`document.querySelector('[data-key="status"]').textContent`);
+  const [start, end] = ["0.3, -0.6, 0.4, 0.5, 0.7, 0.2", "0.5, -0.4, 0.3, 0.6, 0.9, 0.4"];
+  await solve(start, end);
+  const first = await found();
+  const target = await page.evaluate("robotPage.state.target");
+  // Other questions in between, the last of them several turns away.
+  for (const yaw of [3, 6, 9, 12]) await page.evaluate(`(robotPage.state.target = [0.3, 0.4, 0.2, 0.1, 0.4, ${yaw}], robotPage.seek())`);
+  await page.evaluate(`(robotPage.state.target = ${JSON.stringify(target)}, robotPage.seek())`);
+  check(`${name}, same question`, (await found()) === first, "another answer");
+  // Whole turns, also where solutions become starts again and again.
+  for (let k = 0; k < 6; k++) {
+    await page.click(`start-${(await page.evaluate("robotPage.state.reached.found.length")) - 1}`);
+    await computed(page);
+  }
+  const wound = await page.evaluate("Math.max(...robotPage.state.q.map((x, i) => robotPage.table.rows[i].limits ? 0 : Math.abs(x)))");
+  check(`${name}, whole turns`, wound <= Math.PI + 1e-9, `a joint stands at ${wound}`);
+  // The line goes to the solution of its own branch, whatever was chosen.
+  await solve(start, end);
+  await page.set("path", "line", "change");
+  await page.click("solution-3");
+  await computed(page);
+  const off = await page.evaluate(`(() => {
+    const { reached } = robotPage.state;
+    const last = robotPage.trajectory.q.at(-1);
+    const marked = [...document.querySelectorAll(".solutions tbody tr")].findIndex((row) => row.className === "chosen");
+    return marked < 0 ? robotPage.trajectory.ended?.reason ?? "none is marked" : Math.max(...last.map((x, i) => Math.abs(x - reached.found[marked][i])));
+  })()`);
+  check(`${name}, marked solution`, off < 1e-6, off);
+  await lineRates(page, name);
+  // Near a singular pose, the wrist almost in line, velocities and accelerations are those of the line.
+  await solve("0.3, -0.6, 0.4, 0.5, 0.003, 0.2", "0.3, -0.6, 0.4, 0.5, 0.6, 0.2");
+  await computed(page);
+  check(`${name}, near a singular pose`, (await page.evaluate("robotPage.trajectory.ended")) === null, await status());
+  await lineRates(page, `${name} near a singular pose`);
+  await page.evaluate("robotPage.setTime(0)");
+  // The wrist in line, and on the way through that.
+  await solve("0.3, -0.6, 0.4, 0.5, 0, 0.2", end);
+  check(`${name}, singular start`, /^The motion cannot begin: at its start the arm is singular.*choose another start/.test(await status()), await status());
+  check(`${name}, singular start`, await page.evaluate("robotPage.now().tau.every(Number.isNaN)"), "torques are shown");
+  check(`${name}, singular start`, (await page.evaluate("document.querySelectorAll('tr.chosen').length")) === 0, "a solution is marked");
+  await solve("0.3, -0.6, 0.4, 0.5, 0.2, 0.2", "0.3, -0.6, 0.4, 0.5, -0.2, 0.2");
+  check(`${name}, singular pose on the way`, /^Ends at .* % of the line .*singular.*choose another start/.test(await status()), await status());
+  await page.set("path", "joints", "change");
+  await page.set("duration", 2000, "change");
+  const told = await page.evaluate(`document.querySelector('[data-key="duration"]').closest("label").nextElementSibling.textContent`);
+  check(`${name}, long duration`, told === "expected a number from 0.001 to 1000", told);
+  await page.set("duration", 90, "change");
+  await computed(page);
+  check(`${name}, duration`, (await page.evaluate("robotPage.trajectory.duration")) === 90, "it is not 90 s");
+  await page.set("duration", 2, "change");
+  await computed(page);
+}
+
+/** Velocities and accelerations of a line against differences of its positions, of fourth order, at small steps. */
+async function lineRates(page, name) {
+  const worst = await page.evaluate(`(() => {
+    const { at, duration } = robotPage.trajectory;
+    const errors = [0.00731, 0.03, 0.1, 0.31, 0.5, 0.77, 0.9].map((share) => {
+      const [t, h] = [share * duration, 2e-3 * Math.min(share, 1 - share) * duration];
+      const [a, b, , d, e] = [-2, -1, 0, 1, 2].map((k) => at(t + k * h));
+      const state = at(t);
+      const slopes = (of) => state.q.map((_, i) => (a[of][i] - 8 * b[of][i] + 8 * d[of][i] - e[of][i]) / (12 * h));
+      const off = (values, expected) => Math.max(...values.map((x, i) => Math.abs(x - expected[i]))) / (1e-3 + Math.max(...expected.map(Math.abs)));
+      return Math.max(off(state.qd, slopes("q")), off(state.qdd, slopes("qd")));
+    });
+    return Math.max(...errors);
+  })()`);
+  console.log(`${name}, rates along the line: largest error ${worst.toExponential(1)}`);
+  check(`${name}, rates along the line`, worst < 1e-5, `they are off by ${worst}`);
+}
+
+/** A joint that sticks is held by friction: F = tau - M qdd - V - G - K, at most the Coulomb friction. */
+async function held(page, name) {
+  await page.click("mode-free");
+  await page.set("law", "constant", "change");
+  for (const [key, value] of [["qd-6", 0], ["tau-6", 0.02]]) await page.set(key, value);
+  for (const k of [0, 1, 2, 3, 4, 5]) await page.set(`qd-${k}`, 0);
+  await computed(page);
+  for (const t of [0, 0.1, 0.123]) {
+    await page.evaluate(`robotPage.setTime(${t})`);
+    const [force, rest, speed] = await page.evaluate(`(() => {
+      const { friction, tau, mass, qdd, coriolis, gravity, spring, qd } = robotPage.evaluated();
+      return [friction[6], tau[6] - mass[6].reduce((sum, m, j) => sum + m * qdd[j], 0) - coriolis[6] - gravity[6] - spring[6], qd[6]];
+    })()`);
+    const seen = await shown(page, "friction-6");
+    const isHeld = speed === 0 && Math.abs(force) > 1e-3 && Math.abs(force) <= 0.05 && Math.abs(force - rest) < 1e-6 && seen === force;
+    check(`${name}, friction that holds`, isHeld, `F ${force} beside ${rest}, shown ${seen}, velocity ${speed}`);
+  }
+  await page.click("friction");
+  await computed(page);
+  await page.evaluate("robotPage.setTime(0.5)");
+  check(`${name}, friction left out`, (await shown(page, "friction-6")) === 0, "F is shown");
+  await page.click("friction");
+  await page.set("law", "none", "change");
+  await page.click("mode-motion");
+}
+
+/** From a pose that is not singular, no elbow stretched, a short way: the tip stays on the line, and rates are those of it. */
 async function straight(page, name) {
   const joints = await page.evaluate("robotPage.joints.length");
   for (let k = 0; k < joints; k++) {
-    await page.evaluate(`robotPage.state.q[${k}] = robotPage.ranges[${k}][0] + ${0.4 + 0.05 * k} * (robotPage.ranges[${k}][1] - robotPage.ranges[${k}][0])`);
+    await page.evaluate(`robotPage.state.q[${k}] = robotPage.ranges[${k}][0] + ${0.42 + 0.05 * k} * (robotPage.ranges[${k}][1] - robotPage.ranges[${k}][0])`);
     await page.evaluate(`robotPage.state.end[${k}] = robotPage.state.q[${k}] + 0.02 * (robotPage.ranges[${k}][1] - robotPage.ranges[${k}][0])`);
   }
   await page.evaluate("robotPage.placeTarget(), robotPage.seek()");
@@ -266,6 +368,8 @@ async function straight(page, name) {
     return [Math.max(...beside), ended?.reason ?? null, tau.flat().every(Number.isFinite)];
   })()`);
   check(`${name}, straight line`, off[0] < 1e-8 && off[1] === null && off[2], JSON.stringify(off));
+  const isRedundant = await page.evaluate("robotPage.joints.length > 6");
+  if (off[1] === null && !isRedundant) await lineRates(page, name);
 }
 
 /** Where the table places the tip in the last link: all fixed joints on the way are in it. */
@@ -375,6 +479,7 @@ await withBrowser(program, async (browser) => {
     if (given.tip) await tip(page, given);
     if (given.moves) await moves(page, given);
     if (await page.evaluate("robotPage.joints.length > 0")) await reach(page, given);
+    if (name === "brick") await held(page, name);
     clean(page, name);
     await page.close();
     const phone = await open(browser, file, { ...PHONE, scheme: "dark", isReduced: true });
