@@ -1,8 +1,9 @@
 //! The contacts of joints with friction and stops: those that hold, those that let go, and the margins to both.
 
 use super::complementarity::{Balance, Place, balanced};
-use super::error::{Cause, JointSet};
+use super::error::Cause;
 use super::friction::Contact;
+use super::joint_set::JointSet;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use super::torque::TorqueLaw;

@@ -2,8 +2,9 @@
 
 use core::marker::PhantomData;
 
-use super::error::{Cause, JointSet};
+use super::error::Cause;
 use super::friction::Contact;
+use super::joint_set::JointSet;
 use super::limits::{AtLimit, End};
 use super::motion::{Held, Motion};
 use super::progress::Progress;

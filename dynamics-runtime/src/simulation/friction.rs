@@ -21,8 +21,8 @@ pub enum Friction {
     ///
     /// A joint that should stick chatters about zero velocity. Methods with error control end in
     /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) if the rest would take over a million evaluations and steps, and the
-    /// simulation was given this kind of friction or stops. Those of fixed step leave a velocity proportional to the step, and
-    /// the motion says which joints [creep](crate::simulation::SizedTrajectory::creeping).
+    /// simulation was given this kind of friction or stops. Methods of fixed step leave a velocity proportional to the step,
+    /// and the motion says which joints [creep](crate::simulation::SizedTrajectory::creeping).
     #[default]
     Sign,
     /// With stopping and sticking as events.

@@ -22,7 +22,8 @@
 //! `v = 0` for these joints and `v >= 0` for others at their stops. They form a cone, so that the energy does not rise.
 
 use super::complementarity::{Place, balanced};
-use super::error::{Cause, JointSet};
+use super::error::Cause;
+use super::joint_set::JointSet;
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
 use super::torque::TorqueLaw;

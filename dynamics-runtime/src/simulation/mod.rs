@@ -13,6 +13,7 @@ mod events;
 mod floating;
 mod friction;
 mod impact;
+mod joint_set;
 mod law;
 mod limits;
 mod method;
@@ -51,10 +52,9 @@ pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use crate::trajectory::InvalidDuration;
 #[cfg(feature = "csv")]
 pub use csv::{CsvError, CsvMistake, shortest};
-pub use error::{
-    Cause, InvalidSetting, JointSet, SimulationError, SizedFloatingError, SizedSimulationError,
-};
+pub use error::{Cause, InvalidSetting, SimulationError, SizedFloatingError, SizedSimulationError};
 pub use friction::Friction;
+pub use joint_set::JointSet;
 pub use law::ForceLaw;
 pub use method::Method;
 pub use sampling::{Continuous, Sampled};

@@ -12,8 +12,9 @@
 //! motion, so that more samples allow more of them, and those that no tolerance tells from rest come to rest first.
 
 use super::creep::Creep;
-use super::error::{Cause, JointSet};
+use super::error::Cause;
 use super::friction::Friction;
+use super::joint_set::JointSet;
 use super::motion::Motion;
 use super::recorder::Recorder;
 use super::settings::ErrorControl;
@@ -127,7 +128,7 @@ impl<D: Size> Progress<D> {
             let fresh = Progress::new(motion.robot.size(), self.control);
             *self = Progress { creep, ..fresh };
         }
-        // What was before the first of these questions was another motion.
+        // The motion before the first of these questions was another one.
         if self.questions <= 1 {
             self.began = (t, work);
         }

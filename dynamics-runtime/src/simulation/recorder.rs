@@ -3,7 +3,8 @@
 //! Accelerations and torques, which are recorded beside the phase, are evaluated once more at each sample. This
 //! counts as no work: torques of a law with a memory could not be had afterwards.
 
-use super::error::{Cause, InvalidSetting, JointSet, Outcome, SizedSimulationError};
+use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
+use super::joint_set::JointSet;
 use super::plan::Plan;
 use super::trajectory::{Sample, SizedTrajectory, Work};
 use crate::integrate::{Grid, Phase, sample_time};

@@ -2,7 +2,7 @@
 
 use nalgebra::Const;
 
-use super::error::JointSet;
+use super::joint_set::JointSet;
 use crate::Energy;
 use crate::equations_of_motion::SizedModel;
 use crate::size::Size;
