@@ -1,10 +1,12 @@
 //! C under flags that let compilers reorder sums, forget what is not finite, or compute in wider registers.
 
+use std::path::PathBuf;
 use std::process::Command;
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 
 use super::super::calls::{data, file, folder, has, output, succeed};
+use super::super::moving_base::BRICK;
 use super::{ARM, Number, literal, main_of};
 
 const FUNCTIONS: &str = "mass_matrix,coriolis_vector,gravity_vector,bias_force,inverse_dynamics,forward_dynamics,\
@@ -39,15 +41,21 @@ const FLAGS: [(&str, Option<&str>); 16] = [
     ("-O2 -D_M_FP_FAST", Some(FAST)),
 ];
 
-/// Serial arms, a slide with a follower, and a file in URDF.
+/// A slide with a follower, a base that moves, and serial arms.
 fn robots() -> [(&'static str, String); 6] {
     [
         ("slide", file("flags_slide.toml", ARM)),
-        ("puma560", data("robots/puma560.json")),
+        (
+            "brick",
+            file(
+                "flags_brick.toml",
+                BRICK.replace("mass = 0.5", "mass = 0.5\ncom = [0.1, 0, 0]"),
+            ),
+        ),
         ("stanford", data("robots/stanford.json")),
         ("scara", data("robots/scara.json")),
         ("elbow_3r", data("robots/elbow_3r.json")),
-        ("ur5", data("urdf/ur5_robot.urdf")),
+        ("ur5", data("robots/ur5.json")),
     ]
 }
 
@@ -59,12 +67,16 @@ fn calls<F: Number>(name: &str, path: &str) -> (Vec<(String, usize)>, Vec<Vec<F>
     let (mut calls, mut expected) = (Vec::new(), Vec::new());
     for function in FUNCTIONS.split(',') {
         for state in [1.0, 40.0] {
-            let entries = |of: usize| -> Vec<F> {
-                let entry = |i: usize| F::of(state * ((7 * of + 3 * i + 1) as f64).sin());
-                (0..joints).map(entry).collect()
+            let entries = |(of, (argument, count)): (usize, (&str, usize))| -> Vec<F> {
+                let entry = |i: usize| match argument {
+                    // A base that is not turned: the rotation by rows, then the position.
+                    "base" => f64::from(u8::from(i % 4 == 0 && i < 9)),
+                    _ => state * ((7 * of + 3 * i + 1) as f64).sin(),
+                };
+                (0..count).map(|i| F::of(entry(i))).collect()
             };
-            let arguments: Vec<_> = arm.arguments(function).expect("arguments").collect();
-            let arguments: Vec<Vec<F>> = (0..arguments.len()).map(entries).collect();
+            let arguments = arm.arguments(function).expect("arguments");
+            let arguments: Vec<Vec<F>> = arguments.enumerate().map(entries).collect();
             let slices: Vec<&[F]> = arguments.iter().map(Vec::as_slice).collect();
             let values = arm.evaluate_in(function, &slices).expect("values");
             let texts: Vec<_> = slices.iter().map(|slice| literal(slice)).collect();
@@ -112,7 +124,7 @@ fn assert_near<F: Number>(found: &str, expected: &[Vec<F>], bound: f64, label: &
 }
 
 /// Compiles one robot with every flag: values are Rust's and batches those of single calls, or a sentence refuses the flag.
-fn assert_flags<F: Number>(name: &str, path: &str, sines: &[&str], bound: f64) {
+fn assert_flags<F: Number + Sync>(name: &str, path: &str, sines: &[&str], bound: f64) {
     let label = format!("{name}_{}_{}", F::WORD, sines.len());
     let out = folder(&format!("flags_{label}"));
     let to = out.to_string_lossy();
@@ -129,8 +141,36 @@ fn assert_flags<F: Number>(name: &str, path: &str, sines: &[&str], bound: f64) {
     output(&[&call[..], &options, sines].concat());
     let (calls, expected) = calls::<F>(name, path);
     std::fs::write(out.join("main.c"), main_of::<F>(name, &calls)).expect("a file");
-    let (source, test) = (format!("{name}.c"), format!("{name}_test.c"));
-    for compiler in ["gcc", "clang"] {
+    let robot = Generated {
+        name,
+        out,
+        label,
+        expected,
+        has_own_sines: sines.is_empty(),
+        bound,
+    };
+    let robot = &robot;
+    std::thread::scope(|scope| {
+        for compiler in ["gcc", "clang"] {
+            scope.spawn(move || robot.assert_compiler(compiler));
+        }
+    });
+}
+
+/// A robot in C, and what its program has to print.
+struct Generated<'a, F> {
+    name: &'a str,
+    out: PathBuf,
+    label: String,
+    expected: Vec<Vec<F>>,
+    has_own_sines: bool,
+    bound: f64,
+}
+
+impl<F: Number + Sync> Generated<'_, F> {
+    fn assert_compiler(&self, compiler: &str) {
+        let Self { name, out, .. } = self;
+        let (source, test) = (format!("{name}.c"), format!("{name}_test.c"));
         for (flags, refusal) in FLAGS {
             // The registers of an x87 are no trouble to the library's sines, and clang has no such flag on 64 bits.
             let is_x87 = refusal == Some(X87);
@@ -138,15 +178,15 @@ fn assert_flags<F: Number>(name: &str, path: &str, sines: &[&str], bound: f64) {
             if compiler == "clang" && flags.contains("387") {
                 continue;
             }
-            let refusal = refusal.filter(|_| sines.is_empty() || !is_about_sines);
-            let label = format!("{label}, {compiler} {flags}");
-            let compile = |main: &str, program: &str| {
+            let refusal = refusal.filter(|_| self.has_own_sines || !is_about_sines);
+            let label = format!("{}, {compiler} {flags}", self.label);
+            let compile = |files: &[&str]| {
                 let mut command = Command::new(compiler);
-                command.current_dir(&out).args(flags.split(' '));
-                command.args([main, &source, "-o", program, "-lm"]);
-                command.output().expect("a compiler")
+                command.current_dir(out).args(flags.split(' '));
+                command.args(files).output().expect("a compiler")
             };
-            let compiled = compile("main.c", "program");
+            let object = format!("{compiler}.o");
+            let compiled = compile(&["-c", &source, "-o", &object]);
             let told = String::from_utf8_lossy(&compiled.stderr);
             if let Some(sentence) = refusal {
                 assert!(
@@ -156,16 +196,20 @@ fn assert_flags<F: Number>(name: &str, path: &str, sines: &[&str], bound: f64) {
                 continue;
             }
             assert!(compiled.status.success(), "{label}: {told}");
-            assert_near(
-                &succeed(&mut Command::new(out.join("program"))),
-                &expected,
-                bound,
+            let run = |main: &str, program: &str| {
+                let linked = compile(&[main, &object, "-o", program, "-lm"]);
+                assert!(linked.status.success(), "{label}: {linked:?}");
+                succeed(&mut Command::new(out.join(program)))
+            };
+            assert_near::<F>(
+                &run("main.c", &format!("{compiler}_program")),
+                &self.expected,
+                self.bound,
                 &label,
             );
             // Batches have the digits of single calls where registers are as wide as numbers.
-            if sines.is_empty() {
-                assert!(compile(&test, "batches").status.success(), "{label}");
-                succeed(&mut Command::new(out.join("batches")));
+            if self.has_own_sines {
+                run(&test, &format!("{compiler}_batches"));
             }
         }
     }
