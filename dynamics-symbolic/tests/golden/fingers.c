@@ -13,6 +13,9 @@
  * no operations of one state into short vectors, which costs more than it saves. Without it, it makes the lanes of angles so.
  */
 #if defined(__clang__)
+#if defined(__x86_64__) || defined(__i386__)
+#pragma float_control(precise, on)
+#endif
 #pragma STDC FP_CONTRACT OFF
 #pragma clang fp reassociate(off)
 #elif defined(__GNUC__)
