@@ -70,7 +70,7 @@ fn calls<F: Number>(name: &str, path: &str) -> (Vec<(String, usize)>, Vec<Vec<F>
             let entries = |(of, (argument, count)): (usize, (&str, usize))| -> Vec<F> {
                 let entry = |i: usize| match argument {
                     // A base that is not turned: the rotation by rows, then the position.
-                    "base" => f64::from(u8::from(i % 4 == 0 && i < 9)),
+                    "base" => f64::from(u8::from(i.is_multiple_of(4) && i < 9)),
                     _ => state * ((7 * of + 3 * i + 1) as f64).sin(),
                 };
                 (0..count).map(|i| F::of(entry(i))).collect()
@@ -217,7 +217,7 @@ impl<F: Number + Sync> Generated<'_, F> {
 
 /// `cargo test -p dynamics-cli --test suite c::flags -- --ignored`
 #[test]
-#[ignore = "needs gcc and clang for 32 bits too, and takes a minute: .ci/run runs it"]
+#[ignore = "needs gcc and clang, both for 32 bits too, and takes two minutes: .ci/run runs it"]
 fn no_flag_makes_values_wrong_in_silence() {
     if !has("gcc") || !has("clang") {
         return;
