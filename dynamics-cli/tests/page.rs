@@ -1,5 +1,6 @@
 //! The pages: one file each, and in a browser the numbers of Rust.
 
+use arms::is_installed;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -627,21 +628,12 @@ fn motions(arm: &Arm) -> String {
     )
 }
 
-/// Whether a program can be run; what is left out without it is said.
-fn is_there(program: &str) -> bool {
-    let found = Command::new(program).arg("--version").output().is_ok();
-    if !found {
-        println!("left out: {program} is not installed");
-    }
-    found
-}
-
 /// Pages in Chromium, by `page/test/page.mjs`: sliders move the arm, play moves time, and the numbers are those of Rust
 /// and of the commands `inverse` and `simulate`. A phone shows all of it, and no error is reported.
 #[test]
 #[ignore = "needs Chromium and node, and takes two minutes: .ci/run runs it"]
 fn pages_do_what_they_should_in_a_browser() {
-    if !is_there("chromium") || !is_there("node") {
+    if !is_installed("chromium") || !is_installed("node") {
         return;
     }
     let pages = arms().into_iter().map(|arm| {

@@ -28,14 +28,7 @@ pub(crate) fn run(arguments: &[&str]) -> Output {
     command.args(arguments).output().expect("the command")
 }
 
-/// Whether another program is installed; if it is not, a line says what is left out.
-pub(crate) fn has(program: &str) -> bool {
-    let found = Command::new(program).arg("--version").output().is_ok();
-    if !found {
-        println!("left out: {program} is not installed");
-    }
-    found
-}
+pub(crate) use arms::is_installed as has;
 
 /// The output of another program that succeeds.
 #[track_caller]

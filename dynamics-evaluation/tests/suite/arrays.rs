@@ -27,10 +27,7 @@ fn python() -> Command {
 fn has_module(name: &str) -> bool {
     let found = python().args(["-c", &format!("import {name}")]).output();
     let found = found.is_ok_and(|output| output.status.success());
-    if !found {
-        println!("left out: Python has no module {name}");
-    }
-    found
+    found || arms::is_left_out(&format!("Python has no module {name}"))
 }
 
 pub(super) fn is_numpy_there() -> bool {

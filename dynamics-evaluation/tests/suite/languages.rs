@@ -164,14 +164,7 @@ pub(super) fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Whether a program can be run; what is left out without it is said.
-pub(super) fn is_there(program: &str) -> bool {
-    let found = Command::new(program).arg("--version").output().is_ok();
-    if !found {
-        println!("left out: {program} is not installed");
-    }
-    found
-}
+pub(super) use arms::is_installed as is_there;
 
 #[track_caller]
 pub(super) fn run(command: &mut Command) -> String {

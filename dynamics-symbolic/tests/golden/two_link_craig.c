@@ -3,20 +3,32 @@
 #include <stdint.h>
 #include <string.h>
 
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffinite-math-only, a part of -ffast-math, hides values that are not finite: add -fno-finite-math-only behind it"
+#endif
+
 /*
+ * Sums keep their order under -fassociative-math and -funsafe-math-optimizations too.
  * A product is rounded before it is added, unless ROBOT_DYNAMICS_FMA fuses both: where Rust does it. With AVX, gcc collects
  * no operations of one state into short vectors, which costs more than it saves. Without it, it makes the lanes of angles so.
  */
 #if defined(__clang__)
+#if defined(__x86_64__) || defined(__i386__)
+#pragma float_control(precise, on)
+#endif
 #pragma STDC FP_CONTRACT OFF
+#pragma clang fp reassociate(off)
 #elif defined(__GNUC__)
-#pragma GCC optimize("fp-contract=off")
+#pragma GCC optimize("fp-contract=off", "no-unsafe-math-optimizations", "no-associative-math")
 #ifdef __AVX__
 #pragma GCC optimize("no-tree-slp-vectorize")
 #endif
 #elif defined(_MSC_VER)
 #pragma fp_contract(off)
 #endif
+
+/* Constants have the size of a double: if this line is refused, compile without -fsingle-precision-constant. */
+typedef char robot_dynamics_compile_without_fsingle_precision_constant[sizeof(1.0) == sizeof(double) ? 1 : -1];
 
 #ifndef ROBOT_DYNAMICS_FMA
 #if defined(__FMA__) || defined(__aarch64__)
@@ -35,8 +47,15 @@
 #define ROBOT_DYNAMICS_LANES
 #endif
 
-#ifdef __FAST_MATH__
-#error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"
+#include <float.h>
+
+#ifdef _M_FP_FAST
+#error "/fp:fast breaks the sines: compile with /fp:precise, or generate with --sines libm"
+#endif
+
+/* 16 is of numbers that are narrower than float. */
+#if (FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
+#error "registers wider than the numbers (x87) break the sines: add -msse2 -mfpmath=sse (/arch:SSE2), or generate with --sines libm"
 #endif
 
 /* Angles are evaluated in the lanes of vectors where the compiler and the processor have them. */

@@ -9,8 +9,8 @@
  *
  * Sines are in the source. Values have the digits of Rust's in a build for the same processor, whatever the compiler
  * and its level: products are fused with sums where Rust fuses them, if the processor has an instruction for it. That is
- * so of gcc and clang without -ffast-math, and not so of the registers of an x87, nor of what depends on an exponential
- * (Stribeck's friction), which is the C library's.
+ * so of gcc and clang. -ffast-math, /fp:fast and the registers of an x87 are refused. It is not so of an exponential
+ * (Stribeck's friction), which is the C library's, and of what depends on it.
  */
 #ifndef TWO_LINK_CRAIG_H
 #define TWO_LINK_CRAIG_H

@@ -5,6 +5,7 @@
 mod files;
 mod generic_chain;
 mod near;
+mod programs;
 mod random;
 mod trees;
 mod zeros;
@@ -12,6 +13,7 @@ mod zeros;
 pub use files::{MOUNTED, NAMES, decimal, robot, with_inertial_fields};
 pub use generic_chain::generic_chain;
 pub use near::{Arm, Arms, printed};
+pub use programs::{is_installed, is_left_out};
 pub use random::{Bodies, Tables};
 pub use trees::{FLOATING, TREES, floating, tree};
 pub use zeros::assert_zeros_are_constants;

@@ -1,5 +1,6 @@
 //! C in both precisions, compiled and beside the values of Rust.
 
+mod flags;
 mod projects;
 mod sines;
 

@@ -69,7 +69,10 @@ impl Precision {
             library.insert(0, "\n#include <math.h>\n");
         }
         let lanes = bodies.contains("ROBOT_DYNAMICS_LANES").then_some(LANES);
-        let contraction = CONTRACTION.replace("BUILTIN", self.fused);
+        let contraction = CONTRACTION
+            .replace("BUILTIN", self.fused)
+            .replace("ONE", &(self.language.number)(1.0))
+            .replace("WORD", self.word);
         let sines = self.sines.map(|sines| sines.functions(bodies));
         let own = self.language.called(bodies);
         library.concat()
@@ -135,8 +138,8 @@ const FLOAT_WITH_LIBRARY: Precision = Precision {
 const SAME_DIGITS: &[&str] = &[
     "Sines are in the source. Values have the digits of Rust's in a build for the same processor, whatever the compiler",
     "and its level: products are fused with sums where Rust fuses them, if the processor has an instruction for it. That is",
-    "so of gcc and clang without -ffast-math, and not so of the registers of an x87, nor of what depends on an exponential",
-    "(Stribeck's friction), which is the C library's.",
+    "so of gcc and clang. -ffast-math, /fp:fast and the registers of an x87 are refused. It is not so of an exponential",
+    "(Stribeck's friction), which is the C library's, and of what depends on it.",
 ];
 
 const OTHER_DIGITS: &[&str] =

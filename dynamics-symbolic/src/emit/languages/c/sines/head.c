@@ -1,6 +1,13 @@
 
-#ifdef __FAST_MATH__
-#error "-ffast-math breaks the sines: compile without it, or generate with --sines libm"
+#include <float.h>
+
+#ifdef _M_FP_FAST
+#error "/fp:fast breaks the sines: compile with /fp:precise, or generate with --sines libm"
+#endif
+
+/* 16 is of numbers that are narrower than float. */
+#if (FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
+#error "registers wider than the numbers (x87) break the sines: add -msse2 -mfpmath=sse (/arch:SSE2), or generate with --sines libm"
 #endif
 
 /* Angles are evaluated in the lanes of vectors where the compiler and the processor have them. */
