@@ -245,8 +245,8 @@ class Robot:
         the frame's origin, and needs `forward_kinematics(hand)` and `jacobian(hand)`.
         `held_tool_wrench`: such a law that is called once a `control_period` and held, for random pushes; it may have a memory.
         `friction`: `"sign"`, `"sticking"` (joints stop and stick, as events), or `"regularised"` by a `speed`. By its sign, a
-        joint that friction should hold ends a motion under error control whose rest would take over a million evaluations and
-        steps. By a fixed `step` it creeps, which is a `RuntimeWarning`, and `creeping` of the motion names it.
+        joint that friction should hold ends a motion under error control that a million evaluations and steps do not lead
+        on. By a fixed `step` it creeps, which is a `RuntimeWarning`, and `creeping` of the motion names it.
         `stops`: the restitution with which joints rebound at the limits of the table, from 0 to 1. Bounces without end come to
         rest below the tolerance, or end the motion.
         A fixed `step`, or a `control_period`, makes at most 100,000 steps between two samples, or 10 million in fewer than 101.

@@ -88,24 +88,24 @@ pub enum Cause {
     /// friction ([`Friction::Sticking`](crate::Friction::Sticking)) nor a stop holds it there.
     ///
     /// Torque laws that jump where the velocity passes zero, such as those with `signum`, do that. Make the law continuous
-    /// there, by a boundary layer for example. Under error control, and where steps end at events, this ends a run whose rest
-    /// would take over a million evaluations and steps; a shorter one is followed. Dry friction does it too in a simulation that was not given a kind of friction.
-    /// [`Friction::Sticking`](crate::Friction::Sticking) lets the joint rest.
+    /// there, by a boundary layer for example. Under error control, and where steps end at events, this ends a run that a
+    /// million evaluations and steps did not lead on, if its rest would take as many again. Dry friction does it too in a
+    /// simulation that was not given a kind of friction. [`Friction::Sticking`](crate::Friction::Sticking) lets the joint rest.
     Chatter {
         /// The joint, counted from 0.
         joint: usize,
     },
     /// A joint with dry friction by its sign ([`Friction::Sign`](crate::Friction::Sign)) should stick: it turns back again and
-    /// again, in ever shorter steps, and the rest of the run would take over a million evaluations and steps. A run of fixed steps goes on and creeps:
-    /// [`creeping`](crate::simulation::SizedTrajectory::creeping) has its joints.
+    /// again, in ever shorter steps. A million evaluations and steps did not lead on, and the rest would take as many again. A
+    /// run of fixed steps goes on and creeps: [`creeping`](crate::simulation::SizedTrajectory::creeping) has its joints.
     ///
     /// [`Friction::Sticking`](crate::Friction::Sticking) lets it rest.
     Sticks {
         /// The joint, counted from 0.
         joint: usize,
     },
-    /// Joints hit their stops again and again: 100 samples, or the rest of the run, would take over a million evaluations
-    /// and steps, and a million were made.
+    /// Joints hit their stops again and again: a million evaluations and steps did not lead on, and 100 samples, or the rest of
+    /// the run, would take as many again.
     ///
     /// Elastic stops (a restitution of 1) under a strong force, and torque laws that jump at a stop, do that. A lower
     /// restitution, a continuous law, or more samples help. Bounces below the tolerance come to rest before that.
@@ -277,7 +277,7 @@ impl Cause {
             }
             Cause::Chatter { joint } => write!(
                 f,
-                "{} chatters: the torques drive it back to rest from both sides",
+                "{} chatters: the torques drive it back to rest from both sides; a law has to be continuous there, and dry friction has to be sticking friction",
                 behind.name(*joint)
             ),
             Cause::Sticks { joint } => write!(

@@ -20,7 +20,7 @@ pub enum Friction {
     /// As in the forward dynamics: a multiple of sign(qd), with sign(0) = 0.
     ///
     /// A joint that should stick chatters about zero velocity. Methods with error control end in
-    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) if the rest would take over a million evaluations and steps, and the
+    /// [`Cause::Sticks`](crate::simulation::Cause::Sticks) if a million evaluations and steps do not lead on, and the
     /// simulation was given this kind of friction or stops. Methods of fixed step leave a velocity proportional to the step,
     /// and the motion says which joints [creep](crate::simulation::SizedTrajectory::creeping).
     #[default]

@@ -8,8 +8,9 @@
 //!   time: its motion has many steps from one rest to the next.
 //! - Most steps end at events: joints hit their stops, or stop and are let go.
 //!
-//! A run in which this goes on ends if the rest of it, at that pace, would take more work than [`MOST_WORK`]. Bounces are
-//! motion, so that more samples allow more of them, and those that no tolerance tells from rest come to rest first.
+//! A run in which this goes on ends after the work [`MOST_WORK`] if the rest of it, at that pace, would take more than that
+//! again. It ends at once at a [`STANDSTILL`]. Bounces are motion, so that more samples allow more of them, and those that no
+//! tolerance tells from rest come to rest first.
 
 use super::creep::Creep;
 use super::error::Cause;
@@ -52,11 +53,8 @@ const QUESTIONS: u64 = 16;
 /// The work between two questions.
 const WORK: u64 = 4_000;
 
-/// The most work for the rest of a run without progress: a shorter one is followed.
+/// The most work without progress, and for the rest of a run at that pace. Chattering passes where the forces change.
 const MOST_WORK: f64 = 1e6;
-
-/// Bounces above the tolerance may become smaller: they end a run after so much work.
-const WORK_OF_BOUNCES: u64 = 1_000_000;
 
 /// Bounces below the tolerance are rest where the rest of a run would take this share of the most work.
 const COARSE: f64 = 0.1;
@@ -161,8 +159,8 @@ impl<D: Size> Progress<D> {
             let tolerance = tolerance.map(|bound| bound.absolute.max(bound.relative));
             motion.coarse.set(tolerance.unwrap_or(FIXED_TOLERANCE));
         }
-        let may_come_to_rest = bounces && spent < WORK_OF_BOUNCES && share < STANDSTILL;
-        if share <= 1.0 || may_come_to_rest {
+        let may_get_on = (spent as f64) < MOST_WORK && share < STANDSTILL;
+        if share <= 1.0 || may_get_on {
             return Ok(());
         }
         Err(cause)

@@ -131,8 +131,8 @@ settings! {
     /// of fourth order.
     ///
     /// Under dry friction a joint that sticks makes the steps minute, unless stopping and sticking are events
-    /// ([`Friction::Sticking`](crate::Friction::Sticking)). A run whose rest would take over a million evaluations and
-    /// steps ends with [`Cause::Sticks`](crate::simulation::Cause::Sticks).
+    /// ([`Friction::Sticking`](crate::Friction::Sticking)). A run that a million evaluations and steps do not lead
+    /// on ends with [`Cause::Sticks`](crate::simulation::Cause::Sticks).
     DormandPrince, tolerance: 1e-9, steps: 50.0, longest: "fiftieth"
 }
 
