@@ -63,7 +63,7 @@ const COARSE: f64 = 0.1;
 const WORK_TO_REST: u64 = 300_000;
 
 /// Nothing gets on where the rest would take so many times the most work.
-const STANDSTILL: f64 = 1e3;
+const STANDSTILL: f64 = 300.0;
 
 /// The tolerance of methods without error control: that of most others by default.
 const FIXED_TOLERANCE: f64 = 1e-9;
