@@ -71,6 +71,7 @@ trait Number: Scalar + Debug {
     const BITS: &'static str;
     const DIGITS: usize;
     const SUFFIX: &'static str;
+    const EPSILON: f64;
 
     fn of(x: f64) -> Self;
     fn bits(self) -> u64;
@@ -82,6 +83,7 @@ impl Number for f64 {
     const BITS: &'static str = "uint64_t";
     const DIGITS: usize = 16;
     const SUFFIX: &'static str = "";
+    const EPSILON: f64 = f64::EPSILON;
 
     fn of(x: f64) -> Self {
         x
@@ -101,6 +103,7 @@ impl Number for f32 {
     const BITS: &'static str = "uint32_t";
     const DIGITS: usize = 8;
     const SUFFIX: &'static str = "f";
+    const EPSILON: f64 = f32::EPSILON as f64;
 
     fn of(x: f64) -> Self {
         x as f32
