@@ -10,8 +10,9 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PySlice, PyTuple};
 
-use crate::arguments::tuple;
+use crate::arguments::{Given, tuple};
 use crate::function::Ready;
+use crate::mask::require_unmasked;
 
 /// Numbers as an array of these axes, or as a number of numpy where there are none.
 pub(crate) fn array<'py>(
@@ -41,7 +42,11 @@ fn plain<'py>(array: Bound<'py, PyAny>, axes: &[usize]) -> PyResult<Bound<'py, P
 }
 
 /// The array that the caller has for the results.
-pub(crate) struct Out<'py>(Option<Bound<'py, PyUntypedArray>>);
+pub(crate) struct Out<'py> {
+    array: Option<Bound<'py, PyUntypedArray>>,
+    /// Whether it may lie in the memory of an argument.
+    is_shared: bool,
+}
 
 impl<'py> Out<'py> {
     /// `TypeError` and `ValueError` where it cannot take the results.
@@ -50,18 +55,23 @@ impl<'py> Out<'py> {
         lead: &[usize],
         is_single: bool,
         out: Option<Bound<'py, PyAny>>,
+        given: &[Given<'_, 'py>],
     ) -> PyResult<Self> {
         let Some(out) = out else {
-            return Ok(Out(None));
+            return Ok(Out {
+                array: None,
+                is_shared: false,
+            });
         };
         let Arrangement::Array(axes) = &ready.arrangement else {
             let message = format!("`out`: {} returns a tuple of arrays", ready.name);
             return Err(PyTypeError::new_err(message));
         };
-        let Ok(out) = out.cast_into::<PyUntypedArray>() else {
+        let Ok(array) = out.cast::<PyUntypedArray>() else {
             return Err(PyTypeError::new_err("`out` is no array of numpy"));
         };
-        let kind = out.dtype();
+        require_unmasked("out", &out)?;
+        let kind = array.dtype();
         let bytes = if is_single { 4 } else { 8 };
         if kind.kind() != b'f' || kind.itemsize() != bytes {
             return Err(PyTypeError::new_err(format!(
@@ -70,14 +80,21 @@ impl<'py> Out<'py> {
             )));
         }
         let shape = [lead, axes].concat();
-        if out.shape() != shape {
+        if array.shape() != shape {
             return Err(PyValueError::new_err(format!(
                 "`out` has the shape {}: expected {}",
-                tuple(out.shape()),
+                tuple(array.shape()),
                 tuple(&shape)
             )));
         }
-        Ok(Out(Some(out)))
+        let mut is_shared = false;
+        for one in given {
+            is_shared |= one.may_be_in(&out)?;
+        }
+        Ok(Out {
+            array: Some(array.clone()),
+            is_shared,
+        })
     }
 }
 
@@ -94,17 +111,17 @@ impl<'py> Results<'py> {
         py: Python<'py>,
         ready: &Ready,
         lead: &[usize],
-        Out(out): Out<'py>,
+        out: Out<'py>,
     ) -> PyResult<Self> {
         let axes = match &ready.arrangement {
             Arrangement::Array(axes) => [lead, axes].concat(),
             Arrangement::Tuple(_) => [lead, &[ready.entries]].concat(),
         };
-        // Room that an argument overlaps is locked: the results are copied there when all are known.
-        if let Some(doubles) = out
-            .as_ref()
-            .and_then(|out| out.cast::<PyArrayDyn<f64>>().ok())
+        // Into the memory of an argument the results are copied when all are known.
+        if let Some(array) = out.array.as_ref().filter(|_| !out.is_shared)
+            && let Ok(doubles) = array.cast::<PyArrayDyn<f64>>()
             && doubles.is_c_contiguous()
+            && doubles.is_aligned()
             && doubles.try_readwrite().is_ok()
         {
             let rows = doubles.clone();
@@ -112,7 +129,7 @@ impl<'py> Results<'py> {
         }
         Ok(Results {
             rows: PyArray::zeros(py, axes, false),
-            out,
+            out: out.array,
         })
     }
 
