@@ -71,7 +71,7 @@ impl<'a, 'py> Given<'a, 'py> {
             Ok(array) => array.clone(),
             Err(_) => as_array(argument, given)?,
         };
-        require_unmasked(argument.name, given)?;
+        require_unmasked(argument.name, given, array.ndim())?;
         let kind = array.dtype();
         let is_real = match kind.kind() {
             b'i' | b'u' => true,
@@ -112,13 +112,6 @@ impl<'a, 'py> Given<'a, 'py> {
 
     pub(crate) fn array(&self) -> &Bound<'py, PyUntypedArray> {
         &self.array
-    }
-
-    /// Whether an array may lie in the memory of this one: ranges of addresses decide, as in numpy.
-    pub(crate) fn may_be_in(&self, other: &Bound<'py, PyAny>) -> PyResult<bool> {
-        let numpy = self.array.py().import("numpy")?;
-        let shares = numpy.call_method1("may_share_memory", (&self.array, other))?;
-        shares.extract()
     }
 
     /// The numbers of all states, one state after the other in memory.

@@ -125,8 +125,8 @@ pub(crate) fn of_many<'py>(
         .map(|lock| lock.as_slice())
         .collect::<Result<_, _>>()?;
     let is_single = is_single(py, &given)?;
-    let out = Out::new(ready, &lead, is_single, settings.out, &given)?;
-    let mut results = Results::new(py, ready, &lead, out)?;
+    let out = Out::new(ready, &lead, is_single, settings.out)?;
+    let mut results = Results::new(py, ready, &lead, out, &rows)?;
     let (threads, states) = (settings.threads, lead.iter().product());
     let failed = results.fill(|numbers| {
         if states < DETACHED {
@@ -284,7 +284,7 @@ pub(crate) fn evaluate(
         return value;
     }
     let chunk = states.div_ceil(threads.min(states)).next_multiple_of(32);
-    if threads < 2 || chunk >= states {
+    if chunk >= states {
         return arm.batch_by_rows(name, arguments, results);
     }
     let part = |first: usize, results: &mut [f64]| {

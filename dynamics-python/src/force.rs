@@ -124,7 +124,7 @@ impl Force {
 
 /// The numbers that a law returned.
 fn numbers(law: &str, returned: &Bound<'_, PyAny>, expected: usize) -> PyResult<Vec<f64>> {
-    require_unmasked(law, returned)?;
+    require_unmasked(law, returned, 1)?;
     let message = match returned.extract::<Vec<f64>>() {
         Ok(numbers) if numbers.len() == expected => return Ok(numbers),
         Ok(numbers) => format!("{} numbers: expected {expected}", numbers.len()),

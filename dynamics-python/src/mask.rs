@@ -1,14 +1,15 @@
 //! Masks of arrays, which functions of robots do not know.
 
-use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use numpy::PyUntypedArray;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyList, PyTuple};
+use pyo3::types::{PyList, PyTuple};
 
-/// `TypeError` of an array with a mask that masks some of its numbers, and of lists with such arrays.
+/// `TypeError` of an array with a mask that masks some of its numbers, and of lists with such arrays. The array that is made of
+/// all has so many axes.
 #[pyfunction]
-pub(crate) fn require_unmasked(name: &str, given: &Bound<'_, PyAny>) -> PyResult<()> {
-    if !is_masked(given)? {
+pub(crate) fn require_unmasked(name: &str, given: &Bound<'_, PyAny>, axes: usize) -> PyResult<()> {
+    if !is_masked(given, axes)? {
         return Ok(());
     }
     Err(PyTypeError::new_err(format!(
@@ -16,20 +17,22 @@ pub(crate) fn require_unmasked(name: &str, given: &Bound<'_, PyAny>) -> PyResult
     )))
 }
 
-fn is_masked(given: &Bound<'_, PyAny>) -> PyResult<bool> {
-    if given.is_exact_instance_of::<PyFloat>() || given.is_exact_instance_of::<PyUntypedArray>() {
+fn is_masked(given: &Bound<'_, PyAny>, axes: usize) -> PyResult<bool> {
+    if given.is_exact_instance_of::<PyUntypedArray>() {
         return Ok(false);
     }
     if given.is_instance_of::<PyUntypedArray>() {
-        let mask = given.getattr_opt("mask")?;
+        let Some(mask) = given.getattr_opt("mask")? else {
+            return Ok(false);
+        };
         let numpy = given.py().import("numpy")?;
-        return mask.map_or(Ok(false), |mask| {
-            numpy.call_method1("any", (mask,))?.is_truthy()
-        });
+        return numpy.call_method1("any", (mask,))?.is_truthy();
     }
-    if given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>() {
+    // Of a masked number in a list numpy makes NaN, with a warning.
+    let is_list = given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>();
+    if axes > 1 && is_list {
         for one in given.try_iter()? {
-            if is_masked(&one?)? {
+            if is_masked(&one?, axes - 1)? {
                 return Ok(true);
             }
         }

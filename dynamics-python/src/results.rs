@@ -10,7 +10,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PySlice, PyTuple};
 
-use crate::arguments::{Given, tuple};
+use crate::arguments::tuple;
 use crate::function::Ready;
 use crate::mask::require_unmasked;
 
@@ -42,11 +42,7 @@ fn plain<'py>(array: Bound<'py, PyAny>, axes: &[usize]) -> PyResult<Bound<'py, P
 }
 
 /// The array that the caller has for the results.
-pub(crate) struct Out<'py> {
-    array: Option<Bound<'py, PyUntypedArray>>,
-    /// Whether it may lie in the memory of an argument.
-    is_shared: bool,
-}
+pub(crate) struct Out<'py>(Option<Bound<'py, PyUntypedArray>>);
 
 impl<'py> Out<'py> {
     /// `TypeError` and `ValueError` where it cannot take the results.
@@ -55,23 +51,19 @@ impl<'py> Out<'py> {
         lead: &[usize],
         is_single: bool,
         out: Option<Bound<'py, PyAny>>,
-        given: &[Given<'_, 'py>],
     ) -> PyResult<Self> {
         let Some(out) = out else {
-            return Ok(Out {
-                array: None,
-                is_shared: false,
-            });
+            return Ok(Out(None));
         };
         let Arrangement::Array(axes) = &ready.arrangement else {
             let message = format!("`out`: {} returns a tuple of arrays", ready.name);
             return Err(PyTypeError::new_err(message));
         };
-        let Ok(array) = out.cast::<PyUntypedArray>() else {
+        let Ok(out) = out.cast_into::<PyUntypedArray>() else {
             return Err(PyTypeError::new_err("`out` is no array of numpy"));
         };
-        require_unmasked("out", &out)?;
-        let kind = array.dtype();
+        require_unmasked("out", &out, 0)?;
+        let kind = out.dtype();
         let bytes = if is_single { 4 } else { 8 };
         if kind.kind() != b'f' || kind.itemsize() != bytes {
             return Err(PyTypeError::new_err(format!(
@@ -80,21 +72,14 @@ impl<'py> Out<'py> {
             )));
         }
         let shape = [lead, axes].concat();
-        if array.shape() != shape {
+        if out.shape() != shape {
             return Err(PyValueError::new_err(format!(
                 "`out` has the shape {}: expected {}",
-                tuple(array.shape()),
+                tuple(out.shape()),
                 tuple(&shape)
             )));
         }
-        let mut is_shared = false;
-        for one in given {
-            is_shared |= one.may_be_in(&out)?;
-        }
-        Ok(Out {
-            array: Some(array.clone()),
-            is_shared,
-        })
+        Ok(Out(Some(out)))
     }
 }
 
@@ -111,17 +96,19 @@ impl<'py> Results<'py> {
         py: Python<'py>,
         ready: &Ready,
         lead: &[usize],
-        out: Out<'py>,
+        Out(out): Out<'py>,
+        arguments: &[Bound<'py, PyArrayDyn<f64>>],
     ) -> PyResult<Self> {
         let axes = match &ready.arrangement {
             Arrangement::Array(axes) => [lead, axes].concat(),
             Arrangement::Tuple(_) => [lead, &[ready.entries]].concat(),
         };
         // Into the memory of an argument the results are copied when all are known.
-        if let Some(array) = out.array.as_ref().filter(|_| !out.is_shared)
+        if let Some(array) = &out
             && let Ok(doubles) = array.cast::<PyArrayDyn<f64>>()
             && doubles.is_c_contiguous()
             && doubles.is_aligned()
+            && !arguments.iter().any(|rows| overlap(rows, doubles))
             && doubles.try_readwrite().is_ok()
         {
             let rows = doubles.clone();
@@ -129,7 +116,7 @@ impl<'py> Results<'py> {
         }
         Ok(Results {
             rows: PyArray::zeros(py, axes, false),
-            out: out.array,
+            out,
         })
     }
 
@@ -162,6 +149,15 @@ impl<'py> Results<'py> {
             tuple => parts(py, tuple, lead, &rows, &mut 0),
         }
     }
+}
+
+/// Whether two arrays, each of numbers one after the other, share memory, whatever objects own it: ranges of addresses decide.
+fn overlap(one: &Bound<'_, PyArrayDyn<f64>>, other: &Bound<'_, PyArrayDyn<f64>>) -> bool {
+    let [(a, a_end), (b, b_end)] = [one, other].map(|array| {
+        let first = array.data().addr();
+        (first, first + size_of::<f64>() * array.len())
+    });
+    a < b_end && b < a_end
 }
 
 /// The values of an arrangement: arrays are copied out of the rows of tuples.

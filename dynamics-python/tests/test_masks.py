@@ -23,7 +23,7 @@ def masked(*shape: int) -> np.ma.MaskedArray:
 LOST = r"`q` has a mask, .* `q.filled\(np.nan\)`"
 
 
-@pytest.mark.parametrize("q", [masked(7), masked(5, 7), [masked(7)] * 2, ([masked(7)],), [np.ma.masked] * 7, masked(7).astype("f4")])
+@pytest.mark.parametrize("q", [masked(7), masked(5, 7), masked(7).astype("f4"), [masked(7)] * 2, ([masked(7)],)])
 def test_masks_are_refused(arm: rd.Robot, q: object) -> None:
     for function in (arm.gravity_vector, arm.gravity_vector.bound):
         with pytest.raises(TypeError, match=LOST):
@@ -39,6 +39,8 @@ def test_masks_that_mask_nothing_are_none(arm: rd.Robot) -> None:
     with pytest.raises(TypeError, match="`out` has a mask"):
         arm.gravity_vector(np.zeros(7), out=masked(7))
     assert np.isnan(arm.gravity_vector(masked(7).filled(np.nan))).any()
+    with pytest.warns(UserWarning, match="masked element to nan"):
+        assert np.isnan(arm.gravity_vector([np.ma.masked] * 7)).any()
 
 
 def test_masks_are_refused_wherever_numbers_are_taken(swing: rd.Robot) -> None:

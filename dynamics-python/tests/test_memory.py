@@ -51,7 +51,7 @@ def test_out_may_be_the_memory_of_an_argument(arm: rd.Robot, array, shift: int) 
     arm.inverse_dynamics(kept, q, kept, out=out)
     np.testing.assert_array_equal(out, arm.inverse_dynamics(kept, kept, kept))
     q[:] = kept
-    arm.gravity_vector.bound(q[:3], out=out[:3])  # type: ignore[arg-type]
+    arm.gravity_vector.bound(q[:3], out=out[:3])
     np.testing.assert_array_equal(out[:3], arm.bound("gravity_vector", kept[:3]))
 
 

@@ -181,7 +181,7 @@ def _wrench(frame: str | None, law: Law, name: str) -> dict[str, Any]:
 def numbers(name: str, given: ArrayLike) -> Floats:
     """Numbers as an array; `TypeError` of a mask."""
     array = np.asarray(given, dtype=np.float64)
-    _native.require_unmasked(name, given)
+    _native.require_unmasked(name, given, array.ndim)
     return array
 
 
@@ -192,8 +192,8 @@ def vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
     vector = numbers(name, given)
     if vector.shape != (entries,):
         raise ValueError(f"`{name}` has the shape {vector.shape}: expected ({entries},)")
-    entries: list[float] = vector.tolist()
-    return entries
+    found: list[float] = vector.tolist()
+    return found
 
 
 def _rows_of_pose(given: ArrayLike) -> list[float]:
