@@ -28,7 +28,7 @@ fn is_masked(given: &Bound<'_, PyAny>, axes: usize) -> PyResult<bool> {
         let numpy = given.py().import("numpy")?;
         return numpy.call_method1("any", (mask,))?.is_truthy();
     }
-    // Of a masked number in a list numpy makes NaN, with a warning.
+    // A masked number in a list becomes NaN by numpy, with a warning.
     let is_list = given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>();
     if axes > 1 && is_list {
         for one in given.try_iter()? {
