@@ -1,11 +1,15 @@
 //! Arguments: arrays of any shape, strides and kind of numbers, read as rows of doubles.
 
+use dynamics_runtime::simulation::InvalidSetting;
 use numpy::{
     PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
+
+use crate::mask::require_unmasked;
+use crate::motion::pose_of;
 
 /// An argument of a function.
 pub(crate) struct Argument {
@@ -61,12 +65,13 @@ pub(crate) struct Given<'a, 'py> {
 }
 
 impl<'a, 'py> Given<'a, 'py> {
-    /// The array of an argument: `TypeError` of other numbers than real ones, `ValueError` of a wrong shape.
+    /// The array of an argument: `TypeError` of other numbers than real ones and of masks, `ValueError` of a wrong shape.
     pub(crate) fn new(argument: &'a Argument, given: &Bound<'py, PyAny>) -> PyResult<Self> {
         let array = match given.cast::<PyUntypedArray>() {
             Ok(array) => array.clone(),
             Err(_) => as_array(argument, given)?,
         };
+        require_unmasked(argument.name, given, array.ndim())?;
         let kind = array.dtype();
         let is_real = match kind.kind() {
             b'i' | b'u' => true,
@@ -115,6 +120,7 @@ impl<'a, 'py> Given<'a, 'py> {
             && self.lead == lead
             && let Ok(array) = self.array.cast::<PyArrayDyn<f64>>()
             && array.is_c_contiguous()
+            && array.is_aligned()
         {
             return Ok(array.clone());
         }
@@ -129,9 +135,22 @@ impl<'a, 'py> Given<'a, 'py> {
         shape.push(self.argument.entries);
         let shape = PyTuple::new(py, shape)?;
         let all = numpy.call_method1("broadcast_to", (numbers, shape))?;
-        // An array of no axes but one stays one: `ascontiguousarray` is of one axis at least.
-        let rows = numpy.call_method1("ascontiguousarray", (all,))?;
-        Ok(rows.cast_into::<PyArrayDyn<f64>>()?)
+        slice_of(&numpy, &all)
+    }
+}
+
+/// The doubles of an array as a slice of Rust has them: one after the other, and aligned.
+fn slice_of<'py>(
+    numpy: &Bound<'py, PyModule>,
+    array: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    // An array of no axes but one stays one: `ascontiguousarray` is of one axis at least.
+    let array = numpy.call_method1("ascontiguousarray", (array,))?;
+    let array: Bound<'py, PyArrayDyn<f64>> = array.cast_into()?;
+    match array.is_aligned() {
+        true => Ok(array),
+        // A copy is.
+        false => Ok(array.call_method0("copy")?.cast_into()?),
     }
 }
 
@@ -167,6 +186,16 @@ pub(crate) fn require_transform(name: &str, matrix: &[f64]) -> PyResult<()> {
     )))
 }
 
+/// Refuses a pose whose rotation is none, as a simulation does. NaN may stand for a pose that is unknown.
+fn require_rotation(matrix: &[f64]) -> PyResult<()> {
+    let is_unknown = matrix.iter().any(|x| x.is_nan());
+    if is_unknown || pose_of(matrix).has_rotation() {
+        return Ok(());
+    }
+    let message = InvalidSetting::Rotation.to_string();
+    Err(PyValueError::new_err(message))
+}
+
 /// Homogeneous matrices as twelve numbers each: the rotation by rows, then the position.
 fn entries_of_poses<'py>(
     numpy: &Bound<'py, PyModule>,
@@ -180,11 +209,10 @@ fn entries_of_poses<'py>(
         PyTuple::new(py, shape)
     };
     let flat = poses.call_method1("reshape", (shape(16)?,))?;
-    let numbers: Bound<'py, PyArrayDyn<f64>> = numpy
-        .call_method1("ascontiguousarray", (&flat,))?
-        .cast_into()?;
+    let numbers = slice_of(numpy, &flat)?;
     for pose in numbers.try_readonly()?.as_slice()?.chunks_exact(16) {
         require_transform(BASE, pose)?;
+        require_rotation(pose)?;
     }
     let places = [0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11];
     numpy.call_method1("take", (flat, places.to_vec(), -1))

@@ -1,9 +1,11 @@
 //! A call: of one state without detours, of many with all that numpy allows.
 
+use std::iter;
+use std::sync::{LazyLock, Mutex, PoisonError};
 use std::thread;
 
 use dynamics_evaluation::EvaluationError;
-use numpy::{PyArray1, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -17,13 +19,17 @@ use dynamics_evaluation::Arrangement;
 /// From so many states on other threads of Python run meanwhile.
 const DETACHED: usize = 16;
 
+/// The most threads of a call: more than there are processors gain nothing.
+static PROCESSORS: LazyLock<usize> =
+    LazyLock::new(|| thread::available_parallelism().map_or(1, usize::from));
+
 /// The most arguments of a call without detours.
 pub(crate) const MOST_ARGUMENTS: usize = 5;
 
 /// The most numbers of all its arguments, and of its value.
 pub(crate) const SHORT: usize = 64;
 
-/// The value at one state, whose arguments are vectors of doubles; `None` of others.
+/// The value at one state, whose arguments are plain vectors of aligned doubles; `None` of others.
 pub(crate) fn of_one_state<'py>(
     py: Python<'py>,
     ready: &Ready,
@@ -43,7 +49,8 @@ pub(crate) fn of_one_state<'py>(
         let Ok(given) = given.cast::<PyArray1<f64>>() else {
             return Ok(None);
         };
-        if given.len() != argument.entries || argument.is_pose() {
+        let is_plain = given.is_exact_instance_of::<PyUntypedArray>() && given.is_aligned();
+        if given.len() != argument.entries || argument.is_pose() || !is_plain {
             return Ok(None);
         }
         let (own, others) = rest.split_at_mut(argument.entries);
@@ -119,7 +126,7 @@ pub(crate) fn of_many<'py>(
         .collect::<Result<_, _>>()?;
     let is_single = is_single(py, &given)?;
     let out = Out::new(ready, &lead, is_single, settings.out)?;
-    let mut results = Results::new(py, ready, &lead, out)?;
+    let mut results = Results::new(py, ready, &lead, out, &rows)?;
     let (threads, states) = (settings.threads, lead.iter().product());
     let failed = results.fill(|numbers| {
         if states < DETACHED {
@@ -285,16 +292,33 @@ pub(crate) fn evaluate(
         arm.batch_by_rows(name, &parts, results)
             .map_err(|error| later(error, first))
     };
-    thread::scope(|scope| {
-        let chunks = results.chunks_mut(chunk * ready.entries).enumerate();
-        let running: Vec<_> = chunks
-            .map(|(k, results)| scope.spawn(move || part(k * chunk, results)))
-            .collect();
-        let ended = running.into_iter().map(|thread| thread.join());
-        let ended: Vec<_> = ended.collect();
-        let ended = ended.into_iter().map(|end| end.expect("no batch panics"));
-        ended.collect()
+    let chunks = Mutex::new(results.chunks_mut(chunk * ready.entries).enumerate());
+    shared(threads.min(*PROCESSORS), || {
+        let mut chunks = chunks.lock().unwrap_or_else(PoisonError::into_inner);
+        let (k, results) = chunks.next()?;
+        drop(chunks);
+        Some(part(k * chunk, results).map_err(|error| (k, error)))
     })
+}
+
+/// Does all parts of some work on so many threads, or on as many as the system has. The error of the first part that fails.
+fn shared(
+    threads: usize,
+    next: impl Fn() -> Option<Result<(), (usize, EvaluationError)>> + Sync,
+) -> Result<(), EvaluationError> {
+    // Each thread takes parts in their order, so that its first error is the one that counts.
+    let work = || iter::from_fn(&next).fold(Ok(()), Result::and);
+    let ended: Vec<_> = thread::scope(|scope| {
+        let more = || thread::Builder::new().spawn_scoped(scope, work).ok();
+        let running: Vec<_> = (1..threads).map_while(|_| more()).collect();
+        let own = iter::once(work());
+        let others = running.into_iter();
+        own.chain(others.map(|thread| thread.join().expect("no batch panics")))
+            .collect()
+    });
+    let failed = ended.into_iter().filter_map(Result::err);
+    let first = failed.min_by_key(|(part, _)| *part);
+    first.map_or(Ok(()), |(_, error)| Err(error))
 }
 
 /// The arguments of some states.

@@ -12,8 +12,8 @@ use crate::arguments::{Argument, UNKNOWN, shape};
 
 /// The settings of a call, which all functions have.
 const SETTINGS: &str = "\
-out: an array of numpy, which takes the value
-threads: how many threads share the states, 1 where nothing is said
+out: an array of numpy, which takes the value; it may be an argument, or share its memory
+threads: how many threads share the states, at most as many as there are processors, 1 where nothing is said
 on_singular: \"raise\" raises `SingularMassMatrix` where M(q) is singular, \"nan\" gives NaN at these states";
 
 /// The text that `help` shows of a function. Nothing is derived for it.

@@ -8,6 +8,7 @@ use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::mask::require_unmasked;
 use crate::motion::{by_rows, rows_of};
 use crate::results::array;
 
@@ -123,6 +124,7 @@ impl Force {
 
 /// The numbers that a law returned.
 fn numbers(law: &str, returned: &Bound<'_, PyAny>, expected: usize) -> PyResult<Vec<f64>> {
+    require_unmasked(law, returned, 1)?;
     let message = match returned.extract::<Vec<f64>>() {
         Ok(numbers) if numbers.len() == expected => return Ok(numbers),
         Ok(numbers) => format!("{} numbers: expected {expected}", numbers.len()),

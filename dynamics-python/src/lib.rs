@@ -10,6 +10,7 @@ mod documentation;
 mod errors;
 mod force;
 mod function;
+mod mask;
 mod motion;
 mod questions;
 mod reach;
@@ -23,6 +24,8 @@ use pyo3::prelude::*;
 mod _native {
     #[pymodule_export]
     use super::function::Function;
+    #[pymodule_export]
+    use super::mask::require_unmasked;
     #[pymodule_export]
     use super::robot::{Arm, text_of};
 }

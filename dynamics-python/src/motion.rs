@@ -251,7 +251,8 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
 fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
     let dynamics = robot.dynamics_on_base()?;
     let [q, v] = plan.start();
-    let base = plan.base.map_or_else(Pose::identity, pose_of);
+    let base = plan.base.as_ref();
+    let base = base.map_or_else(Pose::identity, |rows| pose_of(rows));
     let places = plan.wrenches.iter();
     let places = places.map(|wrench| robot.place_on_base(wrench.frame.as_deref()));
     let places = places.collect::<Result<Vec<RuntimePlace<'_, Moves>>, _>>()?;
@@ -279,7 +280,7 @@ pub(crate) fn rows_of(matrix: &Matrix4<f64>) -> [f64; 16] {
 }
 
 /// The pose of a homogeneous matrix by rows.
-fn pose_of(rows: [f64; 16]) -> Pose<f64> {
+pub(crate) fn pose_of(rows: &[f64]) -> Pose<f64> {
     Pose {
         rotation: Matrix3::from_fn(|i, j| rows[4 * i + j]),
         position: Vector3::from_fn(|i, _| rows[4 * i + 3]),

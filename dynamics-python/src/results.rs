@@ -12,6 +12,7 @@ use pyo3::types::{PySlice, PyTuple};
 
 use crate::arguments::tuple;
 use crate::function::Ready;
+use crate::mask::require_unmasked;
 
 /// Numbers as an array of these axes, or as a number of numpy where there are none.
 pub(crate) fn array<'py>(
@@ -61,6 +62,7 @@ impl<'py> Out<'py> {
         let Ok(out) = out.cast_into::<PyUntypedArray>() else {
             return Err(PyTypeError::new_err("`out` is no array of numpy"));
         };
+        require_unmasked("out", &out, 0)?;
         let kind = out.dtype();
         let bytes = if is_single { 4 } else { 8 };
         if kind.kind() != b'f' || kind.itemsize() != bytes {
@@ -95,16 +97,18 @@ impl<'py> Results<'py> {
         ready: &Ready,
         lead: &[usize],
         Out(out): Out<'py>,
+        arguments: &[Bound<'py, PyArrayDyn<f64>>],
     ) -> PyResult<Self> {
         let axes = match &ready.arrangement {
             Arrangement::Array(axes) => [lead, axes].concat(),
             Arrangement::Tuple(_) => [lead, &[ready.entries]].concat(),
         };
-        // Room that an argument overlaps is locked: the results are copied there when all are known.
-        if let Some(doubles) = out
-            .as_ref()
-            .and_then(|out| out.cast::<PyArrayDyn<f64>>().ok())
+        // Into the memory of an argument the results are copied when all are known.
+        if let Some(array) = &out
+            && let Ok(doubles) = array.cast::<PyArrayDyn<f64>>()
             && doubles.is_c_contiguous()
+            && doubles.is_aligned()
+            && !arguments.iter().any(|rows| overlap(rows, doubles))
             && doubles.try_readwrite().is_ok()
         {
             let rows = doubles.clone();
@@ -145,6 +149,15 @@ impl<'py> Results<'py> {
             tuple => parts(py, tuple, lead, &rows, &mut 0),
         }
     }
+}
+
+/// Whether two arrays, each of numbers one after the other, share memory, whatever objects own it: ranges of addresses decide.
+fn overlap(one: &Bound<'_, PyArrayDyn<f64>>, other: &Bound<'_, PyArrayDyn<f64>>) -> bool {
+    let [(a, a_end), (b, b_end)] = [one, other].map(|array| {
+        let first = array.data().addr();
+        (first, first + size_of::<f64>() * array.len())
+    });
+    a < b_end && b < a_end
 }
 
 /// The values of an arrangement: arrays are copied out of the rows of tuples.

@@ -28,3 +28,10 @@ def panda(**entries: object) -> rd.Robot:
 @pytest.fixture(scope="session")
 def arm() -> rd.Robot:
     return panda()
+
+
+def moving_body() -> rd.Robot:
+    """A ball that moves, with a rod on it."""
+    rod = {"name": "hip", "type": "revolute", "mass": 1, "com": [0.1, 0, 0], "inertia": "rod(0.2)"}
+    ball = {"floating": True, "mass": 3, "inertia": "sphere(0.1)"}
+    return rd.Robot.from_table(convention="modified", gravity=[0, 0, -9.81], base=ball, joint=[rod])

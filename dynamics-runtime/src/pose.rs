@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Matrix4, SVector, Vector3};
 
 use crate::Scalar;
+use crate::closed_form::is_rotation;
 
 /// Where a base that moves stands in the world: the first argument of the functions of a robot with `base: floating`.
 ///
@@ -58,6 +59,12 @@ impl<T: Scalar> Pose<T> {
 }
 
 impl Pose<f64> {
+    /// Whether the rotation is one: orthogonal unit vectors to 1e-6, right-handed.
+    #[doc(hidden)]
+    pub fn has_rotation(&self) -> bool {
+        is_rotation(&self.rotation)
+    }
+
     /// The pose of such twelve numbers.
     #[cfg(feature = "std")]
     #[doc(hidden)]

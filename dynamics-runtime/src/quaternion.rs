@@ -33,9 +33,19 @@ pub(crate) fn of(r: &Matrix3<f64>) -> [f64; 4] {
     quaternion
 }
 
-/// The rotation of a quaternion of any length but zero.
-pub(crate) fn rotation(&[w, x, y, z]: &[f64; 4]) -> Matrix3<f64> {
-    let s = 2.0 / (w * w + x * x + y * y + z * z);
+/// The rotation of a quaternion of any length but zero, of which it is NaN.
+pub(crate) fn rotation(quaternion: &[f64; 4]) -> Matrix3<f64> {
+    let mut quaternion = *quaternion;
+    let square = |quaternion: &[f64; 4]| quaternion.iter().map(|x| x * x).sum::<f64>();
+    // Squares of short ones lose digits and vanish, those of long ones are infinite.
+    if !(1e-200..1e200).contains(&square(&quaternion)) {
+        let largest = quaternion
+            .iter()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
+        quaternion = quaternion.map(|x| x / largest);
+    }
+    let s = 2.0 / square(&quaternion);
+    let [w, x, y, z] = quaternion;
     let (xx, yy, zz) = (s * x * x, s * y * y, s * z * z);
     let (xy, yz, xz) = (s * x * y, s * y * z, s * x * z);
     let (wx, wy, wz) = (s * w * x, s * w * y, s * w * z);

@@ -178,20 +178,27 @@ def _wrench(frame: str | None, law: Law, name: str) -> dict[str, Any]:
     return {"frame": frame, "law": law, "name": name}
 
 
+def numbers(name: str, given: ArrayLike) -> Floats:
+    """Numbers as an array; `TypeError` of a mask."""
+    array = np.asarray(given, dtype=np.float64)
+    _native.require_unmasked(name, given, array.ndim)
+    return array
+
+
 def vector(name: str, given: ArrayLike | None, entries: int) -> list[float]:
     """A vector as numbers, zeros where it is not given."""
     if given is None:
         return [0.0] * entries
-    vector = np.asarray(given, dtype=np.float64)
+    vector = numbers(name, given)
     if vector.shape != (entries,):
         raise ValueError(f"`{name}` has the shape {vector.shape}: expected ({entries},)")
-    numbers: list[float] = vector.tolist()
-    return numbers
+    found: list[float] = vector.tolist()
+    return found
 
 
 def _rows_of_pose(given: ArrayLike) -> list[float]:
     """The entries of a homogeneous matrix by rows."""
-    pose = np.asarray(given, dtype=np.float64)
+    pose = numbers("base", given)
     if pose.shape != (4, 4):
         raise ValueError(f"`base` has the shape {pose.shape}: expected (4, 4)")
     entries: list[float] = pose.ravel().tolist()

@@ -6,17 +6,18 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Arm", "Function", "text_of"]
+__all__ = ["Arm", "Function", "require_unmasked", "text_of"]
 
 def text_of(path: str | PathLike[str]) -> str: ...
+def require_unmasked(name: str, given: object, axes: int) -> None: ...
 @final
 class Function:
     """A function of a robot. It is derived at its first call, and kept.
 
     Its own documentation has the arguments with shapes and units: `help(arm.inverse_dynamics)`. Settings of a call:
 
-    out: an array of numpy, which takes the value
-    threads: how many threads share the states, 1 where nothing is said
+    out: an array of numpy, which takes the value; it may be an argument, or share its memory
+    threads: how many threads share the states, at most as many as there are processors, 1 where nothing is said
     on_singular: "raise" raises `SingularMassMatrix` where M(q) is singular, "nan" gives NaN at these states
     """
 

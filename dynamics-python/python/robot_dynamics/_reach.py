@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._keywords import require_kinds
-from ._motion import vector
+from ._motion import numbers, vector
 
 _SHAPES = ((3,), (2, 3), (3, 3), (4, 4))
 
@@ -40,7 +40,7 @@ def reach(
 ) -> list[NDArray[np.float64]]:
     """Joint positions that are found."""
     if frame is None or isinstance(frame, str):
-        targets = [(frame, _numbers(target))]
+        targets = [(frame, _numbers(target))]  # type: ignore[arg-type]
     else:
         names, places = list(frame), list(target)  # type: ignore[arg-type]
         if len(names) != len(places):
@@ -68,9 +68,9 @@ def reach(
     raise NotReached(reason, np.array(q), position, rotation)
 
 
-def _numbers(target: object) -> list[float]:
-    numbers: NDArray[np.float64] = np.asarray(target, dtype=np.float64)
-    if numbers.shape not in _SHAPES:
-        raise ValueError(f"the target has the shape {numbers.shape}: expected one of {_SHAPES}")
-    entries: list[float] = numbers.ravel().tolist()
+def _numbers(target: ArrayLike) -> list[float]:
+    array = numbers("target", target)
+    if array.shape not in _SHAPES:
+        raise ValueError(f"the target has the shape {array.shape}: expected one of {_SHAPES}")
+    entries: list[float] = array.ravel().tolist()
     return entries

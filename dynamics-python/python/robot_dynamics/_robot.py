@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _toml
 from ._keywords import require_known
-from ._motion import Law, Trajectory, simulate
+from ._motion import Law, Trajectory, numbers, simulate
 from ._native import Function
 from ._questions import Formulas, Operations, Report
 from ._reach import reach
@@ -315,13 +315,13 @@ class Robot:
         `friction` has a row `(viscous, coulomb, coulomb of negative velocities)` for each joint that moves. `ValueError` of
         base parameters that no bodies have: `nearest_possible` finds some that bodies have.
         """
-        rows = None if friction is None else np.asarray(friction, dtype=np.float64).tolist()
-        source = _Identified(self, np.asarray(base_parameters, dtype=np.float64).tolist(), rows)
+        rows = None if friction is None else numbers("friction", friction).tolist()
+        source = _Identified(self, numbers("base_parameters", base_parameters).tolist(), rows)
         return Robot(source, {})
 
     def nearest_possible(self, base_parameters: ArrayLike) -> tuple[NDArray[np.float64], float]:
         """The base parameters nearest to these that bodies can have, and their distance in torque, N m or N."""
-        given = np.asarray(base_parameters, dtype=np.float64).tolist()
+        given = numbers("base_parameters", base_parameters).tolist()
         nearest, distance = self._arm.nearest_possible(given)
         return np.array(nearest), distance
 

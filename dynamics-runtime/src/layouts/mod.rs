@@ -43,7 +43,7 @@
 //! assert_eq!(layout.velocity(&base, &v), SVector::from([0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 8.0, 7.0]));
 //! let qpos: SVector<f64, 9> = layout.position(&base, &SVector::from([0.4, 0.5]));
 //! assert_eq!((qpos[7], qpos[8]), (0.5, 0.4));
-//! # Ok::<(), robot_dynamics::layouts::MissingJoint>(())
+//! # Ok::<(), robot_dynamics::layouts::WrongJoint>(())
 //! ```
 
 mod library;
@@ -79,11 +79,14 @@ pub struct Layout<L, const N: usize> {
     library: PhantomData<L>,
 }
 
-/// A joint of the robot is not among the names of the library.
+/// A joint of the robot has no place of its own among the names of the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MissingJoint<'a> {
-    /// Its name.
-    pub name: &'a str,
+#[non_exhaustive]
+pub enum WrongJoint<'a> {
+    /// The joint of this name is not among the names of the library.
+    Missing(&'a str),
+    /// Two joints have this name, so that one of the library would stand for both.
+    Twice(&'a str),
 }
 
 impl<'a, L: Library, const N: usize> Layout<L, N> {
@@ -91,12 +94,16 @@ impl<'a, L: Library, const N: usize> Layout<L, N> {
     ///
     /// # Errors
     ///
-    /// [`MissingJoint`] if one of the names is not among those of the library.
-    pub fn new(ours: &[&'a str; N], theirs: &[&str; N]) -> Result<Self, MissingJoint<'a>> {
+    /// [`WrongJoint`] if one of the names is not among those of the library, or stands twice among `ours`. A name that stands
+    /// twice among `theirs` leaves a joint without a place, which is missing.
+    pub fn new(ours: &[&'a str; N], theirs: &[&str; N]) -> Result<Self, WrongJoint<'a>> {
         let mut places = [0; N];
-        for (place, name) in places.iter_mut().zip(ours) {
+        for (joint, name) in ours.iter().enumerate() {
+            if ours[..joint].contains(name) {
+                return Err(WrongJoint::Twice(name));
+            }
             let found = theirs.iter().position(|other| other == name);
-            *place = found.ok_or(MissingJoint { name })?;
+            places[joint] = found.ok_or(WrongJoint::Missing(name))?;
         }
         let library = PhantomData;
         Ok(Layout { places, library })
@@ -139,7 +146,7 @@ impl<L: Library, const N: usize> Layout<L, N> {
     }
 
     /// The place of the base and the positions of the joints of the library's q. A quaternion of another length than 1 counts as
-    /// its direction.
+    /// its direction; one of length 0 has none, and its rotation is NaN.
     pub fn from_position<const Q: usize>(
         &self,
         theirs: &SVector<f64, Q>,
@@ -331,17 +338,17 @@ impl<L, const N: usize> fmt::Debug for Layout<L, N> {
     }
 }
 
-impl fmt::Display for MissingJoint<'_> {
+impl fmt::Display for WrongJoint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "joint `{}` is not among the names of the library",
-            self.name
-        )
+        let (name, reason) = match self {
+            WrongJoint::Missing(name) => (name, "is not among the names of the library"),
+            WrongJoint::Twice(name) => (name, "stands twice among the names of the robot"),
+        };
+        write!(f, "joint `{name}` {reason}")
     }
 }
 
-impl core::error::Error for MissingJoint<'_> {}
+impl core::error::Error for WrongJoint<'_> {}
 
 #[cfg(test)]
 mod tests;

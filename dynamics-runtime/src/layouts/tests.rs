@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3};
 
 use super::library::{DrakeRules, MuJoCoRules, PinocchioRules, RbdlRules};
-use super::{Layout, Library, MissingJoint, Pinocchio};
+use super::{Layout, Library, Pinocchio, WrongJoint};
 use crate::test_arms::{random_pose, random_state};
 use crate::{Pose, quaternion};
 
@@ -169,11 +169,54 @@ fn quaternions_of_half_turns() {
 #[test]
 fn a_joint_that_is_not_there_is_named() {
     let missing = Pinocchio::new(&OURS, &["hip", "knee", "toe"]).unwrap_err();
-    assert_eq!(missing, MissingJoint { name: "ankle" });
+    assert_eq!(missing, WrongJoint::Missing("ankle"));
     assert_eq!(
         missing.to_string(),
         "joint `ankle` is not among the names of the library"
     );
     let v = nine([1.0; 9]);
     assert_eq!(Pinocchio::<3>::in_order().velocity(&turned(), &v), v);
+}
+
+/// Each joint of the robot has a place of its own: a name that stands twice, here or there, would lose another one.
+#[test]
+fn a_joint_that_stands_twice_is_named() {
+    let wrong = |ours, theirs| Pinocchio::new(&ours, &theirs).unwrap_err();
+    let twice = wrong(["hip", "knee", "hip"], ["hip", "knee", "ankle"]);
+    assert_eq!(twice, WrongJoint::Twice("hip"));
+    assert_eq!(
+        twice.to_string(),
+        "joint `hip` stands twice among the names of the robot"
+    );
+    let lost = wrong(OURS, ["hip", "hip", "knee"]);
+    assert_eq!(lost, WrongJoint::Missing("ankle"));
+    let both = wrong(["hip", "hip", "knee"], ["hip", "hip", "knee"]);
+    assert_eq!(both, WrongJoint::Twice("hip"));
+}
+
+/// Squares of numbers below 1e-154 are none, and those above 1e154 are infinite.
+#[test]
+fn quaternions_have_any_length() {
+    let direction = [0.5, -0.1, 0.7, 0.5];
+    let expected = quaternion::rotation(&direction);
+    for length in [
+        1e-310, 1e-300, 1e-200, 1e-155, 1e-150, 10.0, 1e150, 1e155, 1e200, 1e307,
+    ] {
+        let found = quaternion::rotation(&direction.map(|x| x * length));
+        // Below 1e-308 numbers have fewer digits.
+        let digits = 5e-324 / length;
+        let error = (found - expected).amax();
+        assert!(error <= 4e-16 + 8.0 * digits, "{length:e}: {error:e}");
+    }
+    let of_one = quaternion::rotation(&[0.0, 0.0, 5e-324, 0.0]);
+    assert_eq!(
+        of_one,
+        Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, -1.0))
+    );
+    let theirs = SVector::from([0.1, 0.2, 0.3, 0.0, 0.0, 1e-200, 1e-200, 0.0, 0.0, 0.0]);
+    let (base, _) = Pinocchio::<3>::in_order().from_position(&theirs);
+    assert!((base.rotation - turned().rotation).amax() < 4e-16);
+    let (long, _) = Pinocchio::<3>::in_order().from_position(&(theirs * 1e300 * 1e60));
+    assert!((long.rotation - turned().rotation).amax() < 4e-16);
+    assert!(quaternion::rotation(&[0.0; 4]).iter().all(|x| x.is_nan()));
 }

@@ -75,9 +75,12 @@ impl<K: Stand> SizedTrajectory<K> {
         let (t, v, tau) = (&self.t, &self.qd, &self.tau);
         figure = figure
             .panel("base, m", joints(["x", "y", "z"], t, positions))
-            .panel("base, rad", joints(["roll", "pitch", "yaw"], t, angles))
-            .panel("base, m/s", joints(["vx", "vy", "vz"], t, three(v, 0)))
-            .panel("base, rad/s", joints(["wx", "wy", "wz"], t, three(v, 3)));
+            .panel("base, rad", joints(["roll", "pitch", "yaw"], t, angles));
+        if v.len() == self.len() {
+            figure = figure
+                .panel("base, m/s", joints(["vx", "vy", "vz"], t, three(v, 0)))
+                .panel("base, rad/s", joints(["wx", "wy", "wz"], t, three(v, 3)));
+        }
         if tau.len() == self.len() {
             figure = figure
                 .panel("base, N", joints(["fx", "fy", "fz"], t, three(tau, 0)))
@@ -139,7 +142,7 @@ fn with_joints(
 
 /// A panel of kinetic, potential and total energy, where they are known.
 fn with_energies(figure: Figure, t: &[f64], energies: Option<Vec<[f64; 2]>>) -> Figure {
-    let Some(energies) = energies else {
+    let Some(energies) = energies.filter(|energies| energies.len() == t.len()) else {
         return figure;
     };
     let curve = |name: &str, of: fn(&[f64; 2]) -> f64| Curve::new(name, t, energies.iter().map(of));
@@ -221,6 +224,9 @@ mod tests {
         run.tau.clear();
         let svg = drawn(&run, &CRAIG_ARM, "nan");
         assert!(!svg.contains("NaN") && !svg.contains("torque"));
+        run.qd.clear();
+        let svg = drawn(&run, &CRAIG_ARM, "points");
+        assert!(svg.contains("position") && !svg.contains("velocity") && !svg.contains("energy"));
         let empty = Trajectory::default().plot(&CRAIG_ARM, file("empty"));
         assert_eq!(empty.unwrap_err().to_string(), "there is nothing to draw");
         // A file is no folder.

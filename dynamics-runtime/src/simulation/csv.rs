@@ -75,7 +75,8 @@ impl<K: Stand> SizedTrajectory<K> {
     /// `qdd.NAME` and `tau.NAME` with their units; and `kinetic energy [J]`, `potential energy [J]` where
     /// the robot knows them ([`Model::energies`](crate::Model::energies)). Numbers have as many digits as it takes to read the same
     /// ones back, with a decimal point whatever the language; a number that is not finite is `NaN`, `inf` or `-inf`.
-    /// Accelerations or torques have no columns where the trajectory does not have one for each time.
+    /// Velocities, accelerations or torques have no columns where the trajectory does not have one for each time. Energies have
+    /// none without velocities.
     ///
     /// On a base that moves, its columns come first among those of a quantity. Before `q.NAME` these are the rotation by rows,
     /// `base.r11` to `base.r33`, and the position, `base.x [m]` to `base.z`. Then they are the velocities, `base.vx [m/s]` to
@@ -131,13 +132,15 @@ impl<K: Stand> SizedTrajectory<K> {
             K::Joints::from_usize(names.len()).vector(),
         );
         let rest = K::Freedoms::from_usize(K::OF_BASE + names.len()).vector();
-        if robot.sized_energies(K::place(&base, &q), &rest).is_some() {
+        let moves = is_there(&1);
+        if moves && robot.sized_energies(K::place(&base, &q), &rest).is_some() {
             header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
         }
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record(header)?;
         for (k, (t, place)) in self.t.iter().zip(self.places()).enumerate() {
-            let energies = robot.sized_energies(place, &self.qd[k]);
+            let qd = self.qd.get(k).filter(|_| moves);
+            let energies = qd.and_then(|qd| robot.sized_energies(place, qd));
             let (base, q) = K::parts(place);
             let base = base.map(Pose::entries);
             let place = [t]
@@ -617,6 +620,54 @@ mod tests {
         };
         let read = Trajectory::<2>::read_csv(written(&without).as_bytes());
         assert_eq!(read, Ok(without));
+    }
+
+    /// Points that were read have no velocities, nor has a motion that a program made.
+    #[test]
+    fn positions_alone_are_written() {
+        let without = Trajectory {
+            qd: vec![],
+            ..trajectory()
+        };
+        let text = written(&without);
+        let header = text.lines().next().unwrap();
+        let places = "t [s],q.shoulder [rad],q.elbow [rad]";
+        assert!(
+            header.starts_with(&format!("{places},qdd.shoulder")),
+            "{header}"
+        );
+        assert!(header.ends_with("tau.elbow [N m]"), "{header}");
+        let alone = Trajectory {
+            qdd: vec![],
+            tau: vec![],
+            ..without
+        };
+        let text = written(&alone);
+        assert!(
+            text.starts_with(&format!("{places}\n0.3333333333333333,")),
+            "{text}"
+        );
+        assert_eq!(text.lines().count(), 6);
+        // A velocity that is missing is missing at all times.
+        let mut short = trajectory();
+        short.qd.pop();
+        (short.qdd, short.tau) = (vec![], vec![]);
+        assert_eq!(written(&short), text);
+        let read = |joints: &[&str], text: &str| {
+            SizedTrajectory::<Dyn>::read_points(joints, text.as_bytes()).unwrap()
+        };
+        let points = read(&["shoulder", "elbow"], "0,1,2\n1,3,4\n");
+        let arm = CRAIG_ARM;
+        let motion = Trajectory::<2> {
+            t: points.t,
+            q: points.q.iter().map(|q| Vector2::new(q[0], q[1])).collect(),
+            ..Trajectory::default()
+        };
+        let mut text = Vec::new();
+        motion.write_csv(&arm, &mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        assert_eq!(text, format!("{places}\n0,1,2\n1,3,4\n"));
+        assert_eq!(motion.energy_drift(&arm), 0.0);
     }
 
     #[test]

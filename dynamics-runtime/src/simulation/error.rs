@@ -365,7 +365,7 @@ impl InvalidSetting {
                 "the method is implicit and follows no base that moves: take DormandPrince, Dop853, RungeKutta4 or one of Euler's",
             ),
             InvalidSetting::Rotation => f.write_str(
-                "the rotation of the base at the start is none: its columns are the axes of the base, orthogonal unit vectors to 1e-6, right-handed",
+                "the rotation of the base is none: its columns are the axes of the base, orthogonal unit vectors to 1e-6, right-handed",
             ),
         }
     }

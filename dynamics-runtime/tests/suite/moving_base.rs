@@ -588,10 +588,7 @@ fn what_makes_no_sense_is_refused() {
         assert!(error.trajectory.is_empty());
         let (setting, text) = refused(error);
         assert_eq!(setting, InvalidSetting::Rotation);
-        assert!(
-            text.contains("the rotation of the base at the start is none"),
-            "{text}"
-        );
+        assert!(text.contains("the rotation of the base is none"), "{text}");
     }
     let far = Pose {
         position: Vector3::new(0.0, f64::INFINITY, 0.0),
