@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::audience::Audience;
+use crate::rounded::Rounded;
 use crate::words::shortened;
 
 pub use crate::place::Place;
@@ -63,10 +64,14 @@ pub struct Table {
     pub entries: Vec<Entry>,
     /// Further remarks for the struct's documentation.
     pub notes: Vec<String>,
+    /// Angles of a URDF file that are taken as multiples of a quarter turn.
+    pub rounded: Rounded,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, including those entries that could not be read.
     pub mentions: BTreeSet<String>,
+    /// Whether all links of a URDF file are frames of the robot, not only those that a function names.
+    pub keeps_links: bool,
     /// The reader of messages.
     pub audience: Audience,
     /// Functions that are derived besides those that the entries request: the table has to say what they read.

@@ -29,7 +29,7 @@ use dynamics_symbolic::robot::Convention;
 
 use crate::beside::has_links;
 use crate::failure::Failure;
-use crate::load::{file_of, read_on_any_base};
+use crate::load::{file_of, for_command, read_with_links};
 use arm::Arm;
 use document::{Allowed, Document};
 use number::DIGITS;
@@ -42,14 +42,14 @@ pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
 /// The text of the other file.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read_on_any_base(path, given)?;
+    let model = read_with_links(path, given)?;
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let name = stem.unwrap_or("robot");
     match target(given, path) {
-        Format::Urdf => as_urdf(name, &arm, path, given),
+        Format::Urdf => as_urdf(name, &arm, &model, (path, given)),
         format => as_table(name, &arm, &model, (path, format), given),
     }
 }
@@ -70,7 +70,7 @@ fn target(given: &ArgMatches, path: &Path) -> Format {
 }
 
 /// The comments at the head of the file.
-fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String> {
+fn remarks(path: &Path, is_rounded: bool, model: &Model) -> Vec<String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let numbers = if is_rounded {
         format!("Numbers are exact, except those of {DIGITS} digits, which are rounded.")
@@ -81,9 +81,23 @@ fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String>
         format!("Converted from {name} by `robot-dynamics convert`. SI units, radians."),
         numbers,
     ];
-    let notes = model_notes.iter();
-    remarks.extend(notes.map(|note| note.trim().replace("`round_angles: ", "`--round-angles ")));
+    let notes = model.notes.iter().chain(&model.warnings);
+    remarks.extend(notes.map(|note| for_command(note)));
+    remarks.extend(left_out(path, model));
     remarks
+}
+
+/// What a file of another kind has no place for.
+fn left_out(path: &Path, model: &Model) -> Vec<String> {
+    let mut left_out = Vec::new();
+    if has_links(path) {
+        left_out.push(
+            "All links of the file are frames. Left out: the names of joints that stand still, and what it says beside joints \
+             and inertia."
+                .to_owned(),
+        );
+    }
+    left_out
 }
 
 fn as_table(
@@ -106,7 +120,7 @@ fn as_table(
     } else {
         Some(Table::of(arm, convention).ok_or_else(impossible)?)
     };
-    let mut remarks = remarks(path, !is_kept, &model.notes);
+    let mut remarks = remarks(path, !is_kept, model);
     let mut rows = table.iter().flat_map(|table| &table.rows);
     if rows.any(|row| row.joint.is_none()) {
         remarks.push(
@@ -141,7 +155,12 @@ fn as_table(
     }
 }
 
-fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<String, Failure> {
+fn as_urdf(
+    name: &str,
+    arm: &Arm,
+    model: &Model,
+    (path, given): (&Path, &ArgMatches),
+) -> Result<String, Failure> {
     let without: Vec<&str> = given
         .get_many::<String>("without")
         .into_iter()
@@ -162,7 +181,7 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
         );
         return Err(Failure::of_file(path, message));
     }
-    let mut remarks = remarks(path, true, &[]);
+    let mut remarks = remarks(path, true, model);
     let gravity = arm.gravity.each_ref().map(number::decimal).join(", ");
     remarks.push(format!(
         "{}; gravity, of which URDF does not tell, is [{gravity}] m/s^2.",

@@ -16,6 +16,7 @@ mod limits;
 mod link;
 mod lock;
 mod measured;
+mod nearly;
 mod neglect;
 mod reach;
 mod row;
@@ -59,6 +60,8 @@ pub struct Model {
     pub neglect: Option<(Value, Place)>,
     /// Further lines of the struct's documentation.
     pub notes: Vec<String>,
+    /// Notes on values that its user may not expect. Whoever reads a file is told them.
+    pub warnings: Vec<String>,
 }
 
 /// The model that the call describes, or `None` where an error was reported.
@@ -91,7 +94,10 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         let note = functions::note_on_massless(&model.robot, &model.requests);
         model.notes.extend(note);
     }
-    is_good.then_some(model)
+    is_good.then(|| Model {
+        warnings: nearly::notes(&model, table),
+        ..model
+    })
 }
 
 /// The names in the values of a table that nothing binds, in the order in which they are read. Mistakes are reported when
@@ -316,7 +322,9 @@ impl Parts {
         let asked = functions::named(self.functions.as_deref().unwrap_or_default());
         let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
         let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
-        let is_needed = |frame: &description::Frame| !frame.is_link || asked.contains(frame.word());
+        let is_needed = |frame: &description::Frame| {
+            table.keeps_links || !frame.is_link || asked.contains(frame.word())
+        };
         let frames = self.frames.into_iter().zip(table.frames());
         let frames = frames.filter(|(_, written)| is_needed(written));
         let frames: Option<Vec<Frame>> = frames.map(|(frame, _)| frame).collect();
@@ -338,6 +346,7 @@ impl Parts {
             tests: self.tests.is_some(),
             neglect: self.neglect,
             notes: table.notes.clone(),
+            warnings: Vec::new(),
         })
     }
 }
