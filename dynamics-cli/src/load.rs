@@ -121,11 +121,15 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     })
 }
 
-/// As [`read_on_any_base`], where all links of a URDF file are frames.
-pub(crate) fn read_with_links(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
+/// As [`read_on_any_base`], where links of a URDF file are frames, up to so many.
+pub(crate) fn read_with_links(
+    path: &Path,
+    given: &ArgMatches,
+    most: usize,
+) -> Result<Model, Failure> {
     about_links(given, &[path])?;
     let mut beside = with_values(given, path, None, "chain")?;
-    beside.options = beside.options.keep_links();
+    beside.options = beside.options.keep_links(most);
     read_any(path, beside, Vec::new())
 }
 

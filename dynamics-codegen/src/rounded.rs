@@ -1,7 +1,7 @@
 //! Decimals of angles that are taken as multiples of a quarter turn.
 
-/// A double of an angle differs from it by so much of its size at most, or of 1 rad.
-const OF_DOUBLES: f64 = 1e-15;
+/// Nothing is told of smaller differences, rad: two programs that agree differ by as much of their torques.
+const LEAST: f64 = 1e-14;
 
 /// How many decimals were taken as multiples of a quarter turn, and the one that was furthest from its multiple.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,9 +12,9 @@ pub struct Rounded {
 }
 
 impl Rounded {
-    /// Counts a decimal that is so far from its multiple, unless its double is no further from that.
+    /// Counts a decimal that is so far from its multiple.
     pub(crate) fn add(&mut self, radians: f64, apart: f64) {
-        if apart <= OF_DOUBLES * radians.abs().max(1.0) {
+        if apart < LEAST {
             return;
         }
         self.count += 1;

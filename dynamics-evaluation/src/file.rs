@@ -104,7 +104,7 @@ pub struct ReadOptions {
     names_are_fields: bool,
     needed: Vec<Function>,
     audience: Audience,
-    keeps_links: bool,
+    room_for_links: usize,
 }
 
 fn owned(names: impl IntoIterator<Item = impl Into<String>>) -> Vec<String> {
@@ -205,10 +205,10 @@ impl ReadOptions {
         self
     }
 
-    /// All links of a URDF file are frames of the robot, not only those that a function names.
+    /// Links of a URDF file are frames of the robot, up to so many frames, and not only those that a function names.
     #[doc(hidden)]
-    pub fn keep_links(mut self) -> Self {
-        self.keeps_links = true;
+    pub fn keep_links(mut self, most: usize) -> Self {
+        self.room_for_links = most;
         self
     }
 
@@ -219,7 +219,7 @@ impl ReadOptions {
         let functions = names.map_or(String::new(), |names| format!("functions = {names:?}"));
         let entries = "\n".repeat(lines) + &functions + "\n" + &self.entries;
         let mut table = table(robot, &entries, Format::Toml, &Request::default())?;
-        (table.audience, table.keeps_links) = (self.audience, self.keeps_links);
+        (table.audience, table.room_for_links) = (self.audience, self.room_for_links);
         table.needed.clone_from(&self.needed);
         if self.audience == Audience::Command {
             // Options hold values: a word in one is a slip, not a field.

@@ -25,13 +25,13 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
-use dynamics_symbolic::robot::Convention;
+use dynamics_symbolic::robot::{Convention, Robot};
 
 use crate::beside::has_links;
 use crate::failure::Failure;
 use crate::load::{file_of, for_command, read_with_links};
 use arm::Arm;
-use document::{Allowed, Document};
+use document::{Allowed, Document, frame_names};
 use number::DIGITS;
 use read_back::{refusals, refused_words};
 use table::Table;
@@ -39,16 +39,24 @@ use table::Table;
 /// The parts of joints that URDF has no words for, as the option `--without` names them.
 pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
 
+/// Frames for which the table of a struct has room.
+const MOST_FRAMES: usize = 16;
+
 /// The text of the other file.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read_with_links(path, given)?;
+    let target = target(given, path);
+    let room = match target {
+        Format::Urdf => usize::MAX,
+        _ => MOST_FRAMES,
+    };
+    let model = read_with_links(path, given, room)?;
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let name = stem.unwrap_or("robot");
-    match target(given, path) {
+    match target {
         Format::Urdf => as_urdf(name, &arm, &model, (path, given)),
         format => as_table(name, &arm, &model, (path, format), given),
     }
@@ -83,21 +91,31 @@ fn remarks(path: &Path, is_rounded: bool, model: &Model) -> Vec<String> {
     ];
     let notes = model.notes.iter().chain(&model.warnings);
     remarks.extend(notes.map(|note| for_command(note)));
-    remarks.extend(left_out(path, model));
+    if is_rounded {
+        remarks.extend(kept(path, &model.robot));
+    }
     remarks
 }
 
-/// What a file of another kind has no place for.
-fn left_out(path: &Path, model: &Model) -> Vec<String> {
-    let mut left_out = Vec::new();
+/// What becomes of links, and of joints that are locked, unless all rows are kept.
+fn kept(path: &Path, robot: &Robot) -> Vec<String> {
+    let mut remarks = Vec::new();
     if has_links(path) {
-        left_out.push(
-            "All links of the file are frames. Left out: the names of joints that stand still, and what it says beside joints \
-             and inertia."
+        remarks.push(
+            "Links of the file are frames here, with their names. Left out: the names of its fixed joints, and what it says \
+             beside joints and inertia."
                 .to_owned(),
         );
     }
-    left_out
+    let locked = robot.rows.iter().filter(|row| row.locked.is_some());
+    let locked: Vec<_> = locked.map(|row| format!("`{}`", row.name)).collect();
+    if !locked.is_empty() {
+        remarks.push(format!(
+            "Left out: the joints that are locked, {}. Their links are parts of those that carry them.",
+            locked.join(", ")
+        ));
+    }
+    remarks
 }
 
 fn as_table(
@@ -121,6 +139,12 @@ fn as_table(
         Some(Table::of(arm, convention).ok_or_else(impossible)?)
     };
     let mut remarks = remarks(path, !is_kept, model);
+    let frames = model.robot.frames.iter();
+    for (frame, name) in frames.zip(frame_names(&model.robot)) {
+        if frame.name != name {
+            remarks.push(format!("The link `{}` is the frame `{name}`.", frame.name));
+        }
+    }
     let mut rows = table.iter().flat_map(|table| &table.rows);
     if rows.any(|row| row.joint.is_none()) {
         remarks.push(

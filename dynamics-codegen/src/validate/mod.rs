@@ -322,18 +322,23 @@ impl Parts {
         let asked = functions::named(self.functions.as_deref().unwrap_or_default());
         let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
         let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
-        let is_needed = |frame: &description::Frame| {
-            table.keeps_links || !frame.is_link || asked.contains(frame.word())
-        };
-        let frames = self.frames.into_iter().zip(table.frames());
-        let frames = frames.filter(|(_, written)| is_needed(written));
-        let frames: Option<Vec<Frame>> = frames.map(|(frame, _)| frame).collect();
+        let is_needed = |frame: &description::Frame| !frame.is_link || asked.contains(frame.word());
+        let mut kept: Vec<bool> = table.frames().map(is_needed).collect();
+        let rows: Vec<Row> = self.rows?.into_iter().collect::<Option<_>>()?;
+        let mut notes = table.notes.clone();
+        if table.room_for_links > 0 {
+            frames::keep_links(&mut kept, &self.frames, &rows, table);
+            notes.extend(frames::left_out(&kept, table));
+        }
+        let frames = self.frames.into_iter().zip(kept);
+        let frames = frames.filter_map(|(frame, is_kept)| is_kept.then_some(frame));
+        let frames: Option<Vec<Frame>> = frames.collect();
         let robot = Robot {
             name: table.name.as_ref()?.plain().to_owned(),
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: self.gravity??,
-            rows: self.rows?.into_iter().collect::<Option<_>>()?,
+            rows,
             frames: frames?,
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
@@ -345,7 +350,7 @@ impl Parts {
             robot,
             tests: self.tests.is_some(),
             neglect: self.neglect,
-            notes: table.notes.clone(),
+            notes,
             warnings: Vec::new(),
         })
     }

@@ -125,10 +125,12 @@ fn hardly_apart(
     if all <= few {
         return None;
     }
-    let mut index = 0..;
-    let mut angles = nearly;
-    angles.retain(|_| count_with(index.next()) > few);
-    Some(([all, few], angles))
+    let is_cause = |index: &usize| count_with(Some(*index)) > few;
+    let causes: Vec<usize> = (0..nearly.len()).filter(is_cause).collect();
+    let angles = nearly.into_iter().enumerate();
+    // If no angle is a cause alone, all of them are one together.
+    let angles = angles.filter(|(index, _)| causes.is_empty() || causes.contains(index));
+    Some(([all, few], angles.map(|(_, angle)| angle).collect()))
 }
 
 fn told([all, few]: [usize; 2], angles: &[(String, Near)], remedy: &str) -> String {

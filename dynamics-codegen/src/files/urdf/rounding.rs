@@ -224,6 +224,32 @@ mod tests {
         assert_eq!(length("2e-15"), number("2e-15"));
     }
 
+    /// Quarter turns that lack digits are quarter turns, which is told unless it is asked for. So is noise that is large.
+    #[test]
+    fn digits_that_a_quarter_turn_lacks_are_told() {
+        let told = |within: f64, text: &str| {
+            let mut rounding = Rounding::new(within);
+            let angle = rounding.angle(number(text));
+            (angle, rounding.rounded.note("").is_some())
+        };
+        for (text, count, is_told) in [
+            ("1.57079632679", 1, true),
+            ("-3.14159265359", -2, true),
+            ("1.570796327", 1, true),
+            ("6.28318530718", 4, true),
+            ("1.5707963267948966", 1, false),
+            ("3.14159265358979", 2, false),
+            ("4e-13", 0, true),
+            ("4e-16", 0, false),
+        ] {
+            assert_eq!(told(0.0, text), (quarters(count), is_told), "{text}");
+            assert_eq!(told(1e-9, text), (quarters(count), false), "{text}");
+        }
+        assert_eq!(told(0.0, "1.57"), (Value::Rational(number("1.57")), false));
+        let five = "7.85398163397";
+        assert_eq!(told(0.0, five), (Value::Rational(number(five)), false));
+    }
+
     #[test]
     fn notes_count_and_name_the_tolerance_that_takes_what_is_left() {
         let notes = |within: f64| {
