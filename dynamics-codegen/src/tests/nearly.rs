@@ -18,8 +18,8 @@ fn of_file(name: &str, rest: &str) -> Vec<String> {
 fn of_table(alpha: &str, rest: &str) -> Vec<String> {
     warnings(&format!(
         "convention: modified, gravity: [0, 0, -9.81], allow: [odd_angle], {rest} joints: [ \
-         first: revolute {{ mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1] }}, \
-         second: revolute {{ a: 0.3, alpha: {alpha}, mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1] }}]"
+         first: revolute {{ mass: 1, com: [0.1, 0.2, 0.3], inertia: sphere(0.1) }}, \
+         second: revolute {{ a: 0.3, alpha: {alpha}, mass: 1, com: [0.1, 0.2, 0.3], inertia: sphere(0.1) }}]"
     ))
 }
 
@@ -74,7 +74,7 @@ fn angles_that_split_base_parameters_are_told_to_whom_asks_for_these() {
     for functions in [
         "[regressor]",
         "[base_parameters]",
-        "[mass_matrix, { both: (inverse_dynamics, regressor) }]",
+        "[mass_matrix, both = (inverse_dynamics, regressor)]",
     ] {
         let told = of_file(file, &format!("functions: {functions}"));
         assert_eq!(told.len(), 1, "{told:#?}");
