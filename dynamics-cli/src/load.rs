@@ -133,8 +133,8 @@ pub(crate) fn read_with_links(
     read_any(path, beside, Vec::new())
 }
 
-/// The model of a file, of which functions are needed besides those that are requested. What its reader may not expect is
-/// told once.
+/// The model of a file, of which functions are needed besides those that are requested. Its
+/// warnings are told once.
 fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
     let model = read_silently(path, beside, needed)?;
     for warning in &model.warnings {

@@ -56,7 +56,7 @@ pub struct RuntimeRobot {
     /// The axes for the present values of the fields.
     axes: Vec<Axis<f64>>,
     functions: Vec<Compiled>,
-    /// What its reader is told of the file.
+    /// Notes for whoever reads the file.
     warnings: Vec<String>,
     /// The table for these values, once it has been needed: its exact cells take longer than many calls.
     table: OnceLock<RuntimeTable>,
@@ -143,15 +143,15 @@ impl RuntimeRobot {
         Ok(arm)
     }
 
-    /// The same robot with what its reader is to be told of the file.
+    /// The same robot with notes for whoever reads its file.
     pub(crate) fn with_warnings(mut self, warnings: Vec<String>) -> Self {
         self.warnings = warnings;
         self
     }
 
-    /// What a reader of the file may not expect, a sentence or more each: angles that are taken as quarter turns, and, if
-    /// base parameters are among the functions, angles because of which torques hardly tell these apart. Empty for a robot
-    /// of another origin.
+    /// Notes on values of the file that a reader may not expect, a text each. One counts the angles that are taken as quarter
+    /// turns. If base parameters are among the functions, another one names the angles because of which torques hardly tell
+    /// these apart. There are none for a robot that comes from no file.
     ///
     /// # Errors
     ///

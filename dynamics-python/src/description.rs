@@ -26,7 +26,7 @@ const CALLS_TO_FROM_FILE: i32 = 5;
 pub(crate) struct Description {
     pub(crate) robot: Robot,
     functions: Vec<Lazy>,
-    /// What the reader of the file may not expect.
+    /// Notes on values of the file that its reader may not expect.
     warnings: Vec<String>,
 }
 

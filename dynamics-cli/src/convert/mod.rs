@@ -97,7 +97,7 @@ fn remarks(path: &Path, is_rounded: bool, model: &Model) -> Vec<String> {
     remarks
 }
 
-/// What becomes of links, and of joints that are locked, unless all rows are kept.
+/// Remarks on links, and on joints that are locked: unless all rows are kept, some names are lost.
 fn kept(path: &Path, robot: &Robot) -> Vec<String> {
     let mut remarks = Vec::new();
     if has_links(path) {

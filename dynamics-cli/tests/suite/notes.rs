@@ -1,8 +1,8 @@
-//! What the reader of a file is told beside the output.
+//! Notes on a file beside the output.
 
 use super::calls::{data, file, output, run};
 
-/// What a call that succeeds writes beside its output.
+/// Lines that a call writes beside its output, if it succeeds.
 fn told(arguments: &[&str]) -> Vec<String> {
     let output = run(arguments);
     let errors = String::from_utf8(output.stderr).expect("text");

@@ -509,7 +509,7 @@ fn trees_are_compared_with_other_files() {
     assert!(text.contains("jacobian_left_hand"), "{text}");
 }
 
-/// The links of a tree are frames of its table, where they stood and with their names. What is left out is told.
+/// The links of a tree are frames of its table, where they stood and with their names. Comments tell what is left out.
 #[test]
 fn links_of_a_tree_are_kept() {
     let link = |name: &str, body: bool| {

@@ -1,4 +1,4 @@
-//! What is told of angles near a quarter turn.
+//! Notes on angles near a quarter turn.
 
 use super::model;
 

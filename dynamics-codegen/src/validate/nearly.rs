@@ -1,5 +1,5 @@
-//! What is told of angles near a multiple of a quarter turn: those that are taken for it, and those that are not, if
-//! base parameters are asked for.
+//! Notes on angles near a multiple of a quarter turn: on those that are taken for it, and on the others if base parameters
+//! are asked for.
 //!
 //! Let an angle e be left beside a quarter turn. Base parameters that are one parameter at e = 0 are several then, and
 //! their columns of the regressor differ by terms of e alone. The regressor's condition grows as 1/e. Which angles do this is

@@ -1,4 +1,4 @@
-//! What the reader of a file is told.
+//! Notes for the reader of a file.
 
 use std::path::Path;
 

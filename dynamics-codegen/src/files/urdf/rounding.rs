@@ -30,7 +30,7 @@ pub(super) struct Rounding {
     noise: usize,
     /// Angles that were rounded because the call says so.
     asked: usize,
-    /// Those that the engine takes for a quarter turn without that, and noise.
+    /// Angles that are taken for a quarter turn without being asked for, and noise.
     pub(super) rounded: Rounded,
     /// How far those angles are from a quarter turn that may be meant as one.
     left: Vec<f64>,
