@@ -70,7 +70,7 @@ def test_what_is_told_is_so() -> None:
     assert condition(None) > 1e4 and condition(1e-5) < 1e3
 
 
-@pytest.mark.parametrize("file", ["ur3", "ur5", "ur10", "anymal", "kinova", "finger_edu", "panda"])
+@pytest.mark.parametrize("file", ["ur3", "ur5", "ur10", "anymal", "kinova", "finger_edu", "tiago_no_hand"])
 def test_the_comparison_of_the_guide_runs(file: str, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("pinocchio")
     found = re.findall(r"^```python\n(.*?)^```", GUIDE.read_text(), flags=re.DOTALL | re.MULTILINE)

@@ -1,6 +1,6 @@
 //! Notes on a file beside the output.
 
-use super::calls::{data, file, output, run};
+use super::calls::{data, file, folder, output, run};
 
 /// Lines that a call writes beside its output, if it succeeds.
 fn told(arguments: &[&str]) -> Vec<String> {
@@ -16,6 +16,7 @@ const GRAVITY: [&str; 2] = ["--gravity", "0,0,-9.81"];
 #[test]
 fn quarter_turns_of_some_digits_are_told() {
     let ur5 = data("urdf/ur5_robot.urdf");
+    let to = folder("notes").join("ur5.c").to_string_lossy().into_owned();
     let rest = "5 angles, such as 1.57079632679, are taken as the multiples of a quarter turn";
     let zero = "0,0,0,0,0,0";
     for call in [
@@ -24,6 +25,8 @@ fn quarter_turns_of_some_digits_are_told() {
         &[
             "generate",
             &ur5,
+            "--out",
+            &to,
             "--lang",
             "c",
             "--functions",
