@@ -30,9 +30,9 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
     let mut rounded = table.rounded.clone();
     let mut nearly = Vec::new();
     with_angles(robot, &mut |at, angle| {
-        match Near::of(angle) {
+        match Near::of(at, angle) {
             Some(near) if near.is_taken => rounded.add(near.radians, near.apart),
-            Some(near) => nearly.push((at.to_owned(), near)),
+            Some(near) => nearly.push(near),
             None => {}
         }
         angle.clone()
@@ -44,7 +44,7 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
         || table.needed.iter().any(|of| of.is_about_base_parameters());
     if is_asked && !nearly.is_empty() {
         notes.extend(hardly_apart(robot, nearly).map(|(counts, angles)| {
-            let within = angles.iter().map(|(_, near)| near.apart);
+            let within = angles.iter().map(|near| near.apart);
             let remedy = remedy(within.fold(0.0, f64::max));
             told(counts, &angles, &remedy)
         }));
@@ -54,6 +54,8 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
 
 /// An angle near a multiple of a quarter turn.
 struct Near {
+    /// The joint or frame.
+    at: String,
     radians: f64,
     quarters: f64,
     apart: f64,
@@ -62,11 +64,12 @@ struct Near {
 }
 
 impl Near {
-    fn of(angle: &Value) -> Option<Near> {
+    fn of(at: &str, angle: &Value) -> Option<Near> {
         let radians = angle.is_number().then(|| angle.to_f64(&[]))?;
         let quarters = (radians / FRAC_PI_2).round();
         let apart = (radians - quarters * FRAC_PI_2).abs();
         (apart > 0.0 && apart <= NEARLY).then(|| Near {
+            at: at.to_owned(),
             radians,
             quarters,
             apart,
@@ -103,13 +106,10 @@ fn with_angles(robot: &Robot, angle: &mut impl FnMut(&str, &Value) -> Value) -> 
 }
 
 /// The angles because of which there are more base parameters than with their multiples, and both numbers.
-fn hardly_apart(
-    robot: &Robot,
-    nearly: Vec<(String, Near)>,
-) -> Option<([usize; 2], Vec<(String, Near)>)> {
+fn hardly_apart(robot: &Robot, nearly: Vec<Near>) -> Option<([usize; 2], Vec<Near>)> {
     let count_with = |kept: Option<usize>| {
         let mut index = 0;
-        let rounded = with_angles(robot, &mut |_, angle| match Near::of(angle) {
+        let rounded = with_angles(robot, &mut |at, angle| match Near::of(at, angle) {
             Some(near) if !near.is_taken => {
                 index += 1;
                 match kept == Some(index - 1) {
@@ -133,9 +133,9 @@ fn hardly_apart(
     Some(([all, few], angles.map(|(_, angle)| angle).collect()))
 }
 
-fn told([all, few]: [usize; 2], angles: &[(String, Near)], remedy: &str) -> String {
+fn told([all, few]: [usize; 2], angles: &[Near], remedy: &str) -> String {
     let listed = angles.iter().take(MOST_LISTED);
-    let listed = listed.map(|(at, near)| format!("{:?} at `{at}`", near.radians));
+    let listed = listed.map(|near| format!("{:?} at `{}`", near.radians, near.at));
     let listed: Vec<_> = listed.collect();
     let rest = match angles.len().saturating_sub(MOST_LISTED) {
         0 => String::new(),
