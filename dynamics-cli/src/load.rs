@@ -1,7 +1,9 @@
 //! A robot file with what the command line says besides.
 
+use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 use dynamics_codegen::Model;
@@ -119,8 +121,39 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     })
 }
 
-/// The model of a file, of which functions are needed besides those that are requested.
+/// As [`read_on_any_base`], where links of a URDF file are frames, up to so many.
+pub(crate) fn read_with_links(
+    path: &Path,
+    given: &ArgMatches,
+    most: usize,
+) -> Result<Model, Failure> {
+    about_links(given, &[path])?;
+    let mut beside = with_values(given, path, None, "chain")?;
+    beside.options = beside.options.keep_links(most);
+    read_any(path, beside, Vec::new())
+}
+
+/// The model of a file, of which functions are needed besides those that are requested. Its
+/// warnings are told once.
 fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
+    let model = read_silently(path, beside, needed)?;
+    for warning in &model.warnings {
+        let told = format!("{}: {}", path.display(), for_command(warning));
+        static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+        let mut all = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
+        if all.insert(told.clone()) {
+            let _ = writeln!(std::io::stderr(), "{told}");
+        }
+    }
+    Ok(model)
+}
+
+/// A note, which is in the words of a call of the macro, in those of the command.
+pub(crate) fn for_command(note: &str) -> String {
+    note.trim().replace("`round_angles: ", "`--round-angles ")
+}
+
+fn read_silently(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
     let Beside {
         options,
         lines,

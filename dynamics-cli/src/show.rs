@@ -11,7 +11,7 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
 
 use crate::failure::Failure;
-use crate::load::{count, file_of, programs, read_with_names, requests};
+use crate::load::{count, file_of, for_command, programs, read_with_names, requests};
 use table::table;
 
 /// How far the formulas of one function are multiplied out before they are given up, for each term that a formula may
@@ -36,9 +36,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     }
     let mut text = table(robot);
     for note in &model.notes {
-        // Notes are in the words of a call of the macro.
-        let note = note.replace("`round_angles: ", "`--round-angles ");
-        let _ = writeln!(text, "\n{}", note.trim());
+        let _ = writeln!(text, "\n{}", for_command(note));
     }
     text.push_str(&operations(&programs));
     if robot.freedoms().has_base() {

@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::audience::Audience;
+use crate::rounded::Rounded;
 use crate::words::shortened;
 
 pub use crate::place::Place;
@@ -63,10 +64,14 @@ pub struct Table {
     pub entries: Vec<Entry>,
     /// Further remarks for the struct's documentation.
     pub notes: Vec<String>,
+    /// Angles of a URDF file that are taken as multiples of a quarter turn.
+    pub rounded: Rounded,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, including those entries that could not be read.
     pub mentions: BTreeSet<String>,
+    /// How many frames the robot may have for links of a URDF file to be among them that no function names.
+    pub room_for_links: usize,
     /// The reader of messages.
     pub audience: Audience,
     /// Functions that are derived besides those that the entries request: the table has to say what they read.

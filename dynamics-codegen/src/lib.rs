@@ -35,6 +35,7 @@ mod mistake;
 mod parse;
 mod place;
 mod read;
+mod rounded;
 mod tree;
 mod validate;
 mod words;

@@ -104,6 +104,7 @@ pub struct ReadOptions {
     names_are_fields: bool,
     needed: Vec<Function>,
     audience: Audience,
+    room_for_links: usize,
 }
 
 fn owned(names: impl IntoIterator<Item = impl Into<String>>) -> Vec<String> {
@@ -204,6 +205,13 @@ impl ReadOptions {
         self
     }
 
+    /// Links of a URDF file are frames of the robot, up to so many frames, and not only those that a function names.
+    #[doc(hidden)]
+    pub fn keep_links(mut self, most: usize) -> Self {
+        self.room_for_links = most;
+        self
+    }
+
     /// As a table, whose lines are counted behind the `lines` of the file: no mistake in them is taken for one in the file.
     /// The functions are the first of them.
     fn table(&self, robot: &str, lines: usize) -> Result<Table, Vec<Error>> {
@@ -211,7 +219,7 @@ impl ReadOptions {
         let functions = names.map_or(String::new(), |names| format!("functions = {names:?}"));
         let entries = "\n".repeat(lines) + &functions + "\n" + &self.entries;
         let mut table = table(robot, &entries, Format::Toml, &Request::default())?;
-        table.audience = self.audience;
+        (table.audience, table.room_for_links) = (self.audience, self.room_for_links);
         table.needed.clone_from(&self.needed);
         if self.audience == Audience::Command {
             // Options hold values: a word in one is a slip, not a field.
@@ -408,7 +416,8 @@ fn mistake(sources: &[(&Path, usize)], error: Error) -> FileMistake {
 impl RuntimeRobot {
     /// The robot of a file: a table in TOML, in the macro's words, or in JSON, or a URDF file. A table may name a URDF file in
     /// its folder, `file = "panda.urdf"`, with entries beside it. The functions of the robot are those that
-    /// the options name, or else the file, or else those of a table that names none.
+    /// the options name, or else the file, or else those of a table that names none. [`warnings`](RuntimeRobot::warnings)
+    /// has what was rounded.
     ///
     /// ```no_run
     /// # mod robot_dynamics {
@@ -444,6 +453,8 @@ impl RuntimeRobot {
     fn of_model(model: Model, path: &Path) -> Result<Self, FileError> {
         let requests = model.requests.into_iter().map(|(request, _)| request);
         let arm = RuntimeRobot::new(model.robot, requests);
-        arm.map_err(|error| FileError::Build(path.to_owned(), error))
+        let arm = arm.map_err(|error| FileError::Build(path.to_owned(), error))?;
+        let warnings = model.warnings.iter();
+        Ok(arm.with_warnings(warnings.map(|told| told.trim().to_owned()).collect()))
     }
 }

@@ -56,6 +56,8 @@ pub struct RuntimeRobot {
     /// The axes for the present values of the fields.
     axes: Vec<Axis<f64>>,
     functions: Vec<Compiled>,
+    /// Notes for whoever reads the file.
+    warnings: Vec<String>,
     /// The table for these values, once it has been needed: its exact cells take longer than many calls.
     table: OnceLock<RuntimeTable>,
     /// Slots that no call is using.
@@ -78,6 +80,7 @@ impl Clone for RuntimeRobot {
             fields: self.fields.clone(),
             axes: self.axes.clone(),
             functions: self.functions.clone(),
+            warnings: self.warnings.clone(),
             table: self.table.clone(),
             rooms: Mutex::default(),
         }
@@ -132,11 +135,29 @@ impl RuntimeRobot {
             fields,
             axes: Vec::new(),
             functions: compiled,
+            warnings: Vec::new(),
             table: OnceLock::new(),
             rooms: Mutex::default(),
         };
         arm.update();
         Ok(arm)
+    }
+
+    /// The same robot with notes for whoever reads its file.
+    pub(crate) fn with_warnings(mut self, warnings: Vec<String>) -> Self {
+        self.warnings = warnings;
+        self
+    }
+
+    /// Notes on values of the file that a reader may not expect, a text each. One counts the angles that are taken as quarter
+    /// turns. If base parameters are among the functions, another one names the angles because of which torques hardly tell
+    /// these apart. There are none for a robot that comes from no file.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
     }
 
     /// The description that the robot was made of.

@@ -1,5 +1,6 @@
 //! A robot as it was read, and its functions, each derived when it is first needed.
 
+use std::ffi::CString;
 use std::path::Path;
 use std::sync::{Arc, OnceLock, mpsc};
 use std::thread;
@@ -9,7 +10,7 @@ use dynamics_codegen::{Model, nearest};
 use dynamics_evaluation::{BuildError, FileError, ReadOptions, RuntimeRobot, read_source};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 
 /// How often a derivation that runs is interrupted for signals such as Ctrl-C.
@@ -18,10 +19,15 @@ const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
 /// The stack of a derivation, as the main thread of a program has it.
 const STACK: usize = 8 << 20;
 
+/// The calls of the package from this one out to the user's of `Robot.from_file` and its sisters.
+const CALLS_TO_FROM_FILE: i32 = 5;
+
 /// A robot and the functions that were requested.
 pub(crate) struct Description {
     pub(crate) robot: Robot,
     functions: Vec<Lazy>,
+    /// Notes on values of the file that its reader may not expect.
+    warnings: Vec<String>,
 }
 
 /// A function that is derived when it is first needed.
@@ -42,13 +48,31 @@ impl Description {
     /// Reads the text of a file of that name.
     pub(crate) fn read(path: &Path, text: &str, options: &ReadOptions) -> Result<Self, FileError> {
         let Model {
-            robot, requests, ..
+            robot,
+            requests,
+            warnings,
+            ..
         } = read_source(path, text, options)?;
         if !robot.freedoms().has_base() && robot.freedoms().joints == 0 {
             return Err(FileError::Build(path.to_owned(), BuildError::NoJoints));
         }
         let requests = requests.into_iter().map(|(request, _)| request);
-        Ok(Description::new(robot, requests))
+        Ok(Description {
+            warnings,
+            ..Description::new(robot, requests)
+        })
+    }
+
+    /// A `UserWarning` for each thing that the reader of the file may not expect, where `Robot.from_file` was called.
+    pub(crate) fn warn(&self, py: Python<'_>) -> PyResult<()> {
+        for warning in &self.warnings {
+            // Notes are in the words of a call of the macro.
+            let text = warning.trim().replace("`round_angles: ", "`round_angles=");
+            let text = CString::new(text)?;
+            let category = py.get_type::<PyUserWarning>();
+            PyErr::warn(py, &category, &text, CALLS_TO_FROM_FILE)?;
+        }
+        Ok(())
     }
 
     /// Functions of a robot.
@@ -60,6 +84,7 @@ impl Description {
         Description {
             robot,
             functions: functions.collect(),
+            warnings: Vec::new(),
         }
     }
 

@@ -40,6 +40,7 @@ impl Arm {
                 tests: false,
                 neglect: None,
                 notes: Vec::new(),
+                warnings: Vec::new(),
             };
             source(&name, model, None)
         });

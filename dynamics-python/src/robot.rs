@@ -121,6 +121,7 @@ impl Arm {
         }
         let read = py.detach(|| Description::read(&path, text, &options));
         let description = read.map_err(|error| errors::of_file(py, &error))?;
+        description.warn(py)?;
         let fields = without_values(&description);
         Ok(Arm::of(Arc::new(description), fields))
     }

@@ -389,7 +389,7 @@ fn names(table: &Table, robot: &Robot) -> Vec<String> {
 }
 
 /// The names of all frames. A file may name its links like its joints or `base`: on a table these names are not free.
-fn frame_names(robot: &Robot) -> Vec<String> {
+pub(super) fn frame_names(robot: &Robot) -> Vec<String> {
     let joints = robot.rows.iter().map(|row| &*row.name);
     let joints: BTreeSet<&str> = joints.chain(["base"]).collect();
     let frames: BTreeSet<&str> = robot.frames.iter().map(|frame| &*frame.name).collect();

@@ -25,13 +25,13 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
-use dynamics_symbolic::robot::Convention;
+use dynamics_symbolic::robot::{Convention, Robot};
 
 use crate::beside::has_links;
 use crate::failure::Failure;
-use crate::load::{file_of, read_on_any_base};
+use crate::load::{file_of, for_command, read_with_links};
 use arm::Arm;
-use document::{Allowed, Document};
+use document::{Allowed, Document, frame_names};
 use number::DIGITS;
 use read_back::{refusals, refused_words};
 use table::Table;
@@ -39,17 +39,25 @@ use table::Table;
 /// The parts of joints that URDF has no words for, as the option `--without` names them.
 pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
 
+/// Frames for which the table of a struct has room.
+const MOST_FRAMES: usize = 16;
+
 /// The text of the other file.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let path = file_of(given);
-    let model = read_on_any_base(path, given)?;
+    let target = target(given, path);
+    let room = match target {
+        Format::Urdf => usize::MAX,
+        _ => MOST_FRAMES,
+    };
+    let model = read_with_links(path, given, room)?;
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let name = stem.unwrap_or("robot");
-    match target(given, path) {
-        Format::Urdf => as_urdf(name, &arm, path, given),
+    match target {
+        Format::Urdf => as_urdf(name, &arm, &model, (path, given)),
         format => as_table(name, &arm, &model, (path, format), given),
     }
 }
@@ -70,7 +78,7 @@ fn target(given: &ArgMatches, path: &Path) -> Format {
 }
 
 /// The comments at the head of the file.
-fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String> {
+fn remarks(path: &Path, is_rounded: bool, model: &Model) -> Vec<String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let numbers = if is_rounded {
         format!("Numbers are exact, except those of {DIGITS} digits, which are rounded.")
@@ -81,8 +89,32 @@ fn remarks(path: &Path, is_rounded: bool, model_notes: &[String]) -> Vec<String>
         format!("Converted from {name} by `robot-dynamics convert`. SI units, radians."),
         numbers,
     ];
-    let notes = model_notes.iter();
-    remarks.extend(notes.map(|note| note.trim().replace("`round_angles: ", "`--round-angles ")));
+    let notes = model.notes.iter().chain(&model.warnings);
+    remarks.extend(notes.map(|note| for_command(note)));
+    if is_rounded {
+        remarks.extend(kept(path, &model.robot));
+    }
+    remarks
+}
+
+/// Remarks on links, and on joints that are locked: unless all rows are kept, some names are lost.
+fn kept(path: &Path, robot: &Robot) -> Vec<String> {
+    let mut remarks = Vec::new();
+    if has_links(path) {
+        remarks.push(
+            "Links of the file are frames here, with their names. Left out: the names of its fixed joints, and what it says \
+             beside joints and inertia."
+                .to_owned(),
+        );
+    }
+    let locked = robot.rows.iter().filter(|row| row.locked.is_some());
+    let locked: Vec<_> = locked.map(|row| format!("`{}`", row.name)).collect();
+    if !locked.is_empty() {
+        remarks.push(format!(
+            "Left out: the joints that are locked, {}. Their links are parts of those that carry them.",
+            locked.join(", ")
+        ));
+    }
     remarks
 }
 
@@ -106,7 +138,13 @@ fn as_table(
     } else {
         Some(Table::of(arm, convention).ok_or_else(impossible)?)
     };
-    let mut remarks = remarks(path, !is_kept, &model.notes);
+    let mut remarks = remarks(path, !is_kept, model);
+    let frames = model.robot.frames.iter();
+    for (frame, name) in frames.zip(frame_names(&model.robot)) {
+        if frame.name != name {
+            remarks.push(format!("The link `{}` is the frame `{name}`.", frame.name));
+        }
+    }
     let mut rows = table.iter().flat_map(|table| &table.rows);
     if rows.any(|row| row.joint.is_none()) {
         remarks.push(
@@ -141,7 +179,12 @@ fn as_table(
     }
 }
 
-fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<String, Failure> {
+fn as_urdf(
+    name: &str,
+    arm: &Arm,
+    model: &Model,
+    (path, given): (&Path, &ArgMatches),
+) -> Result<String, Failure> {
     let without: Vec<&str> = given
         .get_many::<String>("without")
         .into_iter()
@@ -162,7 +205,7 @@ fn as_urdf(name: &str, arm: &Arm, path: &Path, given: &ArgMatches) -> Result<Str
         );
         return Err(Failure::of_file(path, message));
     }
-    let mut remarks = remarks(path, true, &[]);
+    let mut remarks = remarks(path, true, model);
     let gravity = arm.gravity.each_ref().map(number::decimal).join(", ");
     remarks.push(format!(
         "{}; gravity, of which URDF does not tell, is [{gravity}] m/s^2.",

@@ -12,6 +12,7 @@ mod help;
 mod long_arms;
 mod moving_base;
 mod named_file;
+mod notes;
 mod reach;
 mod refusals;
 mod rust;

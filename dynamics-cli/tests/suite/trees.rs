@@ -509,6 +509,122 @@ fn trees_are_compared_with_other_files() {
     assert!(text.contains("jacobian_left_hand"), "{text}");
 }
 
+/// The links of a tree are frames of its table, where they stood and with their names. Comments tell what is left out.
+#[test]
+fn links_of_a_tree_are_kept() {
+    let link = |name: &str, body: bool| {
+        let inertial = "<inertial><origin xyz=\"0.1 0 0.02\"/><mass value=\"1\"/>\
+            <inertia ixx=\"0.1\" iyy=\"0.1\" izz=\"0.1\" ixy=\"0\" iyz=\"0\" ixz=\"0\"/></inertial>";
+        format!(
+            "<link name=\"{name}\">{}</link>\n",
+            if body { inertial } else { "" }
+        )
+    };
+    let joint = |name: &str, kind: &str, [parent, child]: [&str; 2], xyz: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{child}\"/>\
+             <origin xyz=\"{xyz}\" rpy=\"0.3 0.1 -0.2\"/><axis xyz=\"0 1 0\"/></joint>\n"
+        )
+    };
+    let mut text =
+        "<robot name=\"legs\">\n".to_owned() + &link("base", false) + &link("lock", true);
+    text += &joint("wing", "revolute", ["base", "lock"], "0 0 0.2");
+    for side in ["left", "right"] {
+        let [hip, shank, foot] = ["hip", "shank", "foot"].map(|part| format!("{side}_{part}"));
+        text += &(link(&shank, true) + &link(&foot, false));
+        text += &joint(&hip, "continuous", ["base", &shank], "0 0.1 0");
+        text += &joint(
+            &format!("{foot}_fixed"),
+            "fixed",
+            [&shank, &foot],
+            "0.3 0 0",
+        );
+    }
+    let path = file("legs.urdf", text + "</robot>\n");
+    let beside = ["--gravity", "0,0,-9.81", "--lock", "wing=0.4"];
+    let names = [
+        "base",
+        "lock",
+        "left_shank",
+        "left_foot",
+        "right_shank",
+        "right_foot",
+    ];
+    for to in ["legs.toml", "legs.json", "legs_again.urdf"] {
+        let is_urdf = to.ends_with("urdf");
+        let poses = names.map(|name| match (name, is_urdf) {
+            ("base", false) => "forward_kinematics('base_link')".to_owned(),
+            _ => format!("forward_kinematics('{name}')"),
+        });
+        let besides = ReadOptions::new().functions(poses.clone());
+        let besides = match is_urdf {
+            true => besides.entries("gravity = [0, 0, -9.81]"),
+            false => besides,
+        };
+        let (written, same) = converted(&path, &beside, to, &besides);
+        let of_file =
+            ReadOptions::new().functions(names.map(|name| format!("forward_kinematics('{name}')")));
+        let mut source = read(
+            &path,
+            &of_file.entries("gravity = [0, 0, -9.81]\nlock = { wing = 0.4 }"),
+        );
+        if !is_urdf {
+            source.frames[0].name = "base_link".to_owned();
+        }
+        assert_eq!((source.frames.len(), same.frames.len()), (6, 6), "{to}");
+        assert!(difference(&source, &same) < 1e-12, "{to}");
+        let text = std::fs::read_to_string(written).expect("a file");
+        assert!(
+            text.contains("Left out: the names of its fixed joints"),
+            "{text}"
+        );
+        assert!(
+            text.contains("Left out: the joints that are locked, `wing`."),
+            "{text}"
+        );
+        let renamed = "The link `base` is the frame `base_link`.";
+        assert_eq!(text.contains(renamed), !is_urdf, "{text}");
+    }
+}
+
+/// A table has room for 16 frames: feet are kept first, and the links that are left out are named.
+#[test]
+fn links_without_room_are_named() {
+    let path = super::calls::data("urdf/trees/anymal_erd.urdf");
+    let call = [
+        "convert",
+        &path,
+        "--gravity",
+        "0,0,-9.81",
+        "--allow",
+        "unphysical_inertia",
+    ];
+    let text = output(&call);
+    assert_eq!(text.matches("[frame.").count(), 16, "{text}");
+    let told = "Left out, because a table has room for 16 frames, unless a function names them: the links `";
+    assert!(text.contains(told), "{text}");
+    for foot in ["LF_FOOT", "RF_FOOT", "LH_FOOT", "RH_FOOT"] {
+        assert!(text.contains(&format!("[frame.{foot}]")), "{text}");
+    }
+    let frames = [dynamics_runtime::table::FixedFrame::new(
+        None,
+        dynamics_runtime::table::Placement::IDENTITY,
+    ); 17];
+    assert!(dynamics_runtime::table::Frames::new(&frames[..16]).is_some());
+    assert!(dynamics_runtime::table::Frames::new(&frames).is_none());
+    let named = output(&[&call[..], &["--functions", "jacobian(LF_HIP)"]].concat());
+    assert!(named.contains("[frame.LF_HIP]"), "{named}");
+    let urdf = output(&[&call[..], &["--to", "urdf"]].concat());
+    let links = std::fs::read_to_string(&path).expect("the file");
+    let links = links
+        .split("<link name=\"")
+        .skip(1)
+        .map(|rest| rest.split('"').next());
+    for name in links.flatten() {
+        assert!(urdf.contains(&format!("<link name=\"{name}\"")), "{name}");
+    }
+}
+
 /// A table that stays in its convention keeps its rows, frames and functions; a modified one has `gamma` and `b`.
 #[test]
 fn the_cells_of_a_tree_are_kept() {

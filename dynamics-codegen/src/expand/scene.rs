@@ -19,7 +19,8 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     lines.extend(carried(robot));
     lines.extend(frames(model));
     lines.extend(locked(robot));
-    lines.extend(model.notes.iter().cloned().flat_map(paragraph));
+    let notes = model.notes.iter().chain(&model.warnings);
+    lines.extend(notes.cloned().flat_map(paragraph));
     lines.extend(coupled(robot));
     lines.extend(
         robot

@@ -61,6 +61,7 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
         table.entries.retain(|entry| !is_bare_base(entry));
     }
     table.notes.extend(read.notes);
+    table.rounded = read.rounded;
     let cells = beside::take(&mut table.entries);
     let in_front = cells.as_ref().map_or(0, |(at, ..)| *at);
     if let Some((_, place, rows)) = cells {

@@ -238,6 +238,7 @@ fn add(table: &mut Table, beside: Table) {
     table.fields.extend(beside.fields);
     table.audience = beside.audience;
     table.needed = beside.needed;
+    table.room_for_links = beside.room_for_links;
 }
 
 /// Whether an entry says that the base moves, and nothing of its body.

@@ -18,6 +18,8 @@ mod hostile;
 mod limits;
 mod messages;
 mod names;
+#[cfg(feature = "files")]
+mod nearly;
 mod table;
 #[cfg(feature = "files")]
 mod trees;

@@ -16,6 +16,7 @@ mod limits;
 mod link;
 mod lock;
 mod measured;
+mod nearly;
 mod neglect;
 mod reach;
 mod row;
@@ -59,6 +60,8 @@ pub struct Model {
     pub neglect: Option<(Value, Place)>,
     /// Further lines of the struct's documentation.
     pub notes: Vec<String>,
+    /// Notes on values that its user may not expect. Whoever reads a file is told them.
+    pub warnings: Vec<String>,
 }
 
 /// The model that the call describes, or `None` where an error was reported.
@@ -91,7 +94,10 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         let note = functions::note_on_massless(&model.robot, &model.requests);
         model.notes.extend(note);
     }
-    is_good.then_some(model)
+    is_good.then(|| Model {
+        warnings: nearly::notes(&model, table),
+        ..model
+    })
 }
 
 /// The names in the values of a table that nothing binds, in the order in which they are read. Mistakes are reported when
@@ -317,15 +323,22 @@ impl Parts {
         let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
         let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
         let is_needed = |frame: &description::Frame| !frame.is_link || asked.contains(frame.word());
-        let frames = self.frames.into_iter().zip(table.frames());
-        let frames = frames.filter(|(_, written)| is_needed(written));
-        let frames: Option<Vec<Frame>> = frames.map(|(frame, _)| frame).collect();
+        let mut kept: Vec<bool> = table.frames().map(is_needed).collect();
+        let rows: Vec<Row> = self.rows?.into_iter().collect::<Option<_>>()?;
+        let mut notes = table.notes.clone();
+        if table.room_for_links > 0 {
+            frames::keep_links(&mut kept, &self.frames, &rows, table);
+            notes.extend(frames::left_out(&kept, table));
+        }
+        let frames = self.frames.into_iter().zip(kept);
+        let frames = frames.filter_map(|(frame, is_kept)| is_kept.then_some(frame));
+        let frames: Option<Vec<Frame>> = frames.collect();
         let robot = Robot {
             name: table.name.as_ref()?.plain().to_owned(),
             fields: table.fields.iter().map(Name::to_string).collect(),
             convention: self.convention??,
             gravity: self.gravity??,
-            rows: self.rows?.into_iter().collect::<Option<_>>()?,
+            rows,
             frames: frames?,
             neglected: None,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
@@ -337,7 +350,8 @@ impl Parts {
             robot,
             tests: self.tests.is_some(),
             neglect: self.neglect,
-            notes: table.notes.clone(),
+            notes,
+            warnings: Vec::new(),
         })
     }
 }

@@ -11,3 +11,4 @@ mod languages;
 mod python_values;
 mod reach;
 mod refusals;
+mod warnings;

@@ -33,6 +33,7 @@ pub(super) fn read(
     Some(Table {
         entries,
         notes: tree.rounding.notes(),
+        rounded: tree.rounding.rounded,
         ..Table::default()
     })
 }

@@ -3,9 +3,10 @@
 use core::f64::consts::FRAC_PI_2;
 
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::Value;
+use dynamics_symbolic::robot::{Angle, Value};
 
 use crate::geometry::Vector;
+use crate::rounded::Rounded;
 
 /// Angles up to so much, rad, are zero, and so are parts of an axis up to so much of its largest one:
 /// doubles that were computed have such noise.
@@ -14,8 +15,8 @@ const NO_ANGLE: f64 = 1e-12;
 /// Lengths up to so much are zero, m: a double of one metre is as uncertain as that.
 const NO_LENGTH: f64 = 1e-15;
 
-/// The engine takes decimals so near to a quarter turn for that turn, rad.
-const TURN: f64 = 1e-9;
+/// Beyond so many quarter turns an angle is judged as it is written.
+const MOST_QUARTERS: f64 = 4.0;
 
 /// Angles that differ so much from a quarter turn may be meant as one, rad.
 const NEARLY: f64 = 1e-2;
@@ -29,6 +30,8 @@ pub(super) struct Rounding {
     noise: usize,
     /// Angles that were rounded because the call says so.
     asked: usize,
+    /// Angles that are taken for a quarter turn without being asked for, and noise.
+    pub(super) rounded: Rounded,
     /// How far those angles are from a quarter turn that may be meant as one.
     left: Vec<f64>,
 }
@@ -46,13 +49,16 @@ impl Rounding {
         let radians = angle.to_f64().value();
         let quarters = (radians / FRAC_PI_2).round();
         let apart = (radians - quarters * FRAC_PI_2).abs();
+        let written = Value::Rational(angle);
         let is_multiple = if quarters == 0.0 {
-            angle.is_zero() || self.is_noise(apart, NO_ANGLE) || self.is_rounded(apart)
+            written.is_zero() || self.is_noise(apart, NO_ANGLE) || self.is_rounded(apart)
+        } else if Angle::new(&written).rest.is_some() {
+            self.is_rounded(apart)
         } else {
-            apart > TURN && self.is_rounded(apart)
+            self.is_turn(radians, quarters, apart)
         };
         if !is_multiple {
-            return Value::Rational(angle);
+            return written;
         }
         let half = Rational::from_parts_signed((quarters as i64).into(), 2_u8.into());
         Value::Pi * Value::Rational(half)
@@ -78,9 +84,23 @@ impl Rounding {
         if is_noise { Rational::ZERO } else { length }
     }
 
+    /// Whether a number is noise. As an angle, rad, or as a share of an axis, it differs from zero by its size.
     fn is_noise(&mut self, size: f64, most: f64) -> bool {
-        self.noise += usize::from(size <= most);
-        size <= most
+        let is_noise = size <= most;
+        self.noise += usize::from(is_noise);
+        if is_noise && size > self.within {
+            self.rounded.add(size, size);
+        }
+        is_noise
+    }
+
+    /// Whether an angle that the engine takes for a quarter turn is made one here. That is told unless the call says it.
+    fn is_turn(&mut self, radians: f64, quarters: f64, apart: f64) -> bool {
+        let is_turn = quarters.abs() <= MOST_QUARTERS;
+        if is_turn && apart > self.within {
+            self.rounded.add(radians, apart);
+        }
+        is_turn
     }
 
     /// Whether the call rounds an angle that is so far from a quarter turn.
@@ -202,6 +222,32 @@ mod tests {
         let length = |text: &str| Rounding::new(0.1).length(number(text));
         assert_eq!(length("-8.326672684688674e-17"), Rational::ZERO);
         assert_eq!(length("2e-15"), number("2e-15"));
+    }
+
+    /// Quarter turns that lack digits are quarter turns, which is told unless it is asked for. So is noise that is large.
+    #[test]
+    fn digits_that_a_quarter_turn_lacks_are_told() {
+        let told = |within: f64, text: &str| {
+            let mut rounding = Rounding::new(within);
+            let angle = rounding.angle(number(text));
+            (angle, rounding.rounded.note("").is_some())
+        };
+        for (text, count, is_told) in [
+            ("1.57079632679", 1, true),
+            ("-3.14159265359", -2, true),
+            ("1.570796327", 1, true),
+            ("6.28318530718", 4, true),
+            ("1.5707963267948966", 1, false),
+            ("3.14159265358979", 2, false),
+            ("4e-13", 0, true),
+            ("4e-16", 0, false),
+        ] {
+            assert_eq!(told(0.0, text), (quarters(count), is_told), "{text}");
+            assert_eq!(told(1e-9, text), (quarters(count), false), "{text}");
+        }
+        assert_eq!(told(0.0, "1.57"), (Value::Rational(number("1.57")), false));
+        let five = "7.85398163397";
+        assert_eq!(told(0.0, five), (Value::Rational(number(five)), false));
     }
 
     #[test]
