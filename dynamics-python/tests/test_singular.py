@@ -53,3 +53,15 @@ def test_the_error_is_pickled(arm: rd.Robot) -> None:
     error = rd.SingularMassMatrix((1, 2), "turn", "singular")
     copy = pickle.loads(pickle.dumps(error))
     assert (copy.index, copy.joint, str(copy)) == (error.index, error.joint, str(error))
+
+
+@pytest.mark.parametrize("threads", [1, 2, 9])
+def test_the_first_of_all_is_told_on_many_threads(arm: rd.Robot, threads: int) -> None:
+    q, rest = np.ones((1000, 2)), np.zeros((1000, 2))
+    q[[300, 301, 700, 990]] = 0
+    for _ in range(20):
+        with pytest.raises(rd.SingularMassMatrix) as raised:
+            arm.forward_dynamics(q, rest, rest, threads=threads)
+        assert raised.value.index == (300,)
+    qdd = arm.forward_dynamics(q, rest, rest, threads=threads, on_singular="nan")
+    np.testing.assert_array_equal(np.isnan(qdd).any(axis=1).nonzero()[0], [300, 301, 700, 990])

@@ -132,14 +132,14 @@ impl<K: Stand> SizedTrajectory<K> {
             K::Joints::from_usize(names.len()).vector(),
         );
         let rest = K::Freedoms::from_usize(K::OF_BASE + names.len()).vector();
-        let moves = is_there(&1);
-        if moves && robot.sized_energies(K::place(&base, &q), &rest).is_some() {
+        let has_velocities = is_there(&1);
+        if has_velocities && robot.sized_energies(K::place(&base, &q), &rest).is_some() {
             header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
         }
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record(header)?;
         for (k, (t, place)) in self.t.iter().zip(self.places()).enumerate() {
-            let qd = self.qd.get(k).filter(|_| moves);
+            let qd = self.qd.get(k).filter(|_| has_velocities);
             let energies = qd.and_then(|qd| robot.sized_energies(place, qd));
             let (base, q) = K::parts(place);
             let base = base.map(Pose::entries);
