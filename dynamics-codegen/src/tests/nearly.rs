@@ -58,6 +58,12 @@ fn quarter_turns_of_some_digits_are_told_once() {
         told.contains("5e-12 rad") && told.contains("`round_angles: 1e-9` says"),
         "{told}"
     );
+    // `round_angles` is for the file.
+    let beside = of_file("urdf/panda.urdf", "base: { rpy: [0, 1.570796327, 0] }");
+    assert!(
+        beside.concat().contains("A multiple of `PI/2` says"),
+        "{beside:?}"
+    );
     let none: [String; 0] = [];
     assert_eq!(of_file("urdf/panda.urdf", ""), none);
     assert_eq!(of_file("urdf/ur5_robot.urdf", "round_angles: 1e-9"), none);

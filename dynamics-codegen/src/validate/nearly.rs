@@ -14,6 +14,7 @@ use dynamics_symbolic::robot::{Angle, Quantity, Robot, Value};
 use super::Model;
 use crate::description::Table;
 use crate::limits::MOST_LISTED;
+use crate::rounded::Rounded;
 
 /// Angles that differ so much from a quarter turn are near it, rad.
 const NEARLY: f64 = 1e-2;
@@ -21,11 +22,10 @@ const NEARLY: f64 = 1e-2;
 /// The notes on a model.
 pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
     let robot = &model.robot;
-    let is_of_urdf = robot.rows.iter().any(|row| row.mount.is_some());
-    let remedy = |within: f64| match is_of_urdf {
+    let remedy = |is_of_urdf: bool, within: f64| match is_of_urdf {
         // The power of ten above it.
         true => format!("`round_angles: 1e{:.0}`", within.log10().ceil()),
-        false => "`PI/2` in their place".to_owned(),
+        false => "A multiple of `PI/2`".to_owned(),
     };
     let mut rounded = table.rounded.clone();
     let mut nearly = Vec::new();
@@ -37,7 +37,8 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
         }
         angle.clone()
     });
-    let meant = format!("{} says that this is meant.", remedy(1e-9));
+    let is_of_file = table.rounded != Rounded::default();
+    let meant = format!("{} says that this is meant.", remedy(is_of_file, 1e-9));
     let mut notes: Vec<String> = rounded.note(&meant).into_iter().collect();
     let requests = model.requests.iter().map(|(request, _)| request);
     let is_asked = requests.into_iter().any(|of| of.is_about_base_parameters())
@@ -45,7 +46,8 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
     if is_asked && !nearly.is_empty() {
         notes.extend(hardly_apart(robot, nearly).map(|(counts, angles)| {
             let within = angles.iter().map(|near| near.apart);
-            let remedy = remedy(within.fold(0.0, f64::max));
+            let is_of_urdf = robot.rows.iter().any(|row| row.mount.is_some());
+            let remedy = remedy(is_of_urdf, within.fold(0.0, f64::max));
             told(counts, &angles, &remedy)
         }));
     }
