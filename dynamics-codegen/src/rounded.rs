@@ -1,7 +1,10 @@
-//! Decimals of angles that are taken as multiples of a quarter turn.
+//! Decimals of angles that are near multiples of a quarter turn, or are taken as such.
 
 /// Nothing is told of smaller differences, rad: two programs that agree differ by as much of their torques.
 const LEAST: f64 = 1e-14;
+
+/// Angles that differ so much from a quarter turn may be meant as one, rad.
+pub(crate) const NEARLY: f64 = 1e-2;
 
 /// How many decimals were taken as multiples of a quarter turn, and the one that was furthest from its multiple.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -14,10 +14,7 @@ use dynamics_symbolic::robot::{Angle, Quantity, Robot, Value};
 use super::Model;
 use crate::description::Table;
 use crate::limits::MOST_LISTED;
-use crate::rounded::Rounded;
-
-/// Angles that differ so much from a quarter turn are near it, rad.
-const NEARLY: f64 = 1e-2;
+use crate::rounded::{NEARLY, Rounded};
 
 /// The notes on a model.
 pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {

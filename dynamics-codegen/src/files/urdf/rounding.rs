@@ -6,7 +6,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Angle, Value};
 
 use crate::geometry::Vector;
-use crate::rounded::Rounded;
+use crate::rounded::{NEARLY, Rounded};
 
 /// Angles up to so much, rad, are zero, and so are parts of an axis up to so much of its largest one:
 /// doubles that were computed have such noise.
@@ -17,9 +17,6 @@ const NO_LENGTH: f64 = 1e-15;
 
 /// Beyond so many quarter turns an angle is judged as it is written.
 const MOST_QUARTERS: f64 = 4.0;
-
-/// Angles that differ so much from a quarter turn may be meant as one, rad.
-const NEARLY: f64 = 1e-2;
 
 /// Which numbers are taken as others, and how many were.
 #[derive(Default)]
