@@ -29,24 +29,24 @@ pub fn inverse_kinematics(
     };
     let [pose, solutions, is_singular] = ["pose", "solutions", "is_singular"].map(ident);
     let constants = constants_like(&quote!(#pose.data.0[0][0]), path);
-    let inputs = method.inputs();
+    let (inputs, steps) = (method.inputs(), method.from(0));
     let turns = turning(robot);
-    let steps = method.from(0);
-    let steps = match plan.target {
-        Target::Position => steps,
-        _ => quote! {
-            if #path::closed_form::is_pose(#pose) {
-                #steps
-            }
-        },
-    };
+    let reads_rotation = plan.target != Target::Position;
+    let elbow = (plan.target == Target::PoseAndElbow).then(|| {
+        let elbow = ident("elbow");
+        quote!(.filter(|_| #path::closed_form::Real::is_finite(#elbow)))
+    });
+    let nearest = ident("nearest");
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
         let #is_singular = false;
-        #constants
-        #inputs
-        #steps
-        #solutions.solutions([#(#turns),*])
+        let #nearest = #path::closed_form::nearest_pose(#pose, #reads_rotation)#elbow;
+        if let ::core::option::Option::Some(#pose) = &#nearest {
+            #constants
+            #inputs
+            #steps
+        }
+        #solutions.solutions([#(#turns),*], #nearest.is_some())
     };
     let documentation = documentation(frame, plan);
     method_of(
@@ -147,9 +147,9 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
         format!(
             " Each solution has been proven to lead to the pose. Equations of one joint each, whose coefficients take {count} \
              multiplications and additions. How many a call takes depends on the branches in reach, so that `OPERATIONS` has no \
-             entry for it. An angle that the pose leaves free is zero: there is no solution if the arm reaches the pose with \
-             other angles alone. There is none either if a number is not finite that is read of the pose. Never panics, never \
-             allocates."
+             entry for it. An angle that the pose leaves free is the one nearest to zero with which the arm reaches it. A rotation \
+             that is one to 1e-3 is taken as the nearest one. There is no solution if a number is not finite that is read of the \
+             pose. Never panics, never allocates."
         ),
     ]
 }
@@ -245,13 +245,36 @@ impl Method<'_> {
                 let (found, on_circle) = (self.found(joint), ident("on_circle"));
                 let bound = |of| self.bound(current, of);
                 let [of_found, of_circle] = [&found, &on_circle].map(bound);
+                let solutions = ident("solutions");
+                let has_family = self.plan.has_family(step);
+                let family = |first: TokenStream, rest: TokenStream| {
+                    let family = ident(&format!("family_{}", joint + 1));
+                    quote! {
+                        let mut #family = #path::closed_form::Family::new(#first);
+                        while let ::core::option::Option::Some([#found, #on_circle]) = #family.next(&mut #solutions) {
+                            #of_circle #rest
+                        }
+                    }
+                };
                 match rule {
+                    Rule::Turn if has_family => {
+                        let all = family(value, rest);
+                        quote!(#lines #all)
+                    }
                     Rule::Turn => {
                         quote!(#lines let [#found, #on_circle] = #value; #of_circle #rest)
                     }
                     Rule::Slide => quote!(#lines let #found = #value; #of_found #rest),
                     Rule::Turns | Rule::Slides => {
-                        quote!(#lines for #found in #value { #of_found #rest })
+                        let value = match self.plan.is_noted(step) {
+                            true => quote!(#solutions.noted(#value)),
+                            false => value,
+                        };
+                        let each = match has_family {
+                            true => family(quote!([#found; 2]), rest),
+                            false => quote!(#of_found #rest),
+                        };
+                        quote!(#lines for #found in #value { #each })
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! The way from the pose of a frame to the positions of the joints.
 
 use crate::function::Argument;
-use crate::program::{Program, Proven};
+use crate::program::{Operand, Program, Proven};
 use crate::robot::Symbol;
 use core::ops::Range;
 
@@ -131,6 +131,58 @@ impl Plan {
         let before = self.steps[..step].iter();
         let first = before.map(|step| step.coefficients()).sum();
         first..first + self.steps[step].coefficients()
+    }
+
+    /// Whether the equation of a step may have no solution at a pose that is in reach of other positions of joints before it.
+    /// Without a size its discriminant is a square.
+    fn may_fail(&self, step: usize) -> bool {
+        let has_two = self.steps[step].solutions() == 2;
+        let size = self.outputs_of(step).end - 1;
+        let constants = self.program.rounded_constants();
+        let is_zero = match self.program.outputs[size].operand {
+            Operand::Constant(id) => constants[id.index()] == 0.0,
+            Operand::Input(_) | Operand::Result(_) => false,
+        };
+        has_two && !is_zero
+    }
+
+    /// Whether a family before a step asks how far its equation is from having a solution.
+    pub(crate) fn is_noted(&self, step: usize) -> bool {
+        self.may_fail(step) && (0..step).any(|earlier| self.has_family(earlier))
+    }
+
+    /// Whether other positions of a joint, where a pose leaves it free, may decide if the equation of a later one has a
+    /// solution: that of a step reads it.
+    pub(crate) fn has_family(&self, step: usize) -> bool {
+        let turns = matches!(self.steps[step], Step::Joint(_, Rule::Turn | Rule::Turns));
+        let later = step + 1..self.steps.len();
+        turns
+            && later
+                .filter(|&k| self.may_fail(k))
+                .any(|k| self.reads(k, step))
+    }
+
+    /// Whether the coefficients of a step read the solution of an earlier one.
+    fn reads(&self, step: usize, earlier: usize) -> bool {
+        let outputs = self.program.outputs[self.outputs_of(step)].iter();
+        let mut stack: Vec<Operand> = outputs.map(|output| output.operand).collect();
+        let mut seen = vec![false; self.program.instructions.len()];
+        while let Some(operand) = stack.pop() {
+            match operand {
+                Operand::Input(k) => {
+                    let symbol = &self.program.inputs[k as usize];
+                    if self.steps[earlier].part(symbol).is_some() {
+                        return true;
+                    }
+                }
+                Operand::Result(k) if !seen[k as usize] => {
+                    seen[k as usize] = true;
+                    stack.extend(self.program.instructions[k as usize].operands());
+                }
+                Operand::Result(_) | Operand::Constant(_) => {}
+            }
+        }
+        false
     }
 
     /// The inputs of the program that are parts of a step's solution, by their indices, each with the name of that part.
