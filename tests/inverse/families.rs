@@ -135,3 +135,31 @@ fn joints_without_digits_are_marked() {
     let solutions = Upright.inverse_kinematics(&Upright.pose(&q));
     assert!(solutions.iter().all(|solution| !solution.is_singular));
 }
+
+/// Numbers of a line.
+fn numbers(line: &str) -> Vec<f64> {
+    let words = line.split_whitespace();
+    words.map(|word| word.parse().expect("a number")).collect()
+}
+
+/// The solutions of singular poses of a UR3e: C and JavaScript are compared with the same file.
+#[test]
+fn singular_poses_have_the_solutions_of_the_file() {
+    let mut lines = include_str!("../data/closed_forms.txt").lines();
+    let mut found = String::new();
+    while let Some(line) = lines.find(|line| !line.starts_with('#')) {
+        let degrees = numbers(line);
+        let q = SVector::from_fn(|i, _| degrees[i].to_radians());
+        let solutions = Ur3e.inverse_kinematics(&Ur3e.pose(&q));
+        found += &format!("{line}\n");
+        for Solution { q, is_singular } in &solutions {
+            let angles: Vec<_> = q.iter().map(|angle| format!("{angle:.6}")).collect();
+            found += &format!("# {} {}\n", angles.join(" "), u8::from(*is_singular));
+            let expected = lines.next().expect("a solution").trim_start_matches('#');
+            let expected = numbers(expected);
+            let listed = SVector::from_fn(|i, _| expected[i]);
+            assert!(apart(q, &listed) < 2e-6, "{found}");
+            assert_eq!(f64::from(u8::from(*is_singular)), expected[6], "{found}");
+        }
+    }
+}

@@ -22,7 +22,7 @@ pub struct Found<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Roots<T> {
     both: [Found<T>; 2],
-    count: usize,
+    pub(super) count: usize,
     /// How far an equation without a solution is from having one, at most 0.
     pub(super) miss: T,
 }

@@ -89,7 +89,7 @@ impl<T: Real, const N: usize> Branches<T, N> {
     /// Roots as they are; if there is none, it is noted how far the equation is from having one.
     #[inline]
     pub fn noted(&mut self, roots: Roots<T>) -> Roots<T> {
-        if roots.miss < T::from_f64(0.0) && roots.miss > self.miss {
+        if roots.count == 0 && roots.miss > self.miss {
             self.miss = roots.miss;
         }
         roots
