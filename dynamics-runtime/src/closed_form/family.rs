@@ -5,30 +5,26 @@
 //! the equations fail least, three tries enclose a maximum, which is narrowed. From a try that is solved the way back to the
 //! first one that is solved is halved. No expression of the arm is read, so that this serves every class.
 
-use super::roots::roundings;
+use super::roots::{NO_TRY, roundings};
 use super::{Branches, Found, Real};
 
 /// Tries on either side.
 const GRID: i32 = 32;
 /// Tries that narrow or halve: the angle is then known to its last digits.
 const ROUNDS: u32 = 60;
-/// An equation that misses a root by more than so many slacks has none within the slack.
-const STEEP: f64 = 8.0;
 
 /// A try: its distance from what was found, and how nearly the equations were solved, at most 0.
 type Try<T> = (T, T);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Phase {
-    /// Before what was found is tried, and behind that.
-    Found,
-    Tried,
     /// On the grid; between the tries beside the best; between one that is solved and one nearer that is not.
     Grid,
     Narrow(u32),
     Halve(u32),
     /// The nearest that is solved is tried again, and its solutions stay.
     Last,
+    Over,
 }
 
 /// The positions of one joint that are to be tried, one after the other.
@@ -36,9 +32,19 @@ enum Phase {
 #[derive(Clone, Copy, Debug)]
 pub struct Family<T> {
     found: [Found<T>; 2],
+    /// How many solutions there were before what was found is tried.
+    before: Option<usize>,
+    /// How nearly equations were solved before.
+    outer: T,
+    search: Option<Search<T>>,
+}
+
+/// The search for another position.
+#[derive(Clone, Copy, Debug)]
+struct Search<T> {
     phase: Phase,
-    /// How many solutions there were before.
-    before: usize,
+    /// The distance of two tries on the grid.
+    step: T,
     /// 1 or -1, and the number of the try on this side.
     side: T,
     number: i32,
@@ -50,20 +56,82 @@ pub struct Family<T> {
     at: T,
     /// The distance of the nearest that is solved, and its side.
     nearest: Option<(T, T)>,
-    /// How nearly the best was solved, here and before.
+    /// How nearly the best was solved.
     best: T,
-    outer: T,
 }
 
 impl<T: Real> Family<T> {
     /// The family of a joint, as it was found and on the unit circle.
-    #[inline]
     pub fn new(found: [Found<T>; 2]) -> Self {
-        let zero = T::from_f64(0.0);
         Family {
             found,
-            phase: Phase::Found,
-            before: 0,
+            before: None,
+            outer: T::from_f64(0.0),
+            search: None,
+        }
+    }
+
+    /// The next position to be tried, behind whose tries `solutions` has what they found. Solutions of all but the last are
+    /// taken away again.
+    pub fn next<const N: usize>(
+        &mut self,
+        solutions: &mut Branches<T, N>,
+    ) -> Option<[Found<T>; 2]> {
+        let Some(before) = self.before else {
+            self.before = Some(solutions.count);
+            self.outer = core::mem::replace(&mut solutions.miss, T::from_f64(NO_TRY));
+            return Some(self.found);
+        };
+        let is_solved = solutions.count > before;
+        if self.search.is_none() && (is_solved || !self.found[0].may_solve(solutions.miss)) {
+            solutions.miss = largest(solutions.miss, self.outer);
+            return None;
+        }
+        self.searched(before, solutions)
+    }
+
+    /// Reads what the last try has found, and chooses the next one, if there is one.
+    fn searched<const N: usize>(
+        &mut self,
+        before: usize,
+        solutions: &mut Branches<T, N>,
+    ) -> Option<[Found<T>; 2]> {
+        let miss = core::mem::replace(&mut solutions.miss, T::from_f64(NO_TRY));
+        let is_solved = solutions.count > before;
+        let search = match &mut self.search {
+            None => self.search.insert(Search::new(&self.found[0], miss)),
+            Some(search) => {
+                search.best = largest(miss, search.best);
+                if search.phase == Phase::Last {
+                    search.phase = Phase::Over;
+                } else {
+                    solutions.count = before;
+                    search.judge((search.at, miss), is_solved);
+                }
+                search
+            }
+        };
+        if search.phase == Phase::Over {
+            solutions.miss = largest(search.best, self.outer);
+            return None;
+        }
+        Some([self.found[1].turned(search.at * search.side); 2])
+    }
+}
+
+fn largest<T: Real>(a: T, b: T) -> T {
+    if a > b { a } else { b }
+}
+
+impl<T: Real> Search<T> {
+    /// Around what was found, within half the range of positions that lead to the pose.
+    fn new(found: &Found<T>, miss: T) -> Self {
+        let (zero, half_turn) = (T::from_f64(0.0), T::from_f64(core::f64::consts::PI));
+        let slack = roundings((found.size / found.length).sqrt());
+        let slack = if slack < half_turn { slack } else { half_turn };
+        let mut search = Search {
+            phase: Phase::Grid,
+            step: slack * T::from_f64(1.0 / f64::from(GRID)),
             side: T::from_f64(1.0),
             number: -1,
             grid: [(zero, zero); 3],
@@ -71,69 +139,15 @@ impl<T: Real> Family<T> {
             ends: [zero; 2],
             at: zero,
             nearest: None,
-            best: T::from_f64(Branches::<T, 0>::NO_TRY),
-            outer: zero,
-        }
-    }
-
-    /// The next position to be tried, behind whose tries `solutions` has what they found. Solutions of all but the last are
-    /// taken away again.
-    #[inline]
-    pub fn next<const N: usize>(
-        &mut self,
-        solutions: &mut Branches<T, N>,
-    ) -> Option<[Found<T>; 2]> {
-        let no_try = T::from_f64(Branches::<T, N>::NO_TRY);
-        if self.phase == Phase::Found {
-            (self.phase, self.before) = (Phase::Tried, solutions.count);
-            self.outer = core::mem::replace(&mut solutions.miss, no_try);
-            return Some(self.found);
-        }
-        let is_done = self.phase == Phase::Tried
-            && (solutions.count > self.before || self.is_far(solutions.miss));
-        let miss = core::mem::replace(&mut solutions.miss, no_try);
-        self.best = if miss > self.best { miss } else { self.best };
-        if is_done || !self.is_continued(miss, solutions) {
-            let is_better = self.best > self.outer;
-            solutions.miss = if is_better { self.best } else { self.outer };
-            return None;
-        }
-        Some([self.found[1].turned(self.at * self.side); 2])
-    }
-
-    /// Whether no position within the slack has a solution, if the one that was found has none.
-    #[inline]
-    fn is_far(&self, miss: T) -> bool {
-        let steep = roundings(T::from_f64(STEEP));
-        let is_near = miss * miss * self.found[0].length <= steep * steep * self.found[0].size;
-        !is_near || miss <= T::from_f64(Branches::<T, 0>::NO_TRY)
-    }
-
-    /// Half the range of positions that lead to the pose.
-    fn slack(&self) -> T {
-        let half_turn = T::from_f64(core::f64::consts::PI);
-        let Found { length, size, .. } = self.found[0];
-        let slack = roundings((size / length).sqrt());
-        if slack < half_turn { slack } else { half_turn }
-    }
-
-    /// Reads what the last try has found, and chooses the next one, if there is one.
-    #[cold]
-    #[inline(never)]
-    fn is_continued<const N: usize>(&mut self, miss: T, solutions: &mut Branches<T, N>) -> bool {
-        if self.phase == Phase::Last {
-            return false;
-        }
-        let is_solved = solutions.count > self.before;
-        solutions.count = self.before;
-        self.judge((self.at, miss), is_solved);
-        self.phase != Phase::Tried
+            best: miss,
+        };
+        search.choose();
+        search
     }
 
     /// Takes in a try.
     fn judge(&mut self, (at, miss): Try<T>, is_solved: bool) {
         match self.phase {
-            Phase::Tried => (self.phase, self.number) = (Phase::Grid, -1),
             Phase::Grid if is_solved && self.number > 0 => self.halve(self.grid[2].0, at),
             Phase::Grid => {
                 // On the other side of what was found: its own turn comes.
@@ -170,7 +184,7 @@ impl<T: Real> Family<T> {
                 self.ends[usize::from(is_solved)] = at;
                 self.phase = Phase::Halve(rounds - 1);
             }
-            Phase::Found | Phase::Last => {}
+            Phase::Last | Phase::Over => {}
         }
         self.choose();
     }
@@ -197,17 +211,14 @@ impl<T: Real> Family<T> {
                 self.turn_round();
             }
             Phase::Grid if self.number > GRID => self.turn_round(),
-            Phase::Grid => {
-                let step = self.slack() * T::from_f64(1.0 / f64::from(GRID));
-                self.at = step * T::from_f64(f64::from(self.number));
-            }
+            Phase::Grid => self.at = self.step * T::from_f64(f64::from(self.number)),
             Phase::Narrow(_) => {
                 let [(before, _), (middle, _), (behind, _)] = self.around;
                 let is_before = middle - before > behind - middle;
                 self.at = half * (middle + if is_before { before } else { behind });
             }
             Phase::Halve(_) => self.at = half * (self.ends[0] + self.ends[1]),
-            Phase::Found | Phase::Tried | Phase::Last => {}
+            Phase::Last | Phase::Over => {}
         }
     }
 
@@ -218,7 +229,7 @@ impl<T: Real> Family<T> {
             self.choose();
             return;
         }
-        self.phase = Phase::Tried;
+        self.phase = Phase::Over;
         if let Some(nearest) = self.nearest {
             (self.at, self.side) = nearest;
             self.phase = Phase::Last;

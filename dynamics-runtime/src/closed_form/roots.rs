@@ -40,6 +40,12 @@ impl<T> IntoIterator for Roots<T> {
 /// Numbers below this part of those that they are differences of may be nothing but rounding.
 const ROUNDINGS: f64 = 16.0;
 
+/// An equation that misses a root by more than so many slacks of a joint has none within the slack.
+const STEEP: f64 = 8.0;
+
+/// Farther away than any equation is from having a solution.
+pub(super) const NO_TRY: f64 = -1e30;
+
 #[inline]
 pub(super) fn roundings<T: Real>(size: T) -> T {
     T::from_f64(ROUNDINGS) * T::epsilon() * size
@@ -70,6 +76,13 @@ impl<T: Real> Found<T> {
             size,
             ..self
         }
+    }
+
+    /// Whether another position, within the slack of this one, may solve an equation that misses a root by so much.
+    #[inline]
+    pub(super) fn may_solve(&self, miss: T) -> bool {
+        let steep = roundings(T::from_f64(STEEP));
+        miss * miss * self.length <= steep * steep * self.size && miss > T::from_f64(NO_TRY)
     }
 
     /// This turn, on the unit circle, and another one after it, of which it is not told apart.

@@ -5,6 +5,7 @@ use core::ops::Deref;
 use nalgebra::SVector;
 
 use super::angle::angles;
+use super::roots::NO_TRY;
 use super::{Found, Real, Roots};
 
 /// The most solutions of an arm that has a closed form.
@@ -66,6 +67,7 @@ pub struct Branches<T: Real, const N: usize> {
     pub(super) count: usize,
     /// How far the best equation without a solution is from having one, at most 0.
     pub(super) miss: T,
+    is_loose: bool,
 }
 
 impl<T: Real, const N: usize> Default for Branches<T, N> {
@@ -77,14 +79,27 @@ impl<T: Real, const N: usize> Default for Branches<T, N> {
             cosines: zeros,
             are_singular: [false; MOST],
             count: 0,
-            miss: T::from_f64(Self::NO_TRY),
+            miss: T::from_f64(NO_TRY),
+            is_loose: false,
         }
     }
 }
 
 impl<T: Real, const N: usize> Branches<T, N> {
-    /// Farther away than any equation is.
-    pub(super) const NO_TRY: f64 = -1e30;
+    /// Roots as they are; if there is none, it is noted whether other positions of joints before might have some.
+    #[inline]
+    pub fn asked(&mut self, roots: Roots<T>, before: &[&Found<T>]) -> Roots<T> {
+        if roots.count == 0 {
+            self.is_loose |= before.iter().any(|found| found.may_solve(roots.miss));
+        }
+        roots
+    }
+
+    /// Whether other positions of joints might have more solutions.
+    #[inline]
+    pub fn is_loose(&self) -> bool {
+        self.is_loose
+    }
 
     /// Roots as they are; if there is none, it is noted how far the equation is from having one.
     #[inline]

@@ -146,20 +146,28 @@ impl Plan {
         has_two && !is_zero
     }
 
-    /// Whether a family before a step asks how far its equation is from having a solution.
-    pub(crate) fn is_noted(&self, step: usize) -> bool {
-        self.may_fail(step) && (0..step).any(|earlier| self.has_family(earlier))
+    /// The joints whose families ask how far the equation of a step is from having a solution.
+    pub(crate) fn families_before(&self, step: usize) -> Vec<usize> {
+        let earlier = self.steps[..step].iter().enumerate();
+        let joints = earlier.filter_map(|(k, step)| match step {
+            Step::Joint(joint, _) if self.has_family(k) => Some(*joint),
+            _ => None,
+        });
+        let fails = self.may_fail(step);
+        joints.filter(|_| fails).collect()
     }
 
     /// Whether other positions of a joint, where a pose leaves it free, may decide if the equation of a later one has a
     /// solution: that of a step reads it.
     pub(crate) fn has_family(&self, step: usize) -> bool {
         let turns = matches!(self.steps[step], Step::Joint(_, Rule::Turn | Rule::Turns));
-        let later = step + 1..self.steps.len();
-        turns
-            && later
-                .filter(|&k| self.may_fail(k))
-                .any(|k| self.reads(k, step))
+        let mut later = step + 1..self.steps.len();
+        turns && later.any(|k| self.may_fail(k) && self.reads(k, step))
+    }
+
+    /// Whether any joint has a family.
+    pub(crate) fn has_families(&self) -> bool {
+        (0..self.steps.len()).any(|step| self.has_family(step))
     }
 
     /// Whether the coefficients of a step read the solution of an earlier one.

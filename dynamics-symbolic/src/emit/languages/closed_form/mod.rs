@@ -67,7 +67,7 @@ fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
     let [before, behind] = words.turning;
     let turning = format!("{before}{}{behind}", turning.join(", "));
     let mut statements = vec![turning, words.begin.to_owned()];
-    if (0..plan.steps.len()).any(|step| plan.has_family(step)) {
+    if plan.has_families() {
         statements.push(words.begin_tries.to_owned());
     }
     let elbow = (plan.target == Target::PoseAndElbow).then_some("elbow");
@@ -155,9 +155,9 @@ impl Writer<'_> {
                     push(bound);
                     return self.from(step + 1, singular, depth, text);
                 }
-                let call = match self.plan.is_noted(step) {
-                    true => (self.words.noted)(&call),
-                    false => call,
+                let call = match self.plan.families_before(step)[..] {
+                    [] => call,
+                    _ => (self.words.noted)(&call),
                 };
                 if has_family && !is_single {
                     // A loop over roots, and over the family of each.
