@@ -76,7 +76,7 @@ fn check_all<const N: usize, A: Inverse<N>>(arm: &A) {
         let mut random = Random(31);
         (0..2000).map(move |_| random.joints())
     };
-    let (double, single) = ([1e-12, 1e-7], [4e-6, 1e-2]);
+    let (double, single) = ([1e-13, 1e-7], [4e-6, 1e-2]);
     check::<f64, N, A>(arm, random(), double);
     check::<f32, N, A>(arm, random(), single);
     for angles in OF_ARMS {

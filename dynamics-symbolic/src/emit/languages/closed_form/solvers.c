@@ -38,27 +38,30 @@ static inline found turn(double cosine, double sine, double length, double size)
 
 static inline found slide(double position) { return turned(position, 0, 0, 0, 1); }
 
+/* The length of a double root: a step d from a root changes a cos q + b sin q by root d + radius d^2 / 2. */
+static inline double length_of(double square, double size) { return 0.5 * roundings(sqrt(square * size)); }
+
 /* a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as size; the discriminant is
-   a^2 + b^2 - c^2. A step d from a root changes the left side by root d + radius d^2 / 2. */
+   a^2 + b^2 - c^2. */
 static inline roots turns(double a, double b, double c, double discriminant, double size)
 {
     const double square = a * a + b * b, least = roundings(1);
     const found any = turned(0, 1, 1, 0, 1);
     roots all = {{any, any}, 0, 0};
     size += square;
-    const double length = 0.5 * roundings(sqrt(square * size));
     if (square <= least * least * size) {
         all.count = c * c <= least * least * size && isfinite(size);
         all.miss = -(c * c / size);
     } else if (discriminant > least * least * square) {
-        const double root = sqrt(discriminant), scale = 1 / square, known = fmax(discriminant, length);
+        const double root = sqrt(discriminant), scale = 1 / square;
         const int is_singular = 4 * discriminant <= APART * APART * square || square <= APART * APART * size;
+        const double known = is_singular ? fmax(discriminant, length_of(square, size)) : discriminant;
         all.both[0] = turned((b * c + a * root) * scale, (a * c - b * root) * scale, is_singular, known, size);
         all.both[1] = turned((b * c - a * root) * scale, (a * c + b * root) * scale, is_singular, known, size);
         all.count = 2;
     } else {
         const double scale = c < 0 ? -sqrt(square) : sqrt(square);
-        all.both[0] = turned(b / scale, a / scale, 1, length, size);
+        all.both[0] = turned(b / scale, a / scale, 1, length_of(square, size), size);
         all.count = discriminant >= -roundings(size) && isfinite(size);
         all.miss = discriminant / size;
     }
@@ -106,14 +109,14 @@ static inline roots noted(roots all, double *miss)
    equations fail least, three tries enclose a maximum, which is narrowed. From a try that is solved the way back to the first one
    that is solved is halved. */
 enum { GRID_SIZE = 32, ROUNDS = 60 };
-typedef enum { AS_FOUND, TRIED, GRID, NARROW, HALVE, LAST } phase_of;
+typedef enum { AS_FOUND, TRIED, GRID, NARROW, HALVE, LAST, OVER } phase_of;
 typedef struct { double at, miss; } try_of;
 typedef struct {
     found joint, first;
     phase_of phase;
     /* How many solutions there were; the number of the try on this side; rounds that are left. */
     int before, number, rounds;
-    double side, at;
+    double side, step, at;
     try_of grid[3], around[3];
     /* The end that is not solved, and the one that is; the nearest that is solved, with its sign. */
     double ends[2], nearest;
@@ -121,9 +124,12 @@ typedef struct {
     double best, outer;
 } family;
 
+/* A search sets what else there is. */
 static inline family family_of(found joint)
 {
-    const family one = {joint, joint, AS_FOUND, 0, -1, 0, 1, 0, {{0, 0}}, {{0, 0}}, {0, 0}, HUGE_VAL, NO_TRY, NO_TRY};
+    family one;
+    one.joint = one.first = joint;
+    one.phase = AS_FOUND;
     return one;
 }
 
@@ -194,7 +200,7 @@ static inline void turn_round(family *one)
         one->number = -1;
         one->phase = GRID;
     } else {
-        one->phase = isfinite(one->nearest) ? LAST : TRIED;
+        one->phase = isfinite(one->nearest) ? LAST : OVER;
         one->side = 1;
         one->at = one->nearest;
     }
@@ -203,14 +209,13 @@ static inline void turn_round(family *one)
 /* Chooses the place of the next try. */
 static inline void choose(family *one)
 {
-    const double slack = fmin(roundings(sqrt(one->first.size / one->first.length)), HALF_TURN);
     if (one->phase == HALVE && one->rounds == 0) {
         if (fabs(one->ends[1]) < fabs(one->nearest)) one->nearest = one->ends[1] * one->side;
         turn_round(one);
     } else if (one->phase == GRID && one->number > GRID_SIZE) {
         turn_round(one);
     }
-    if (one->phase == GRID) one->at = slack * one->number / GRID_SIZE;
+    if (one->phase == GRID) one->at = one->step * one->number;
     if (one->phase == HALVE) one->at = 0.5 * (one->ends[0] + one->ends[1]);
     if (one->phase == NARROW) {
         const try_of *around = one->around;
@@ -219,11 +224,37 @@ static inline void choose(family *one)
     }
 }
 
+/* Begins the search, within half the range of positions that lead to the pose. */
+static inline void begin(family *one, double miss)
+{
+    const try_of none = {0, 0};
+    for (int i = 0; i < 3; ++i) one->grid[i] = one->around[i] = none;
+    one->step = fmin(roundings(sqrt(one->first.size / one->first.length)), HALF_TURN) / GRID_SIZE;
+    one->phase = GRID;
+    one->number = -1;
+    one->side = 1;
+    one->nearest = HUGE_VAL;
+    one->best = miss;
+    choose(one);
+}
+
+/* Reads what the last try has found, and chooses the next one. */
+static inline void search(family *one, double miss, int is_solved)
+{
+    one->best = fmax(one->best, miss);
+    if (one->phase == GRID) on_grid(one, miss, is_solved);
+    else if (one->phase == NARROW) in_between(one, miss, is_solved);
+    else {
+        one->ends[is_solved] = one->at;
+        --one->rounds;
+    }
+    choose(one);
+}
+
 /* The next position to be tried, if there is one, as the joint. Behind a try count and miss say what was found; solutions of all
    but the last are taken away again. */
 static inline int next(family *one, int *count, double *miss)
 {
-    const int is_solved = *count > one->before;
     const double here = *miss;
     *miss = NO_TRY;
     if (one->phase == AS_FOUND) {
@@ -232,21 +263,18 @@ static inline int next(family *one, int *count, double *miss)
         one->outer = here;
         return 1;
     }
-    one->best = fmax(one->best, here);
-    if (one->phase == LAST || (one->phase == TRIED && (is_solved || is_far(one, here)))) {
-        *miss = fmax(one->best, one->outer);
+    const int is_solved = *count > one->before;
+    if (one->phase == TRIED && (is_solved || is_far(one, here))) {
+        *miss = fmax(here, one->outer);
         return 0;
     }
-    *count = one->before;
-    if (one->phase == TRIED) one->phase = GRID;
-    else if (one->phase == GRID) on_grid(one, here, is_solved);
-    else if (one->phase == NARROW) in_between(one, here, is_solved);
+    if (one->phase == TRIED) begin(one, here);
+    else if (one->phase == LAST) one->phase = OVER;
     else {
-        one->ends[is_solved] = one->at;
-        --one->rounds;
+        *count = one->before;
+        search(one, here, is_solved);
     }
-    choose(one);
-    if (one->phase == TRIED) {
+    if (one->phase == OVER) {
         *miss = fmax(one->best, one->outer);
         return 0;
     }
@@ -256,17 +284,19 @@ static inline int next(family *one, int *count, double *miss)
     return 1;
 }
 
-/* Writes R'R - 1 and returns whether it vanishes to a bound. */
-static inline int is_orthogonal(const double pose[4][4], double miss[3][3], double bound)
+/* Writes R'R - 1 and returns 1 if R is nearly orthogonal, 2 if it is but for rounding, else 0. */
+static inline int orthogonal(const double pose[4][4], double miss[3][3])
 {
-    int is_one = 1;
+    int is_nearly = 1, is_exact = 1;
     for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            miss[i][j] = pose[0][i] * pose[0][j] + pose[1][i] * pose[1][j] + pose[2][i] * pose[2][j] - (i == j);
-            is_one = is_one && fabs(miss[i][j]) <= bound;
+        for (int j = 0; j <= i; ++j) {
+            const double m = pose[0][i] * pose[0][j] + pose[1][i] * pose[1][j] + pose[2][i] * pose[2][j] - (i == j);
+            miss[i][j] = miss[j][i] = m;
+            is_nearly = is_nearly && fabs(m) <= ROTATION;
+            is_exact = is_exact && fabs(m) <= roundings(4);
         }
     }
-    return is_one;
+    return is_nearly + is_exact;
 }
 
 /* Copies a pose and returns whether it is one: its position is finite and, where more is read, its last row 0, 0, 0, 1, which a
@@ -282,8 +312,9 @@ static inline int nearest_pose(const double pose[4][4], int reads_rotation, doub
     for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
         volume += pose[i][0] * (pose[j][1] * pose[k][2] - pose[k][1] * pose[j][2]);
     }
-    if (!(is_one && volume > 0 && is_orthogonal(pose, miss, ROTATION))) return 0;
-    for (int rounds = 0; rounds < 3 && !is_orthogonal((const double(*)[4])at, miss, roundings(4)); ++rounds) {
+    int how = orthogonal(pose, miss);
+    if (!(is_one && volume > 0 && how)) return 0;
+    for (int rounds = 0; rounds < 3 && how < 2; ++rounds, how = orthogonal((const double(*)[4])at, miss)) {
         for (int i = 0; i < 3; ++i) {
             const double row[3] = {at[i][0], at[i][1], at[i][2]};
             for (int j = 0; j < 3; ++j) {
