@@ -176,7 +176,7 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
 ///
 /// If both are equally inclined to the axis, y_z = s x_z = m, they are one direction where its angle vanishes, and the discriminant
 /// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. 1 - s w has its digits from the
-/// cross product: (1 - s w) (1 + s w) = |y x L x|^2.
+/// cross product: 2 (1 - s w) = |y x L x|^2 + (1 - s w)^2.
 fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let [y] = view.directions(0..t)[..] else {
         return None;
@@ -195,9 +195,12 @@ fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         (Some(across), zero)
     } else if (m[2] * m[2] - x[2] * x[2]).is_zero() {
         let is_same = (m[2] - x[2]).is_zero();
-        let beyond = one + if is_same { along } else { -along };
-        let twice = m[2] * m[2] + m[2] * m[2];
-        (Some(across / beyond * (beyond - twice)), one)
+        let toward = if is_same { along } else { -along };
+        let (apart, square) = (one - toward, m[2] * m[2]);
+        // Twice 1 - s w.
+        let twice = across + apart * apart;
+        let rest = (one + toward) / (one + one) - square;
+        (Some(twice * rest), one)
     } else {
         (None, one)
     };
