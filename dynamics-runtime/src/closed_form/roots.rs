@@ -114,8 +114,10 @@ pub fn turn<T: Real>(cosine: T, sine: T, _length: T, size: T) -> [Found<T>; 2] {
 #[inline]
 pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     let square = a * a + b * b;
-    let size = size + square;
     let least = roundings(T::from_f64(1.0));
+    // A discriminant that is nothing but rounding is none: later joints then see the same root as this one.
+    let noise = T::from_f64(0.0625) * least * least * size * square;
+    let size = size + square;
     if square <= least * least * size {
         // Both sides vanish, or none does.
         let is_some = c * c <= least * least * size && size.is_finite();
@@ -125,7 +127,7 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
             miss: -(c * c / size),
         };
     }
-    if discriminant > least * least * square {
+    if discriminant > least * least * square && discriminant * discriminant > noise {
         let (four, apart) = (T::from_f64(4.0), T::APART * T::APART);
         let is_singular = four * discriminant <= apart * square || square <= apart * size;
         let length = if is_singular {

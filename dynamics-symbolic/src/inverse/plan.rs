@@ -54,7 +54,7 @@ pub enum Rule {
     /// `size`, any angle will do.
     Turn,
     /// `a`, `b`, `c`, `discriminant`, `size`: a cos q + b sin q = c, with the discriminant a^2 + b^2 - c^2 in the form that keeps
-    /// most digits. `size` is as large as the squares of the numbers that c is the sum of, or zero.
+    /// most digits. `size` is as large as the numbers that the discriminant is the sum of, or zero if it is a square.
     Turns,
     /// `d`: the position itself.
     Slide,

@@ -200,7 +200,7 @@ fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         // Twice 1 - s w.
         let twice = across + apart * apart;
         let rest = (one + toward) / (one + one) - square;
-        (Some(twice * rest), one)
+        (Some(twice * rest), twice)
     } else {
         (None, one)
     };
@@ -297,10 +297,10 @@ fn by_distance<'g>(
     let [sum, difference] = [squares[0] + squares[1], squares[0] - squares[1]];
     let flat = found - rest;
     let discriminant = flat * (sum + sum - flat) - difference * difference;
-    let size = sum + rest + found;
+    let size = (found + rest) * (sum + sum + found) + difference * difference;
     let [a, b] = rotated(y, x).map(|x| x + x);
     let loses_digits = !rest.is_zero();
-    let equation = Equation::turns(view, t, [a, b, sum - flat], Some(discriminant), size * size)?;
+    let equation = Equation::turns(view, t, [a, b, sum - flat], Some(discriminant), size)?;
     Some(Equation {
         loses_digits,
         ..equation

@@ -46,13 +46,15 @@ static inline double length_of(double square, double size) { return 0.5 * roundi
 static inline roots turns(double a, double b, double c, double discriminant, double size)
 {
     const double square = a * a + b * b, least = roundings(1);
+    /* A discriminant that is nothing but rounding is none: later joints then see the same root as this one. */
+    const double noise = 0.0625 * least * least * size * square;
     const found any = turned(0, 1, 1, 0, 1);
     roots all = {{any, any}, 0, 0};
     size += square;
     if (square <= least * least * size) {
         all.count = c * c <= least * least * size && isfinite(size);
         all.miss = -(c * c / size);
-    } else if (discriminant > least * least * square) {
+    } else if (discriminant > least * least * square && discriminant * discriminant > noise) {
         const double root = sqrt(discriminant), scale = 1 / square;
         const int is_singular = 4 * discriminant <= APART * APART * square || square <= APART * APART * size;
         const double known = is_singular ? fmax(discriminant, length_of(square, size)) : discriminant;

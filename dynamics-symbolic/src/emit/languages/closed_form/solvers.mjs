@@ -35,12 +35,14 @@ const none = (miss) => Object.assign([], { miss });
  */
 function turns(a, b, c, discriminant, size) {
   const [square, least] = [a * a + b * b, roundings(1)];
+  // A discriminant that is nothing but rounding is none: later joints then see the same root as this one.
+  const noise = 0.0625 * least * least * size * square;
   size += square;
   const length = 0.5 * roundings(Math.sqrt(square * size));
   if (square <= least * least * size) {
     return c * c <= least * least * size && Number.isFinite(size) ? [turned(0, 1, true)] : none(-(c * c) / size);
   }
-  if (discriminant > least * least * square) {
+  if (discriminant > least * least * square && discriminant * discriminant > noise) {
     const [root, scale, known] = [Math.sqrt(discriminant), 1 / square, Math.max(discriminant, length)];
     const isSingular = 4 * discriminant <= APART * APART * square || square <= APART * APART * size;
     const one = (root) => turned((b * c + a * root) * scale, (a * c - b * root) * scale, isSingular, known, size);
