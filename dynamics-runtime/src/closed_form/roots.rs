@@ -116,7 +116,7 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     let square = a * a + b * b;
     let least = roundings(T::from_f64(1.0));
     // A discriminant that is nothing but rounding is none: later joints then see the same root as this one.
-    let noise = T::from_f64(0.0625) * least * least * size * square;
+    let noise = T::from_f64(0.25) * least * least * size * square;
     let size = size + square;
     if square <= least * least * size {
         // Both sides vanish, or none does.

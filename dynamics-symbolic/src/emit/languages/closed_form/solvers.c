@@ -47,7 +47,7 @@ static inline roots turns(double a, double b, double c, double discriminant, dou
 {
     const double square = a * a + b * b, least = roundings(1);
     /* A discriminant that is nothing but rounding is none: later joints then see the same root as this one. */
-    const double noise = 0.0625 * least * least * size * square;
+    const double noise = 0.25 * least * least * size * square;
     const found any = turned(0, 1, 1, 0, 1);
     roots all = {{any, any}, 0, 0};
     size += square;

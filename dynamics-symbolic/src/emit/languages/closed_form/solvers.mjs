@@ -36,7 +36,7 @@ const none = (miss) => Object.assign([], { miss });
 function turns(a, b, c, discriminant, size) {
   const [square, least] = [a * a + b * b, roundings(1)];
   // A discriminant that is nothing but rounding is none: later joints then see the same root as this one.
-  const noise = 0.0625 * least * least * size * square;
+  const noise = 0.25 * least * least * size * square;
   size += square;
   const length = 0.5 * roundings(Math.sqrt(square * size));
   if (square <= least * least * size) {
