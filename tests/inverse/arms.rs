@@ -258,6 +258,30 @@ arm! {
     ]
 }
 
+arm! {
+    /// A wrist that inclines the hand by 60 degrees at least.
+    Inclined, [
+        q1: revolute { a: -0.3 },
+        q2: revolute { d: -0.4, alpha: PI/2 },
+        q3: revolute { a: 0.3, d: 0.2, alpha: -PI/2 },
+        q4: revolute { alpha: deg(60) },
+        q5: revolute { alpha: deg(60) },
+        q6: revolute { d: 0.3 },
+    ]
+}
+
+arm! {
+    /// Three parallel axes at the base: the fourth joint follows from a height, the fifth from a direction.
+    ParallelBase, [
+        q1: revolute { a: 0.3, d: 0.3 },
+        q2: revolute { a: 0.3, d: 0.2 },
+        q3: revolute { a: 0.3, d: -0.2, alpha: -PI/2 },
+        q4: revolute { d: 0.2, alpha: -PI/2 },
+        q5: revolute { d: -0.4, alpha: PI/2 },
+        q6: revolute { alpha: PI/2 },
+    ]
+}
+
 robot_dynamics! {
     /// A spherical wrist whose axes are inclined by a field, on a base that is tilted by another one.
     pub(crate) struct Fitted { pub(crate) reach: f64, pub(crate) skew: f64, pub(crate) tilt: f64 }
@@ -294,7 +318,7 @@ macro_rules! for_more_arms {
     ($then:ident) => {
         $then! {
             Ur3e: 6, true; Ur5e: 6, true; Ur10e: 6, true; NoStep: 6, true; Kr6: 6, true; Reversed: 6, true;
-            EqualLinks: 2, false; Upright: 6, true;
+            EqualLinks: 2, false; Upright: 6, true; Inclined: 6, true; ParallelBase: 6, true;
         }
     };
 }
