@@ -34,16 +34,28 @@ pub fn nearest_pose<'p, T: Real>(
     place.as_ref()
 }
 
-/// Whether two columns of length one are at right angles, and their vector product is the third, but for rounding.
+/// What vanishes of a rotation: two columns have length one and are at right angles, and their vector product is the third.
+#[inline]
+fn column_misses<T: Real>([x, y, z]: &[[T; 3]; 3]) -> [T; 6] {
+    let one = T::from_f64(1.0);
+    let [d, e, f] = cross(x, y);
+    [
+        dot(x, x) - one,
+        dot(y, y) - one,
+        dot(x, y),
+        d - z[0],
+        e - z[1],
+        f - z[2],
+    ]
+}
+
+/// Whether columns are those of a rotation, but for rounding.
 #[inline]
 fn is_exact<T: Real>(columns: &[[T; 3]; 3]) -> bool {
-    let [x, y, z] = columns;
-    let one = T::from_f64(1.0);
-    let [a, b, c] = [dot(x, x) - one, dot(y, y) - one, dot(x, y)];
-    let [d, e, f] = cross(x, y);
-    let third = [d - z[0], e - z[1], f - z[2]];
+    let misses = column_misses(columns);
+    let squares = misses.iter().map(|miss| *miss * *miss);
     let least = roundings(T::from_f64(4.0));
-    a * a + b * b + c * c + dot(&third, &third) <= least * least
+    squares.fold(T::from_f64(0.0), |sum, square| sum + square) <= least * least
 }
 
 /// The pose with the nearest rotation, if it is one to 1e-3.
@@ -116,11 +128,10 @@ pub(crate) fn is_homogeneous<T: Real>(matrix: &Matrix4<T>) -> bool {
     are_small(&misses, T::ROTATION)
 }
 
-/// Whether a matrix is a rotation: R'R is 1, and it does not mirror.
+/// Whether a matrix is a rotation.
 #[inline]
 pub(crate) fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
-    let columns = &matrix.data.0;
-    are_small(misses(columns).as_flattened(), T::ROTATION) && keeps_sense(columns)
+    are_small(&column_misses(&matrix.data.0), T::ROTATION)
 }
 
 #[inline]
