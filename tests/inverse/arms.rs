@@ -176,6 +176,112 @@ arm! {
     ]
 }
 
+/// An arm of Universal Robots by its five lengths and the step at the shoulder.
+macro_rules! universal {
+    ($(#[$meaning:meta])* $name:ident, $d1:literal, $a2:literal, $a3:literal, $d4:literal, $d5:literal, $d6:literal) => {
+        arm! {
+            $(#[$meaning])*
+            $name, [
+                q1: revolute { d: $d1, alpha: PI/2 },
+                q2: revolute { a: -$a2 },
+                q3: revolute { a: -$a3 },
+                q4: revolute { d: $d4, alpha: PI/2 },
+                q5: revolute { d: $d5, alpha: -PI/2 },
+                q6: revolute { d: $d6 },
+            ]
+        }
+    };
+}
+
+universal! {
+    /// Universal Robots UR3e.
+    Ur3e, 0.15185, 0.24355, 0.2132, 0.13105, 0.08535, 0.0921
+}
+
+universal! {
+    /// Universal Robots UR5e.
+    Ur5e, 0.1625, 0.425, 0.3922, 0.1333, 0.0997, 0.0996
+}
+
+universal! {
+    /// Universal Robots UR10e.
+    Ur10e, 0.1807, 0.6127, 0.57155, 0.17415, 0.11985, 0.11655
+}
+
+universal! {
+    /// One whose arm is above its first axis: with the wrist there, too, the first joint may turn.
+    NoStep, 0.2, 0.4, 0.35, 0.0, 0.1, 0.08
+}
+
+arm! {
+    /// KUKA KR 6 R900: a spherical wrist, a step behind the first axis.
+    Kr6, [
+        q1: revolute { d: 0.4, a: 0.025, alpha: -PI/2 },
+        q2: revolute { a: 0.455 },
+        q3: revolute { a: 0.035, alpha: -PI/2 },
+        q4: revolute { d: 0.42, alpha: PI/2 },
+        q5: revolute { alpha: -PI/2 },
+        q6: revolute { d: 0.08 },
+    ]
+}
+
+arm! {
+    /// A spherical shoulder in front of two parallel axes, whose wrist can come near it.
+    Reversed, [
+        q1: revolute { d: 0.25, alpha: PI/2 },
+        q2: revolute { alpha: PI/2 },
+        q3: revolute { d: 0.3, alpha: -PI/2 },
+        q4: revolute { a: -0.3, d: -0.2 },
+        q5: revolute { a: -0.5, d: 0.4, alpha: PI/2 },
+        q6: revolute { d: 0.1 },
+    ]
+    tool: { xyz: [0.6, -0.2, 0], rpy: [0, 0, 0] },
+}
+
+arm! {
+    /// Two links of the same length: folded, the tip is on the first axis.
+    EqualLinks, [
+        q1: revolute { a: 0.5 },
+        q2: revolute { a: 0.5 },
+    ]
+}
+
+arm! {
+    /// A spherical wrist, the first two axes meet.
+    Upright, [
+        q1: revolute { d: 0.4, alpha: PI/2 },
+        q2: revolute { a: 0.4 },
+        q3: revolute { alpha: PI/2 },
+        q4: revolute { d: 0.35, alpha: -PI/2 },
+        q5: revolute { alpha: PI/2 },
+        q6: revolute { d: 0.08 },
+    ]
+}
+
+arm! {
+    /// A wrist that inclines the hand by 60 degrees at least.
+    Inclined, [
+        q1: revolute { a: -0.3 },
+        q2: revolute { d: -0.4, alpha: PI/2 },
+        q3: revolute { a: 0.3, d: 0.2, alpha: -PI/2 },
+        q4: revolute { alpha: deg(60) },
+        q5: revolute { alpha: deg(60) },
+        q6: revolute { d: 0.3 },
+    ]
+}
+
+arm! {
+    /// Three parallel axes at the base: the fourth joint follows from a height, the fifth from a direction.
+    ParallelBase, [
+        q1: revolute { a: 0.3, d: 0.3 },
+        q2: revolute { a: 0.3, d: 0.2 },
+        q3: revolute { a: 0.3, d: -0.2, alpha: -PI/2 },
+        q4: revolute { d: 0.2, alpha: -PI/2 },
+        q5: revolute { d: -0.4, alpha: PI/2 },
+        q6: revolute { alpha: PI/2 },
+    ]
+}
+
 robot_dynamics! {
     /// A spherical wrist whose axes are inclined by a field, on a base that is tilted by another one.
     pub(crate) struct Fitted { pub(crate) reach: f64, pub(crate) skew: f64, pub(crate) tilt: f64 }
@@ -205,3 +311,16 @@ macro_rules! for_each_arm {
     };
 }
 pub(crate) use for_each_arm;
+
+/// More arms of these classes, whose times and random poses are like theirs.
+#[allow(unused_macros, reason = "measurements take one of each class")]
+macro_rules! for_more_arms {
+    ($then:ident) => {
+        $then! {
+            Ur3e: 6, true; Ur5e: 6, true; Ur10e: 6, true; NoStep: 6, true; Kr6: 6, true; Reversed: 6, true;
+            EqualLinks: 2, false; Upright: 6, true; Inclined: 6, true; ParallelBase: 6, true;
+        }
+    };
+}
+#[allow(unused_imports, reason = "as above")]
+pub(crate) use for_more_arms;

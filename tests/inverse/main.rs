@@ -1,7 +1,11 @@
 //! Inverse kinematics in closed form, of an arm of each class.
 
 mod arms;
+mod edges;
+mod families;
 mod long;
+mod poses;
+mod round;
 mod singular;
 
 use std::f64::consts::TAU;
@@ -33,7 +37,12 @@ trait Inverse<const N: usize> {
         let axis = links[2].fixed_view::<3, 1>(0, 2).into_owned();
         let apart: Vector3<f64> = origin(2) - shoulder;
         let elbow = apart - axis * apart.dot(&axis);
-        let line = (origin(5) - shoulder).normalize();
+        let line = origin(5) - shoulder;
+        // The wrist in the shoulder: there is no line to turn about.
+        if line.norm() < 1e-12 {
+            return 0.0;
+        }
+        let line = line.normalize();
         let start = Vector3::z() - line * line.z;
         line.dot(&start.cross(&elbow)).atan2(start.dot(&elbow))
     }
@@ -77,6 +86,7 @@ macro_rules! inverses {
     };
 }
 for_each_arm!(inverses);
+for_more_arms!(inverses);
 
 /// Numbers of a reproducible sequence from -1 to 1.
 struct Random(u64);

@@ -2,15 +2,21 @@
 //! joint of which it is made.
 
 mod angle;
+mod family;
+mod pose;
 mod real;
 mod roots;
 mod solutions;
 
+#[doc(hidden)]
+pub use family::Family;
+#[doc(hidden)]
+pub use pose::nearest_pose;
+pub(crate) use pose::{is_homogeneous, is_rotation};
 pub use real::Real;
 #[doc(hidden)]
-pub use roots::{Found, Roots, direction, is_pose, is_reached, slide, slides, turn, turns};
-pub(crate) use roots::{is_homogeneous, is_rotation};
+pub use roots::{Found, Roots, direction, is_reached, slide, slides, turn, turns};
 #[doc(hidden)]
 pub use solutions::Branches;
 pub(crate) use solutions::nearest_turn;
-pub use solutions::{Solution, Solutions};
+pub use solutions::{NoSolution, Solution, Solutions};

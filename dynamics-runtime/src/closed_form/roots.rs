@@ -1,6 +1,6 @@
 //! The equations in one joint.
 
-use nalgebra::{Matrix3, Matrix4, Vector3};
+use nalgebra::Vector3;
 
 use super::Real;
 
@@ -13,26 +13,53 @@ pub struct Found<T> {
     pub cosine: T,
     /// Whether another position would do as well, or nearly.
     pub is_singular: bool,
+    /// An angle is known to `rounding * sqrt(size / length)`, half a turn at most.
+    pub(super) length: T,
+    pub(super) size: T,
 }
 
 /// At most two solutions.
-pub type Roots<T> = core::iter::Take<core::array::IntoIter<Found<T>, 2>>;
+#[derive(Clone, Copy, Debug)]
+pub struct Roots<T> {
+    both: [Found<T>; 2],
+    pub(super) count: usize,
+    /// How far an equation without a solution is from having one, at most 0.
+    pub(super) miss: T,
+}
+
+impl<T> IntoIterator for Roots<T> {
+    type Item = Found<T>;
+    type IntoIter = core::iter::Take<core::array::IntoIter<Found<T>, 2>>;
+
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.both.into_iter().take(self.count)
+    }
+}
 
 /// Numbers below this part of those that they are differences of may be nothing but rounding.
 const ROUNDINGS: f64 = 16.0;
 
+/// An equation that misses a root by more than so many slacks of a joint has none within the slack.
+const STEEP: f64 = 8.0;
+
+/// Farther away than any equation is from having a solution.
+pub(super) const NO_TRY: f64 = -1e30;
+
 #[inline]
-fn roundings<T: Real>(size: T) -> T {
+pub(super) fn roundings<T: Real>(size: T) -> T {
     T::from_f64(ROUNDINGS) * T::epsilon() * size
 }
 
 impl<T: Real> Found<T> {
     #[inline]
-    fn new(sine: T, cosine: T, is_singular: bool) -> Self {
+    pub(super) fn new(sine: T, cosine: T, is_singular: bool) -> Self {
         Found {
             sine,
             cosine,
             is_singular,
+            length: T::from_f64(0.0),
+            size: T::from_f64(1.0),
         }
     }
 
@@ -41,20 +68,45 @@ impl<T: Real> Found<T> {
     fn any() -> Self {
         Found::new(T::from_f64(0.0), T::from_f64(1.0), true)
     }
+
+    #[inline]
+    fn known_to(self, length: T, size: T) -> Self {
+        Found {
+            length,
+            size,
+            ..self
+        }
+    }
+
+    /// Whether another position, within the slack of this one, may solve an equation that misses a root by so much.
+    #[inline]
+    pub(super) fn may_solve(&self, miss: T) -> bool {
+        let steep = roundings(T::from_f64(STEEP));
+        miss * miss * self.length <= steep * steep * self.size && miss > T::from_f64(NO_TRY)
+    }
+
+    /// This turn, on the unit circle, and another one after it, of which it is not told apart.
+    pub(super) fn turned(self, by: T) -> Self {
+        let (s, c) = by.sin_cos();
+        let sine = self.sine * c + self.cosine * s;
+        Found::new(sine, self.cosine * c - self.sine * s, true)
+    }
 }
 
-/// The turn with this cosine and sine times `length`, the square of a distance from the axis; zero if that vanishes beside
-/// `size`, the square of the whole distance. First as they are, and then on the unit circle, for joints behind it.
+/// The turn with this cosine and sine times a length, the square of a distance from the axis; zero if that vanishes beside
+/// `size`, the square of the whole distance. First as they are, and then on the unit circle, for joints behind it. The proof
+/// divides by `_length`; of a folded arm it has no digits left, and the cosine and the sine have.
 #[inline]
-pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> [Found<T>; 2] {
-    let squares = cosine * cosine + sine * sine;
+pub fn turn<T: Real>(cosine: T, sine: T, _length: T, size: T) -> [Found<T>; 2] {
+    let length = (cosine * cosine + sine * sine).sqrt();
     let least = roundings(T::from_f64(1.0));
-    if length <= least * least * size || squares <= T::from_f64(0.0) {
+    if length <= least * least * size || length <= T::from_f64(0.0) {
         return [Found::any(); 2];
     }
     let is_singular = length <= T::APART * T::APART * size;
-    let scale = T::from_f64(1.0) / squares.sqrt();
-    [T::from_f64(1.0), scale].map(|by| Found::new(sine * by, cosine * by, is_singular))
+    let scale = T::from_f64(1.0) / length;
+    [T::from_f64(1.0), scale]
+        .map(|by| Found::new(sine * by, cosine * by, is_singular).known_to(length, size))
 }
 
 /// The turns with a cos q + b sin q = c, where c is a difference of numbers whose squares are as large as `size`. The
@@ -62,23 +114,37 @@ pub fn turn<T: Real>(cosine: T, sine: T, length: T, size: T) -> [Found<T>; 2] {
 #[inline]
 pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     let square = a * a + b * b;
-    let size = size + square;
     let least = roundings(T::from_f64(1.0));
+    // A discriminant that is nothing but rounding is none: later joints then see the same root as this one.
+    let noise = T::from_f64(0.25) * least * least * size * square;
+    let size = size + square;
     if square <= least * least * size {
         // Both sides vanish, or none does.
-        let count = usize::from(c * c <= least * least * size && size.is_finite());
-        let both = [Found::any(); 2];
-        return both.into_iter().take(count);
+        let is_some = c * c <= least * least * size && size.is_finite();
+        return Roots {
+            both: [Found::any(); 2],
+            count: usize::from(is_some),
+            miss: -(c * c / size),
+        };
     }
-    if discriminant > least * least * square {
-        let is_singular = T::from_f64(4.0) * discriminant <= T::APART * T::APART * square;
+    if discriminant > least * least * square && discriminant * discriminant > noise {
+        let (four, apart) = (T::from_f64(4.0), T::APART * T::APART);
+        let is_singular = four * discriminant <= apart * square || square <= apart * size;
+        let length = if is_singular {
+            length(discriminant, square, size)
+        } else {
+            discriminant
+        };
         let (root, scale) = (discriminant.sqrt(), T::from_f64(1.0) / square);
         let turn = |root: T| {
             let (s, c) = ((b * c + a * root) * scale, (a * c - b * root) * scale);
-            Found::new(s, c, is_singular)
+            Found::new(s, c, is_singular).known_to(length, size)
         };
-        let both = [turn(root), turn(-root)];
-        return both.into_iter().take(2);
+        return Roots {
+            both: [turn(root), turn(-root)],
+            count: 2,
+            miss: discriminant,
+        };
     }
     // The turn between the two.
     let is_one = discriminant >= -roundings(size) && size.is_finite();
@@ -88,8 +154,23 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     } else {
         radius
     };
-    let both = [Found::new(b / scale, a / scale, true); 2];
-    both.into_iter().take(usize::from(is_one))
+    let length = length(T::from_f64(0.0), square, size);
+    Roots {
+        both: [Found::new(b / scale, a / scale, true).known_to(length, size); 2],
+        count: usize::from(is_one),
+        miss: discriminant / size,
+    }
+}
+
+/// The length of a root: a step d from it changes a cos q + b sin q by root d + radius d^2 / 2, which is to be rounding.
+#[cold]
+fn length<T: Real>(discriminant: T, square: T, size: T) -> T {
+    let least = T::from_f64(0.5) * roundings((square * size).sqrt());
+    if discriminant > least {
+        discriminant
+    } else {
+        least
+    }
 }
 
 /// A position that was found by itself.
@@ -111,9 +192,11 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<T> {
     let twice = root + root;
     let is_singular = twice * twice <= T::APART * T::APART * size;
     let slide = |position| Found::new(position, T::from_f64(0.0), is_singular);
-    let both = [slide(b + root), slide(b - root)];
-    both.into_iter()
-        .take(usize::from(is_some) + usize::from(is_some && is_two))
+    Roots {
+        both: [slide(b + root), slide(b - root)],
+        count: usize::from(is_some) + usize::from(is_some && is_two),
+        miss: discriminant / size,
+    }
 }
 
 /// Whether a vector vanishes beside distances with the sum of squares `size`.
@@ -144,40 +227,4 @@ pub fn direction<T: Real>(
     let scale = T::from_f64(1.0) / (x * x + y * y + z * z).sqrt();
     let is_any = square <= T::APART * T::APART * size;
     (Vector3::new(x * scale, y * scale, z * scale), is_any)
-}
-
-/// Whether a matrix is a pose: homogeneous, with a rotation.
-#[inline]
-pub fn is_pose<T: Real>(matrix: &Matrix4<T>) -> bool {
-    is_homogeneous(matrix) && is_rotation(&matrix.fixed_view::<3, 3>(0, 0).into_owned())
-}
-
-/// Whether the last row of a matrix is 0, 0, 0, 1, which a transposed pose has as its last column.
-#[inline]
-pub(crate) fn is_homogeneous<T: Real>(matrix: &Matrix4<T>) -> bool {
-    let [x, y, z, position] = &matrix.data.0;
-    are_small(&[x[3], y[3], z[3], position[3] - T::from_f64(1.0)])
-}
-
-/// Whether a matrix is a rotation: two columns of length one at right angles, and their vector product the third.
-#[inline]
-pub(crate) fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
-    let [[a, b, c], [d, e, f], [g, h, i]] = matrix.data.0;
-    let one = T::from_f64(1.0);
-    let misses = [
-        a * a + b * b + c * c - one,
-        d * d + e * e + f * f - one,
-        a * d + b * e + c * f,
-        b * f - c * e - g,
-        c * d - a * f - h,
-        a * e - b * d - i,
-    ];
-    are_small(&misses)
-}
-
-#[inline]
-fn are_small<T: Real>(misses: &[T]) -> bool {
-    misses
-        .iter()
-        .all(|x| *x <= T::ROTATION && *x >= -T::ROTATION)
 }

@@ -5,7 +5,8 @@ use core::ops::Deref;
 use nalgebra::SVector;
 
 use super::angle::angles;
-use super::{Found, Real};
+use super::roots::NO_TRY;
+use super::{Found, Real, Roots};
 
 /// The most solutions of an arm that has a closed form.
 const MOST: usize = 8;
@@ -20,12 +21,23 @@ pub struct Solution<T: Real, const N: usize> {
     /// [`nearest`](Solutions::nearest) has added whole turns.
     pub q: SVector<T, N>,
     /// Whether the pose is singular: other positions of two joints do as well, or two solutions cannot be told apart within
-    /// 1e-7 rad (1e-3 rad in single precision). `q` is then one of them.
+    /// 1e-7 rad (1e-3 rad in single precision). `q` is then one of them: of an angle that is free the one nearest to zero with
+    /// which the arm reaches the pose.
     pub is_singular: bool,
 }
 
-/// The solutions of a generated `inverse_kinematics`, a slice in the order of the equations that they solve: none if the pose is
-/// out of reach, at most eight.
+/// Why a pose has no solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoSolution {
+    /// No positions of the joints lead to the pose.
+    OutOfReach,
+    /// The matrix is none: a number that is read is not finite, the last row is not 0, 0, 0, 1, or its rotation R misses one
+    /// by more than 1e-3, as max |R'R - 1|, or mirrors.
+    NotAPose,
+}
+
+/// The solutions of a generated `inverse_kinematics`, a slice in the order of the equations that they solve, at most eight. If
+/// there is none, [`reason`](Solutions::reason) says why.
 ///
 /// ```
 /// # extern crate dynamics_runtime as robot_dynamics;
@@ -40,6 +52,7 @@ pub struct Solution<T: Real, const N: usize> {
 pub struct Solutions<T: Real, const N: usize> {
     all: [Solution<T, N>; MOST],
     count: usize,
+    reason: Option<NoSolution>,
     turns: [bool; N],
     limits: [Option<[T; 2]>; N],
 }
@@ -51,7 +64,10 @@ pub struct Branches<T: Real, const N: usize> {
     sines: [[T; N]; MOST],
     cosines: [[T; N]; MOST],
     are_singular: [bool; MOST],
-    count: usize,
+    pub(super) count: usize,
+    /// How far the best equation without a solution is from having one, at most 0.
+    pub(super) miss: T,
+    is_loose: bool,
 }
 
 impl<T: Real, const N: usize> Default for Branches<T, N> {
@@ -63,11 +79,37 @@ impl<T: Real, const N: usize> Default for Branches<T, N> {
             cosines: zeros,
             are_singular: [false; MOST],
             count: 0,
+            miss: T::from_f64(NO_TRY),
+            is_loose: false,
         }
     }
 }
 
 impl<T: Real, const N: usize> Branches<T, N> {
+    /// Roots as they are; if there is none, it is noted whether other positions of joints before might have some.
+    #[inline]
+    pub fn asked(&mut self, roots: Roots<T>, before: &[&Found<T>]) -> Roots<T> {
+        if roots.count == 0 {
+            self.is_loose |= before.iter().any(|found| found.may_solve(roots.miss));
+        }
+        roots
+    }
+
+    /// Whether other positions of joints might have more solutions.
+    #[inline]
+    pub fn is_loose(&self) -> bool {
+        self.is_loose
+    }
+
+    /// Roots as they are; if there is none, it is noted how far the equation is from having one.
+    #[inline]
+    pub fn noted(&mut self, roots: Roots<T>) -> Roots<T> {
+        if roots.count == 0 && roots.miss > self.miss {
+            self.miss = roots.miss;
+        }
+        roots
+    }
+
     /// Adds one, unless a number in it is not finite.
     #[inline]
     pub fn push(&mut self, joints: [Found<T>; N], is_singular: bool) {
@@ -84,8 +126,8 @@ impl<T: Real, const N: usize> Branches<T, N> {
         }
     }
 
-    /// The solutions of an arm of whose joints these turn. Cosines become the positions.
-    pub fn solutions(&mut self, turns: [bool; N]) -> Solutions<T, N> {
+    /// The solutions of an arm of whose joints these turn, for a matrix that is a pose or is none. Cosines become the positions.
+    pub fn solutions(&mut self, turns: [bool; N], is_pose: bool) -> Solutions<T, N> {
         let some = (self.count * N).next_multiple_of(TOGETHER);
         let cosines = &mut self.cosines.as_flattened_mut()[..some];
         angles(&self.sines.as_flattened()[..some], cosines);
@@ -98,9 +140,15 @@ impl<T: Real, const N: usize> Branches<T, N> {
             q: self.cosines[branch].into(),
             is_singular: self.are_singular[branch],
         };
+        let why = if is_pose {
+            NoSolution::OutOfReach
+        } else {
+            NoSolution::NotAPose
+        };
         Solutions {
             all: core::array::from_fn(solution),
             count: self.count,
+            reason: (self.count == 0).then_some(why),
             turns,
             limits: [None; N],
         }
@@ -108,6 +156,11 @@ impl<T: Real, const N: usize> Branches<T, N> {
 }
 
 impl<T: Real, const N: usize> Solutions<T, N> {
+    /// Why the pose has no solution; `None` if it has one, though [`within`](Solutions::within) may have left none.
+    pub fn reason(&self) -> Option<NoSolution> {
+        self.reason
+    }
+
     /// The solutions within the ranges of the joints, `JOINT_LIMITS` of a robot as it is: angles outside of their range get
     /// whole turns that bring them into it. A joint without a range may be anywhere.
     #[must_use]
@@ -115,6 +168,7 @@ impl<T: Real, const N: usize> Solutions<T, N> {
         let limits = limits.map(|range| range.map(|range| range.map(T::from_f64)));
         let turns = self.turns;
         let mut within = Solutions {
+            reason: self.reason,
             turns,
             limits,
             ..Solutions::default()
@@ -173,7 +227,11 @@ impl<T: Real, const N: usize> Solutions<T, N> {
 /// None of any arm: a place for those of a batch.
 impl<T: Real, const N: usize> Default for Solutions<T, N> {
     fn default() -> Self {
-        Branches::default().solutions([true; N])
+        let none = Branches::default().solutions([true; N], true);
+        Solutions {
+            reason: None,
+            ..none
+        }
     }
 }
 
@@ -280,16 +338,12 @@ mod tests {
             [f64::NEG_INFINITY, 0.0],
         ];
         for [sine, cosine] in joints {
-            let joint = |sine, cosine| Found {
-                sine,
-                cosine,
-                is_singular: false,
-            };
+            let joint = |sine, cosine| Found::new(sine, cosine, false);
             branches.push([joint(sine, cosine), joint(0.5, 0.0)], false);
             branches.push([joint(0.0, 1.0), joint(sine, 0.0)], false);
         }
         // A displacement of 1 is one.
-        let found = branches.solutions([true, false]);
+        let found = branches.solutions([true, false], true);
         assert_eq!(positions(&found), [[0.0, 1.0]]);
     }
 }

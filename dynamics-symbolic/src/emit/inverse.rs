@@ -19,44 +19,76 @@ pub fn inverse_kinematics(
     path: &TokenStream,
 ) -> TokenStream {
     let proven = plan.proven();
-    let writer = Writer::new(robot, &proven);
-    let method = Method {
+    let method = |searches| Method {
         robot,
         plan,
-        writer,
+        writer: Writer::new(robot, &proven),
         stages: stages(plan),
         path,
+        searches,
     };
-    let [pose, solutions, is_singular] = ["pose", "solutions", "is_singular"].map(ident);
-    let constants = constants_like(&quote!(#pose.data.0[0][0]), path);
-    let inputs = method.inputs();
+    let [pose, solutions] = ["pose", "solutions"].map(ident);
     let turns = turning(robot);
-    let steps = method.from(0);
-    let steps = match plan.target {
-        Target::Position => steps,
-        _ => quote! {
-            if #path::closed_form::is_pose(#pose) {
-                #steps
+    let reads_rotation = plan.target != Target::Position;
+    let elbow = (plan.target == Target::PoseAndElbow).then(|| ident("elbow"));
+    let is_angle = elbow
+        .as_ref()
+        .map(|elbow| quote!(.filter(|_| #path::closed_form::Real::is_finite(#elbow))));
+    let [nearest, place] = ["nearest", "place"].map(ident);
+    let (steps, hidden) = (method(false).body(), hidden_method(frame));
+    let search = plan.has_families().then(|| {
+        quote! {
+            if #solutions.is_loose() {
+                #solutions = self.#hidden(#pose, #elbow);
             }
-        },
-    };
+        }
+    });
     let body = quote! {
         let mut #solutions = #path::closed_form::Branches::default();
-        let #is_singular = false;
-        #constants
-        #inputs
-        #steps
-        #solutions.solutions([#(#turns),*])
+        let mut #place = ::core::option::Option::None;
+        let #nearest = #path::closed_form::nearest_pose(#pose, &mut #place, #reads_rotation)#is_angle;
+        if let ::core::option::Option::Some(#pose) = #nearest {
+            #steps
+            #search
+        }
+        #solutions.solutions([#(#turns),*], #nearest.is_some())
     };
+    let searched = plan.has_families().then(|| {
+        let (steps, elbow) = (method(true).body(), elbow.map(|elbow| quote!(#elbow: T,)));
+        let n = number_of_joints(plan.joints);
+        quote! {
+            #[doc(hidden)]
+            #[cold]
+            #[inline(never)]
+            #[allow(unused_variables, clippy::all)]
+            fn #hidden<T: #path::closed_form::Real>(
+                &self,
+                #pose: &#path::nalgebra::Matrix4<T>,
+                #elbow
+            ) -> #path::closed_form::Branches<T, #n> {
+                let mut #solutions = #path::closed_form::Branches::default();
+                #steps
+                #solutions
+            }
+        }
+    });
     let documentation = documentation(frame, plan);
-    method_of(
+    let method = method_of(
         frame,
         plan.joints,
         plan.target == Target::PoseAndElbow,
         &documentation,
         &body,
         path,
-    )
+    );
+    quote!(#method #searched)
+}
+
+/// The method that searches through families, if the one that does not has found an equation without a solution which one of
+/// these might solve.
+fn hidden_method(frame: Option<&str>) -> Ident {
+    let name = format!("__{}_searched", inverse_method(frame));
+    Ident::new(&name, proc_macro2::Span::call_site())
 }
 
 /// A method without a body.
@@ -147,9 +179,9 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
         format!(
             " Each solution has been proven to lead to the pose. Equations of one joint each, whose coefficients take {count} \
              multiplications and additions. How many a call takes depends on the branches in reach, so that `OPERATIONS` has no \
-             entry for it. An angle that the pose leaves free is zero: there is no solution if the arm reaches the pose with \
-             other angles alone. There is none either if a number is not finite that is read of the pose. Never panics, never \
-             allocates."
+             entry for it. An angle that the pose leaves free is the one nearest to zero with which the arm reaches it. A rotation \
+             that is one to 1e-3 is taken as the nearest one. There is no solution if a number is not finite that is read of the \
+             pose. Never panics, never allocates."
         ),
     ]
 }
@@ -167,6 +199,8 @@ struct Method<'a> {
     /// For each line the number of steps that must be done before it.
     stages: Vec<usize>,
     path: &'a TokenStream,
+    /// Whether the positions that a pose leaves free are searched, or it is only noted that they should be.
+    searches: bool,
 }
 
 /// For each instruction the number of steps whose joints it depends on.
@@ -192,6 +226,20 @@ pub(super) fn stages(plan: &Plan) -> Vec<usize> {
 }
 
 impl Method<'_> {
+    /// Everything between the pose that is taken and the solutions.
+    fn body(&self) -> TokenStream {
+        let is_singular = ident("is_singular");
+        let pose = ident("pose");
+        let constants = constants_like(&quote!(#pose.data.0[0][0]), self.path);
+        let (inputs, steps) = (self.inputs(), self.from(0));
+        quote! {
+            let #is_singular = false;
+            #constants
+            #inputs
+            #steps
+        }
+    }
+
     /// Fields, and the entries of the pose that are read.
     fn inputs(&self) -> TokenStream {
         let (program, pose) = (&self.plan.program, ident("pose"));
@@ -245,13 +293,39 @@ impl Method<'_> {
                 let (found, on_circle) = (self.found(joint), ident("on_circle"));
                 let bound = |of| self.bound(current, of);
                 let [of_found, of_circle] = [&found, &on_circle].map(bound);
+                let solutions = ident("solutions");
+                let has_family = self.searches && self.plan.has_family(step);
+                let family = |first: TokenStream, rest: TokenStream| {
+                    let family = ident(&format!("family_{}", joint + 1));
+                    quote! {
+                        let mut #family = #path::closed_form::Family::new(#first);
+                        while let ::core::option::Option::Some([#found, #on_circle]) = #family.next(&mut #solutions) {
+                            #of_circle #rest
+                        }
+                    }
+                };
                 match rule {
+                    Rule::Turn if has_family => {
+                        let all = family(value, rest);
+                        quote!(#lines #all)
+                    }
                     Rule::Turn => {
                         quote!(#lines let [#found, #on_circle] = #value; #of_circle #rest)
                     }
                     Rule::Slide => quote!(#lines let #found = #value; #of_found #rest),
                     Rule::Turns | Rule::Slides => {
-                        quote!(#lines for #found in #value { #of_found #rest })
+                        let before = self.plan.families_before(step);
+                        let before = before.iter().map(|joint| self.found(*joint));
+                        let value = match (before.len(), self.searches) {
+                            (0, _) => value,
+                            (_, true) => quote!(#solutions.noted(#value)),
+                            (_, false) => quote!(#solutions.asked(#value, &[#(&#before),*])),
+                        };
+                        let each = match has_family {
+                            true => family(quote!([#found; 2]), rest),
+                            false => quote!(#of_found #rest),
+                        };
+                        quote!(#lines for #found in #value { #each })
                     }
                 }
             }

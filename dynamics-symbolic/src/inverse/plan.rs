@@ -1,7 +1,7 @@
 //! The way from the pose of a frame to the positions of the joints.
 
 use crate::function::Argument;
-use crate::program::{Program, Proven};
+use crate::program::{Operand, Program, Proven};
 use crate::robot::Symbol;
 use core::ops::Range;
 
@@ -54,7 +54,7 @@ pub enum Rule {
     /// `size`, any angle will do.
     Turn,
     /// `a`, `b`, `c`, `discriminant`, `size`: a cos q + b sin q = c, with the discriminant a^2 + b^2 - c^2 in the form that keeps
-    /// most digits. `size` is as large as the squares of the numbers that c is the sum of, or zero.
+    /// most digits. `size` is as large as the numbers that the discriminant is the sum of, or zero if it is a square.
     Turns,
     /// `d`: the position itself.
     Slide,
@@ -131,6 +131,66 @@ impl Plan {
         let before = self.steps[..step].iter();
         let first = before.map(|step| step.coefficients()).sum();
         first..first + self.steps[step].coefficients()
+    }
+
+    /// Whether the equation of a step may have no solution at a pose that is in reach of other positions of joints before it.
+    /// Without a size its discriminant is a square.
+    fn may_fail(&self, step: usize) -> bool {
+        let has_two = self.steps[step].solutions() == 2;
+        let size = self.outputs_of(step).end - 1;
+        let constants = self.program.rounded_constants();
+        let is_zero = match self.program.outputs[size].operand {
+            Operand::Constant(id) => constants[id.index()] == 0.0,
+            Operand::Input(_) | Operand::Result(_) => false,
+        };
+        has_two && !is_zero
+    }
+
+    /// The joints whose families ask how far the equation of a step is from having a solution.
+    pub(crate) fn families_before(&self, step: usize) -> Vec<usize> {
+        let earlier = self.steps[..step].iter().enumerate();
+        let joints = earlier.filter_map(|(k, step)| match step {
+            Step::Joint(joint, _) if self.has_family(k) => Some(*joint),
+            _ => None,
+        });
+        let fails = self.may_fail(step);
+        joints.filter(|_| fails).collect()
+    }
+
+    /// Whether other positions of a joint, where a pose leaves it free, may decide if the equation of a later one has a
+    /// solution: that of a step reads it.
+    pub(crate) fn has_family(&self, step: usize) -> bool {
+        let turns = matches!(self.steps[step], Step::Joint(_, Rule::Turn | Rule::Turns));
+        let mut later = step + 1..self.steps.len();
+        turns && later.any(|k| self.may_fail(k) && self.reads(k, step))
+    }
+
+    /// Whether any joint has a family.
+    pub(crate) fn has_families(&self) -> bool {
+        (0..self.steps.len()).any(|step| self.has_family(step))
+    }
+
+    /// Whether the coefficients of a step read the solution of an earlier one.
+    fn reads(&self, step: usize, earlier: usize) -> bool {
+        let outputs = self.program.outputs[self.outputs_of(step)].iter();
+        let mut stack: Vec<Operand> = outputs.map(|output| output.operand).collect();
+        let mut seen = vec![false; self.program.instructions.len()];
+        while let Some(operand) = stack.pop() {
+            match operand {
+                Operand::Input(k) => {
+                    let symbol = &self.program.inputs[k as usize];
+                    if self.steps[earlier].part(symbol).is_some() {
+                        return true;
+                    }
+                }
+                Operand::Result(k) if !seen[k as usize] => {
+                    seen[k as usize] = true;
+                    stack.extend(self.program.instructions[k as usize].operands());
+                }
+                Operand::Result(_) | Operand::Constant(_) => {}
+            }
+        }
+        false
     }
 
     /// The inputs of the program that are parts of a step's solution, by their indices, each with the name of that part.

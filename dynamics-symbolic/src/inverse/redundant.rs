@@ -108,7 +108,11 @@ fn rotation<'g>(
     let mut direction = |v: Vector<'g>, other: Vector<'g>, size: Expr<'g>| {
         let step = Step::Direction(place);
         let coefficients = [&v.0[..], &other.0[..], &[size]].concat();
-        found.push(Equation { step, coefficients });
+        found.push(Equation {
+            step,
+            coefficients,
+            loses_digits: false,
+        });
         let numbers = [0, 1, 2].map(|k| match v[k].is_zero() && other[k].is_zero() {
             true => v[k],
             false => symbols.behind_target(place + k),

@@ -26,6 +26,8 @@ type Vector<'g> = Vector3<Expr<'g>>;
 pub(super) struct Equation<'g> {
     pub(super) step: Step,
     pub(super) coefficients: Vec<Expr<'g>>,
+    /// Whether another equation is better: a distance in space has no digits left of one in a plane where that is small.
+    pub(super) loses_digits: bool,
 }
 
 impl<'g> Equation<'g> {
@@ -39,7 +41,11 @@ impl<'g> Equation<'g> {
             coefficients[opposite] = -coefficients[opposite];
         }
         let step = Step::Joint(view.joints[t].number, rule);
-        Equation { step, coefficients }
+        Equation {
+            step,
+            coefficients,
+            loses_digits: false,
+        }
     }
 
     /// a cos q + b sin q = c for joint t, if it depends on q; `discriminant` and `size` as in [`Rule::Turns`].
@@ -121,11 +127,7 @@ fn turned_point<'g>(view: &View<'g>) -> Option<Turned<'g>> {
     let Pair { near: x, far } = point_from(view, 0, 1, Some(view.z()))?;
     let y = view.target.point(far);
     let is_on_axis = x[0].is_zero() && x[1].is_zero();
-    let stays = !matches!(
-        view.points(1..view.joints.len()),
-        Points::Lines(_) | Points::Line { each: false, .. }
-    );
-    let size = if stays { x.dot(x) } else { beside_z(x) };
+    let size = beside_z(x) + view.span;
     (!is_on_axis && view.allows(&y.0[..2])).then_some(Turned { x, y, size })
 }
 
@@ -165,7 +167,7 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
         let v = view.target.point(pair.far);
         let height = y.dot(pair.near);
         let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
-        let size = v.dot(v) + height * height;
+        let size = v.dot(v) + view.span;
         Equation::turns(view, 0, [a, b, height - y[2] * v[2]], None, size)
     })
 }
@@ -174,7 +176,7 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
 ///
 /// If both are equally inclined to the axis, y_z = s x_z = m, they are one direction where its angle vanishes, and the discriminant
 /// (1 - m^2)^2 - (w - s m^2)^2 = (1 - s w) (1 + s w - 2 m^2), w = y.(L x), is small there. 1 - s w has its digits from the
-/// cross product: (1 - s w) (1 + s w) = |y x L x|^2.
+/// cross product: 2 (1 - s w) = |y x L x|^2 + (1 - s w)^2.
 fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let [y] = view.directions(0..t)[..] else {
         return None;
@@ -193,9 +195,12 @@ fn angle_between<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
         (Some(across), zero)
     } else if (m[2] * m[2] - x[2] * x[2]).is_zero() {
         let is_same = (m[2] - x[2]).is_zero();
-        let beyond = one + if is_same { along } else { -along };
-        let twice = m[2] * m[2] + m[2] * m[2];
-        (Some(across / beyond * (beyond - twice)), zero)
+        let toward = if is_same { along } else { -along };
+        let (apart, square) = (one - toward, m[2] * m[2]);
+        // Twice 1 - s w.
+        let twice = across + apart * apart;
+        let rest = (one + toward) / (one + one) - square;
+        (Some(twice * rest), twice)
     } else {
         (None, one)
     };
@@ -218,7 +223,7 @@ fn heights<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
     let [a, b] = rotated(near(&y), pair.near);
     let v = view.target.point(pair.far);
     let known = y.dot(way.point(view.z() * pair.near[2]));
-    let size = v.dot(v) + known * known;
+    let size = v.dot(v) + known * known + view.span;
     Equation::turns(view, t, [a, b, y.dot(v) - known], None, size)
 }
 
@@ -292,9 +297,14 @@ fn by_distance<'g>(
     let [sum, difference] = [squares[0] + squares[1], squares[0] - squares[1]];
     let flat = found - rest;
     let discriminant = flat * (sum + sum - flat) - difference * difference;
-    let size = sum + rest + found;
+    let size = (found + rest) * (sum + sum + found) + difference * difference;
     let [a, b] = rotated(y, x).map(|x| x + x);
-    Equation::turns(view, t, [a, b, sum - flat], Some(discriminant), size * size)
+    let loses_digits = !rest.is_zero();
+    let equation = Equation::turns(view, t, [a, b, sum - flat], Some(discriminant), size)?;
+    Some(Equation {
+        loses_digits,
+        ..equation
+    })
 }
 
 /// |L p - Z o|^2 = |B p - o|^2 with a point o that joints right behind the first do not move.

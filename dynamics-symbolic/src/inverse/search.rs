@@ -8,7 +8,7 @@ use super::rules::{Equation, equations};
 use super::view::{Unknown, View};
 use super::why::{Unsolved, class};
 use crate::derive::symbols::Symbols;
-use crate::expr::{Edge, Graph, NodeId};
+use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::linear::{Matrix3, Vector3};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
@@ -117,6 +117,7 @@ fn views<'g>(
         links,
         target,
         is_inverse,
+        span: span(graph, chain),
         tip: behind.point(Vector3::splat(graph.zero())),
         forbidden: forbidden.clone(),
     };
@@ -125,6 +126,13 @@ fn views<'g>(
     let inverse = view(opposite, back, target.inverse(), true, &first.inverse());
     let view = view(unknown, links.to_vec(), target, false, last);
     Some([view, inverse])
+}
+
+/// The sum of the squares of the fixed lengths of a chain.
+fn span<'g>(graph: &'g Graph, chain: &[Link<'g>]) -> Expr<'g> {
+    let fixed = chain.iter().filter(|link| link.joint.is_none());
+    let squares = fixed.map(|link| link.motion.origin.dot(link.motion.origin));
+    squares.fold(graph.zero(), |sum, square| sum + square)
 }
 
 /// Writes the squares of all sines and cosines, so that no expression has 1 - c^2 in place of s^2, which keeps the digits of small
@@ -149,7 +157,7 @@ impl<'g> Search<'g, '_> {
         };
         let mut candidates = equations(&view);
         candidates.extend(equations(&inverse));
-        candidates.sort_by_key(|equation| equation.step.solutions());
+        candidates.sort_by_key(|equation| (equation.step.solutions(), equation.loses_digits));
         // One equation with one solution is as good as another.
         let is_single = |first: &Equation<'_>| first.step.solutions() == 1;
         let has_single = candidates.first().is_some_and(is_single);
@@ -195,7 +203,13 @@ impl<'g> Search<'g, '_> {
         let [x, y, z] = (reached - asked).0;
         Equation {
             step: Step::Condition,
-            coefficients: vec![x, y, z, reached.dot(reached) + asked.dot(asked)],
+            loses_digits: false,
+            coefficients: vec![
+                x,
+                y,
+                z,
+                reached.dot(reached) + asked.dot(asked) + span(self.graph, &self.chain),
+            ],
         }
     }
 }

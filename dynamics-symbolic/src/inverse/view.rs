@@ -34,6 +34,8 @@ pub(super) struct View<'g> {
     pub(super) is_inverse: bool,
     /// A point of the last frame, of which L says where it is without the rotation of the pose, in the equation itself.
     pub(super) tip: Vector<'g>,
+    /// The sum of the squares of the arm's fixed lengths: positions are rounded as much as these are.
+    pub(super) span: Expr<'g>,
     /// Symbols that no equation may read.
     pub(super) forbidden: BTreeSet<NodeId>,
 }

@@ -20,13 +20,24 @@ const WORDS: Words = Words {
     },
     conventions: &[
         "pose has rows, as forward_kinematics writes them; q angles, above -pi and up to pi, rad, or m. Returns the number of",
-        "solutions, whose joint positions it writes into the rows of q; 0 if the pose is out of reach, or not finite where it is read.",
-        "is_singular is 1 where two angles cannot be told apart within 1e-7 rad. Nothing is allocated, no state is kept.",
+        "solutions, whose joint positions it writes into the rows of q; -1 if the pose is out of reach, -2 if it is none: a number is",
+        "not finite that is read, the last row is not 0, 0, 0, 1, or the rotation is none to 1e-3. The nearest rotation is taken.",
+        "is_singular is 1 where two angles cannot be told apart within 1e-7 rad; one that is free is the nearest to zero in reach.",
+        "Nothing is allocated, no state is kept.",
         "Sines, arc tangents and roots are those of math.h.",
     ],
     turning: ["static const int turning[] = {", "};"],
     begin: "int count = 0;",
-    result: "count",
+    begin_tries: "double miss = NO_TRY;",
+    pose: |reads_rotation, elbow| {
+        let reads = u8::from(reads_rotation);
+        let elbow = elbow.map_or(String::new(), |elbow| format!(" || !isfinite({elbow})"));
+        vec![
+            "double at[4][4];".to_owned(),
+            format!("if (!nearest_pose(pose, {reads}, at){elbow}) return -2;"),
+        ]
+    },
+    end: "return count > 0 ? count : -1;",
     joint: "const found",
     direction: "const direction_of",
     is_singular: "is_singular",
@@ -35,6 +46,14 @@ const WORDS: Words = Words {
             format!("const roots {name}_roots = {call};"),
             format!("for (int {name}_k = 0; {name}_k < {name}_roots.count; ++{name}_k) {{"),
             format!("  const found {name} = {name}_roots.both[{name}_k];"),
+        ]
+    },
+    noted: |call| format!("noted({call}, &miss)"),
+    family: |name, call| {
+        vec![
+            format!("family {name}_family = family_of({call});"),
+            format!("while (next(&{name}_family, &count, &miss)) {{"),
+            format!("  const found {name} = {name}_family.joint;"),
         ]
     },
     keep: |joints, singular| {

@@ -17,16 +17,34 @@ const WORDS: Words = Words {
     },
     conventions: &[
         "pose is an array of rows, as forward_kinematics returns it. Returns an array of objects { q, isSingular }: angles",
-        "above -pi and up to pi, rad, or m; empty if the pose is out of reach, or not finite where it is read. isSingular where two",
-        "angles cannot be told apart within 1e-7 rad.",
+        "above -pi and up to pi, rad, or m. Its property count is how many there are; -1 if the pose is out of reach, -2 if it is",
+        "none: a number is not finite that is read, the last row is not 0, 0, 0, 1, or the rotation is none to 1e-3. The nearest",
+        "rotation is taken. isSingular where two angles cannot be told apart within 1e-7 rad; one that is free is the nearest to",
+        "zero in reach.",
     ],
     turning: ["const turning = [", "];"],
     begin: "const solutions = [];",
-    result: "solutions",
+    begin_tries: "const tries = { miss: NO_TRY };",
+    pose: |reads_rotation, elbow| {
+        let elbow = elbow.map_or(String::new(), |elbow| {
+            format!(" || !Number.isFinite({elbow})")
+        });
+        vec![
+            format!("const at = nearest_pose(pose, {reads_rotation});"),
+            format!("if (!at{elbow}) return counted(solutions, -2);"),
+        ]
+    },
+    end: "return counted(solutions, -1);",
     joint: "const",
     direction: "const",
     is_singular: "isSingular",
     each: |name, call| vec![format!("for (const {name} of {call}) {{")],
+    noted: |call| format!("noted({call}, tries)"),
+    family: |name, call| {
+        vec![format!(
+            "for (const {name} of family({call}, solutions, tries)) {{"
+        )]
+    },
     keep: |joints, singular| {
         vec![format!(
             "keep(solutions, [{}], turning, {singular});",

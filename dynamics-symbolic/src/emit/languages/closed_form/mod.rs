@@ -21,14 +21,23 @@ struct Words {
     conventions: &'static [&'static str],
     /// The text around the list of joints that turn, with 1 for each that does.
     turning: [&'static str; 2],
-    /// The declaration of the result, and its name.
+    /// The declaration of the result, and of what families note besides.
     begin: &'static str,
-    result: &'static str,
+    begin_tries: &'static str,
+    /// The statements that read the pose, and return if it is none: whether its rotation is read, and the name of the elbow's
+    /// angle if there is one.
+    pose: fn(bool, Option<&str>) -> Vec<String>,
+    /// The statement that returns the result.
+    end: &'static str,
     /// The beginning of the declaration of a joint that was found, and of a direction.
     joint: &'static str,
     direction: &'static str,
     /// The beginning of a loop in which the joint of that name is each of the solutions of a call.
     each: fn(&str, &str) -> Vec<String>,
+    /// A call for roots of which is noted how far it is from having one.
+    noted: fn(&str) -> String,
+    /// The beginning of a loop over the family of a joint, which is the value of a call.
+    family: fn(&str, &str) -> Vec<String>,
     /// The part of a direction that says whether it is singular.
     is_singular: &'static str,
     /// The statements that keep a solution: its joints, and whether it is singular besides.
@@ -55,15 +64,17 @@ fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
     let turning: Vec<_> = turning(robot)
         .map(|turns| u8::from(turns).to_string())
         .collect();
-    let ([before, behind], result) = (words.turning, words.result);
+    let [before, behind] = words.turning;
     let turning = format!("{before}{}{behind}", turning.join(", "));
     let mut statements = vec![turning, words.begin.to_owned()];
-    if plan.target != Target::Position {
-        statements.push(format!("if (!is_pose(pose)) return {result};"));
+    if plan.has_families() {
+        statements.push(words.begin_tries.to_owned());
     }
+    let elbow = (plan.target == Target::PoseAndElbow).then_some("elbow");
+    statements.extend((words.pose)(plan.target != Target::Position, elbow));
     statements.extend(writer.inputs());
     writer.from(0, &[], 0, &mut statements);
-    statements.push(format!("return {result};"));
+    statements.push(words.end.to_owned());
     statements
 }
 
@@ -136,13 +147,32 @@ impl Writer<'_> {
             Step::Joint(number, _) => {
                 let name = joint(number);
                 let bound = self.bound(current, &name);
-                if current.solutions() == 1 {
+                let inner = |lines: Vec<String>| lines.into_iter().map(|line| format!("  {line}"));
+                let has_family = self.plan.has_family(step);
+                let is_single = current.solutions() == 1;
+                if is_single && !has_family {
                     push(vec![format!("{} {name} = {call};", self.words.joint)]);
                     push(bound);
                     return self.from(step + 1, singular, depth, text);
                 }
-                push((self.words.each)(&name, &call));
-                push(bound.iter().map(|line| format!("  {line}")).collect());
+                let call = match self.plan.families_before(step)[..] {
+                    [] => call,
+                    _ => (self.words.noted)(&call),
+                };
+                if has_family && !is_single {
+                    // A loop over roots, and over the family of each.
+                    let root = format!("root_{}", number + 1);
+                    push((self.words.each)(&root, &call));
+                    push(inner((self.words.family)(&name, &root)).collect());
+                    push(inner(bound).map(|line| format!("  {line}")).collect());
+                    self.from(step + 1, singular, depth + 2, text);
+                    text.extend([format!("{indent}  }}"), format!("{indent}}}")]);
+                    return;
+                }
+                let words = self.words;
+                let each = if is_single { words.family } else { words.each };
+                push(each(&name, &call));
+                push(inner(bound).collect());
             }
         }
         self.from(step + 1, singular, depth + 1, text);
@@ -158,8 +188,8 @@ impl Writer<'_> {
     }
 }
 
-/// An entry of the pose, an array of rows.
+/// An entry of the pose that is taken, an array of rows.
 fn entry_of_pose(_: &str, entry: usize) -> String {
     let (row, column) = Plan::place_in_pose(entry);
-    format!("pose[{row}][{column}]")
+    format!("at[{row}][{column}]")
 }
