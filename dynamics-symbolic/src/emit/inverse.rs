@@ -34,7 +34,7 @@ pub fn inverse_kinematics(
     let is_angle = elbow
         .as_ref()
         .map(|elbow| quote!(.filter(|_| #path::closed_form::Real::is_finite(#elbow))));
-    let [nearest, place] = ["nearest", "place"].map(ident);
+    let [nearest, place] = ["nearest_pose", "pose_place"].map(ident);
     let (steps, hidden) = (method(false).body(), hidden_method(frame));
     let search = plan.has_families().then(|| {
         quote! {
