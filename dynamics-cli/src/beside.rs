@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use clap::ArgMatches;
+use dynamics_codegen::description::Masses;
 use dynamics_codegen::files::{Format, joint_names, names_in_values, number};
 use dynamics_evaluation::{FileMistake, ReadOptions, read_text, text_of_joints};
 
@@ -16,6 +17,14 @@ pub(crate) struct Beside {
     pub(crate) keeps_names: bool,
     /// The name of the robot, if it is not that of the file.
     pub(crate) name: Option<String>,
+}
+
+impl Beside {
+    /// Whether the command reads masses.
+    pub(crate) fn masses(mut self, masses: Masses) -> Self {
+        self.options = self.options.masses(masses);
+        self
+    }
 }
 
 /// The options for which the lines of entries stand, in their order.

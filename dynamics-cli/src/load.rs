@@ -7,6 +7,7 @@ use std::sync::{Mutex, PoisonError};
 
 use clap::ArgMatches;
 use dynamics_codegen::Model;
+use dynamics_codegen::description::Masses;
 use dynamics_codegen::files::Format;
 use dynamics_evaluation::{FileError, FileMistake, RuntimeRobot, read_file};
 use dynamics_symbolic::function::plain;
@@ -42,9 +43,11 @@ pub(crate) fn read_with_names(path: &Path, given: &ArgMatches) -> Result<Model, 
     read_any(path, with_names(given, path)?, Vec::new())
 }
 
-/// As [`read_on_any_base`], of an arm whose base must stand.
+/// As [`read_on_any_base`], of an arm whose base must stand and whose masses nothing reads.
 pub(crate) fn read_on_standing_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
-    let model = read_on_any_base(path, given)?;
+    about_links(given, &[path])?;
+    let beside = with_values(given, path, None, "chain")?;
+    let model = read_any(path, beside.masses(Masses::Never), Vec::new())?;
     if model.robot.freedoms().has_base() {
         let message = format!(
             "{}: the base moves, which `reach` does not know: all others do",
@@ -66,21 +69,23 @@ pub(crate) fn read_with_frame(
     if !has_links(path) {
         return Ok(model);
     }
-    let mut beside = with_values(given, path, None, "chain")?;
+    let beside = with_values(given, path, None, "chain")?;
+    let mut beside = beside.masses(Masses::Never);
     let asked = format!("{}({frame:?})", Function::ForwardKinematics.name());
     beside.options = beside.options.functions([asked]);
     // If no link has the name, the frames of the robot alone are there.
     Ok(read_any(path, beside, Vec::new()).unwrap_or(model))
 }
 
-/// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides.
+/// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides. A table may be one of geometry.
 pub(crate) fn read_with_fields(
     path: &Path,
     given: &ArgMatches,
     needed: Vec<Function>,
 ) -> Result<Model, Failure> {
     about_links(given, &[path])?;
-    read_any(path, with_fields(given, path)?, needed)
+    let beside = with_fields(given, path)?;
+    read_any(path, beside.masses(Masses::IfAny), needed)
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings, on any base. A joint that only
@@ -121,7 +126,7 @@ fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
     })
 }
 
-/// As [`read_on_any_base`], where links of a URDF file are frames, up to so many.
+/// As [`read_on_any_base`], where links of a URDF file are frames, up to so many. A table may be one of geometry.
 pub(crate) fn read_with_links(
     path: &Path,
     given: &ArgMatches,
@@ -130,7 +135,7 @@ pub(crate) fn read_with_links(
     about_links(given, &[path])?;
     let mut beside = with_values(given, path, None, "chain")?;
     beside.options = beside.options.keep_links(most);
-    read_any(path, beside, Vec::new())
+    read_any(path, beside.masses(Masses::IfAny), Vec::new())
 }
 
 /// The model of a file, of which functions are needed besides those that are requested. Its

@@ -9,7 +9,7 @@ use dynamics_symbolic::robot::Robot;
 
 use crate::beside::fields;
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read_on_any_base, read_with_fields};
+use crate::load::{file_of, programs, read_with_fields, read_with_links};
 use crate::state::{positions, refuse_pose, roll_pitch_yaw, vector};
 
 /// The page.
@@ -19,7 +19,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let poses = shown_poses(&mut robot);
     let start = start(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
-    read_on_any_base(path, given)?;
+    read_with_links(path, given, 0)?;
     let requests = FUNCTIONS.map(Request::from).into_iter();
     let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
     let programs = programs(path, &robot, &requests)?;

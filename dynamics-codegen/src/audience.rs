@@ -42,6 +42,15 @@ impl Audience {
         }
     }
 
+    /// A base that moves, whose body is said elsewhere.
+    pub(crate) fn moving_base(self) -> &'static str {
+        match self {
+            Audience::Call => "`base: floating`",
+            Audience::File => "`base = { floating = true }`",
+            Audience::Command => "`--base floating`",
+        }
+    }
+
     /// A joint that is made to stand still.
     pub(crate) fn lock(self, joint: &str, position: &str) -> String {
         match self {

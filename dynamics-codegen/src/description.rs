@@ -76,6 +76,20 @@ pub struct Table {
     pub audience: Audience,
     /// Functions that are derived besides those that the entries request: the table has to say what they read.
     pub needed: Vec<Function>,
+    /// Whether masses are read.
+    pub masses: Masses,
+}
+
+/// Whether whoever reads a table reads its masses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Masses {
+    /// If a function that is requested or needed does.
+    #[default]
+    AsRequested,
+    /// Likewise, but a table in which nothing has any, which is one of geometry, is served too.
+    IfAny,
+    /// Not at all.
+    Never,
 }
 
 impl Table {

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::path::{Path, PathBuf};
 
-use dynamics_codegen::description::{Entry, Expr, ExprKind, FileName, Name, Place, Table};
+use dynamics_codegen::description::{Entry, Expr, ExprKind, FileName, Masses, Name, Place, Table};
 use dynamics_codegen::files::{
     Format, MOST_BYTES, Request, bytes, file_named, joined, model_beside, table, text,
 };
@@ -105,6 +105,7 @@ pub struct ReadOptions {
     needed: Vec<Function>,
     audience: Audience,
     room_for_links: usize,
+    masses: Masses,
 }
 
 fn owned(names: impl IntoIterator<Item = impl Into<String>>) -> Vec<String> {
@@ -212,6 +213,13 @@ impl ReadOptions {
         self
     }
 
+    /// Whether masses are read, and those that are missing told.
+    #[doc(hidden)]
+    pub fn masses(mut self, masses: Masses) -> Self {
+        self.masses = masses;
+        self
+    }
+
     /// As a table, whose lines are counted behind the `lines` of the file: no mistake in them is taken for one in the file.
     /// The functions are the first of them.
     fn table(&self, robot: &str, lines: usize) -> Result<Table, Vec<Error>> {
@@ -220,6 +228,7 @@ impl ReadOptions {
         let entries = "\n".repeat(lines) + &functions + "\n" + &self.entries;
         let mut table = table(robot, &entries, Format::Toml, &Request::default())?;
         (table.audience, table.room_for_links) = (self.audience, self.room_for_links);
+        table.masses = self.masses;
         table.needed.clone_from(&self.needed);
         if self.audience == Audience::Command {
             // Options hold values: a word in one is a slip, not a field.

@@ -1,6 +1,6 @@
 //! Inverse kinematics by the command.
 
-use super::calls::{PENDULUM, errors, file, output};
+use super::calls::{PENDULUM, errors, file, folder, output};
 use super::moving_base::BRICK;
 
 fn data(name: &str) -> String {
@@ -19,6 +19,103 @@ fn rows(text: &str) -> Vec<Vec<f64>> {
             .collect()
     };
     lines.map(numbers).collect()
+}
+
+/// A maker's table of an arm, which is geometry alone.
+const GEOMETRY: &str = r#"
+convention = "standard"
+gravity = [0, 0, -9.81]
+[[joint]]
+name = "pan"
+type = "revolute"
+d = 0.15185
+alpha = "PI/2"
+[[joint]]
+name = "lift"
+type = "revolute"
+a = -0.24355
+[[joint]]
+name = "elbow"
+type = "revolute"
+a = -0.2132
+[[joint]]
+name = "w1"
+type = "revolute"
+d = 0.13105
+alpha = "PI/2"
+[[joint]]
+name = "w2"
+type = "revolute"
+d = 0.08535
+alpha = "-PI/2"
+[[joint]]
+name = "w3"
+type = "revolute"
+d = 0.0921
+"#;
+
+/// Commands that read no mass ask for none.
+#[test]
+fn tables_of_geometry_alone_are_served() {
+    let table = file("geometry.toml", GEOMETRY);
+    let text = output(&["reach", &table, "--pose", "-0.3,-0.2,0.3,3.14159,0,0"]);
+    assert!(rows(&text).len() >= 4, "{text}");
+    let modified = output(&[
+        "convert",
+        &table,
+        "--to",
+        "toml",
+        "--convention",
+        "modified",
+    ]);
+    assert!(!modified.contains("mass"), "{modified}");
+    let modified = file("geometry_modified.toml", modified);
+    let pose = [
+        "--functions",
+        "forward_kinematics",
+        "--at",
+        "0.1,-1,1,0.3,0.4,0.5",
+    ];
+    let of = |table: &str| output(&[&["evaluate", table][..], &pose].concat());
+    assert_eq!(of(&modified).replace("_modified", ""), of(&table));
+    let page = folder("geometry").join("page.html");
+    output(&["page", &table, "--out", &page.to_string_lossy()]);
+    // What reads masses asks for them.
+    assert!(errors(&["evaluate", &table, "--at", "0,0,0,0,0,0"], 1).contains("no_inertia"));
+}
+
+/// A tensor that no body can have is a mistake where masses are read.
+#[test]
+fn impossible_tensors_matter_where_masses_are_read() {
+    let link = |tensor: &str| {
+        format!(
+            r#"<robot name="r"><link name="base"/><link name="arm"><inertial><mass value="1"/>{tensor}</inertial></link>
+            <link name="tip"/><joint name="j" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+            <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+            <joint name="f" type="fixed"><parent link="arm"/><child link="tip"/><origin xyz="0.5 0 0"/></joint></robot>"#
+        )
+    };
+    let urdf = link(r#"<inertia ixx="1" iyy="1" izz="9" ixy="0" ixz="0" iyz="0"/>"#);
+    let urdf = file("impossible.urdf", urdf);
+    let table = "convention = 'modified'\ngravity = [0, 0, 0]\n[[joint]]\nname = 'j'\ntype = 'revolute'\nmass = 1\n\
+        inertia = { xx = 1, yy = 1, zz = 9 }\n[tool]\nxyz = [0.5, 0, 0]\n";
+    let table = file("impossible.toml", table);
+    let tip = [
+        "evaluate",
+        "--at",
+        "0.3",
+        "--functions",
+        "forward_kinematics",
+    ];
+    let mass = ["evaluate", "--at", "0.3", "--functions", "mass_matrix"];
+    for (file, gravity) in [(&urdf, &["--gravity", "0,0,0"][..]), (&table, &[])] {
+        let command = [&["reach", file], gravity, &["--pose", "0.4,0.3,0"]].concat();
+        output(&command);
+        let tip = output(&[&tip[..1], &[file], &tip[1..], gravity].concat());
+        assert!(tip.contains("xyz [0.477"), "{tip}");
+        let message = errors(&[&mass[..1], &[file], &mass[1..], gravity].concat(), 1);
+        assert!(message.contains("unphysical_inertia"), "{message}");
+    }
 }
 
 /// `evaluate` has the tip of each solution at the pose.

@@ -601,8 +601,8 @@ fn of_bare<'a>(subcommand: &'a str, file: &'a str, options: &[&'a str]) -> Vec<&
     [&[subcommand, file][..], &chain, &GRAVITY, options].concat()
 }
 
-/// Functions of the geometry do not ask for masses. All others name every link of which nothing is said, and what takes
-/// it as massless; then their values are those of a file that says zero.
+/// Functions of the geometry do not ask for masses. All others name every link of which nothing is said, in one line, and
+/// what takes it as massless; then their values are those of a file that says zero.
 #[test]
 fn links_without_inertia_matter_where_masses_are_read() {
     let neither = bare("neither.urdf", ["", ""]);
@@ -616,8 +616,8 @@ fn links_without_inertia_matter_where_masses_are_read() {
     for functions in ["default", "jacobian,mass_matrix", "center_of_mass"] {
         let message = errors(&of_bare("show", &neither, &["--functions", functions]), 1);
         for expected in [
-            "neither.urdf:3:3: the link `upper` moves",
-            "neither.urdf:4:3: the link `lower` moves",
+            "neither.urdf:3:3: the links `upper` and `lower` move",
+            "no mass moves with `one` and `two`",
             "`--allow no_inertia`",
         ] {
             assert!(message.contains(expected), "{functions}: {message}");
@@ -626,6 +626,7 @@ fn links_without_inertia_matter_where_masses_are_read() {
     let first = bare("first.urdf", [POINT, ""]);
     let message = errors(&of_bare("show", &first, &[]), 1);
     assert!(!message.contains("`upper`"), "{message}");
+    assert!(message.contains("the link `lower` moves"), "{message}");
     assert!(message.contains("no mass moves with `two`"), "{message}");
     let massless = [
         "--functions",
@@ -662,9 +663,14 @@ fn subcommands_ask_for_the_masses_that_they_read() {
         let functions = [&options[1..], &["--functions", "jacobian"]].concat();
         let message = errors(&of_bare(options[0], &neither, &functions), 1);
         assert!(message.contains("`--allow no_inertia`"), "{message}");
+        // A page shows the poses of a table in which nothing has a mass.
         let of_table = [&[options[0], &table][..], &options[1..]].concat();
-        let message = errors(&of_table, 1);
-        assert!(message.contains("`--allow no_inertia`"), "{message}");
+        if options[0] == "page" {
+            output(&of_table);
+        } else {
+            let message = errors(&of_table, 1);
+            assert!(message.contains("`--allow no_inertia`"), "{message}");
+        }
     }
     let message = errors(
         &of_bare("simulate", &neither, &["--allow", "no_inertia"]),
@@ -699,7 +705,7 @@ fn a_robot_at_run_time_asks_for_the_masses_that_its_functions_read() {
         RuntimeRobot::from_file(&neither, &options)
     };
     let message = arm("").map_err(|error| error.to_string()).unwrap_err();
-    assert_eq!(message.lines().count(), 2, "{message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
     assert!(message.contains("`allow = [\"no_inertia\"]`"), "{message}");
     let geometry = arm("functions = ['forward_kinematics']").expect("geometry");
     let pose = geometry.forward_kinematics(&[0.0; 2]).expect("a pose");
@@ -711,6 +717,88 @@ fn a_robot_at_run_time_asks_for_the_masses_that_its_functions_read() {
             .forward_dynamics(&[0.0; 2], &[0.0; 2], &[0.0; 2])
             .is_err()
     );
+}
+
+/// An arm behind a joint of some kind, with a declaration of XML.
+fn behind(name: &str, kind: &str, declaration: &str) -> String {
+    let text = format!(
+        r#"{declaration}<robot name="behind"><link name="world"/><link name="trunk">{POINT}</link><link name="arm">{POINT}</link>
+        <joint name="root" type="{kind}"><parent link="world"/><child link="trunk"/></joint>
+        <joint name="elbow" type="continuous"><parent link="trunk"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>"#
+    );
+    file(name, text)
+}
+
+/// Joints of other kinds are told with a way out that works.
+#[test]
+fn joints_of_other_kinds_have_a_way_out() {
+    for (kind, expected) in [
+        ("floating", "on a base that moves, `--base floating`"),
+        (
+            "planar",
+            "two prismatic ones and a revolute one, with links without mass between them",
+        ),
+        (
+            "spherical",
+            "three revolute ones, with links without mass between them",
+        ),
+        ("ball", "three revolute ones"),
+    ] {
+        let message = errors(
+            &[&["show", &behind("kinds.urdf", kind, "")], &GRAVITY[..]].concat(),
+            1,
+        );
+        assert!(
+            message.contains(&format!("the joint `root` is {kind}")),
+            "{message}"
+        );
+        assert!(message.contains(expected), "{message}");
+        assert!(message.contains("`--chain trunk`"), "{message}");
+    }
+    let floating = behind("floats.urdf", "floating", "");
+    let way_out = ["--chain", "trunk", "--base", "floating"];
+    let shown = output(&[&["show", &floating], &GRAVITY[..], &way_out].concat());
+    assert!(shown.contains("elbow"), "{shown}");
+    let message = errors(
+        &[
+            &["show", &behind("kinds.urdf", "revolut", "")],
+            &GRAVITY[..],
+        ]
+        .concat(),
+        1,
+    );
+    assert!(message.contains("did you mean `revolute`?"), "{message}");
+}
+
+/// Files in other formats are called by their names, and a declaration may stand behind a blank line.
+#[test]
+fn formats_of_robots_are_told_apart() {
+    for (text, expected) in [
+        ("<mujoco model='a'/>", "a file in MJCF"),
+        ("<sdf version='1.9'/>", "a file in SDF"),
+        ("<html><head/></html>", "download the file itself"),
+        ("<xacro/>", "is expanded first"),
+    ] {
+        let message = errors(
+            &["show", &file("other.urdf", text), "--gravity", "0,0,0"],
+            1,
+        );
+        assert!(message.contains(expected), "{message}");
+    }
+    let of = |declaration: &str| {
+        output(
+            &[
+                &["show", &behind("declared.urdf", "fixed", declaration)],
+                &GRAVITY[..],
+            ]
+            .concat(),
+        )
+    };
+    let late = "\n  <?xml version=\"1.0\"\n encoding=\"utf-8\"?>\n";
+    assert_eq!(of(late), of(""));
+    let misspelled = behind("late.urdf", "revolut", late);
+    let message = errors(&[&["show", &misspelled], &GRAVITY[..]].concat(), 1);
+    assert!(message.contains("late.urdf:7:34"), "{message}");
 }
 
 /// A hand: two fingers, of which one follows, a thumb and a joint with another name.

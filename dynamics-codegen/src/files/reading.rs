@@ -12,7 +12,7 @@ use crate::description::{Entry, Expr, FileName, Name, Place, Positioned, Row, Ta
 use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
 use crate::tree::Language;
-use crate::validate::{Model, constant, functions::read_masses};
+use crate::validate::{Model, constant, named::read_masses};
 
 /// The bytes of a file that has at most so many.
 ///
@@ -239,6 +239,7 @@ fn add(table: &mut Table, beside: Table) {
     table.audience = beside.audience;
     table.needed = beside.needed;
     table.room_for_links = beside.room_for_links;
+    table.masses = beside.masses;
 }
 
 /// Whether an entry says that the base moves, and nothing of its body.
@@ -262,9 +263,10 @@ fn bind_first(entries: &mut Vec<Entry>, bindings: Vec<Entry>) {
 
 /// The request of a call to its file; none where that could not be read.
 pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Request> {
+    let reads_masses = read_masses(table);
     let mut request = Request {
-        unphysical_inertia: table.allow().unphysical_inertia,
-        no_inertia: table.allow().no_inertia || !read_masses(table),
+        unphysical_inertia: table.allow().unphysical_inertia || !reads_masses,
+        no_inertia: table.allow().no_inertia || !reads_masses,
         odd_angle: table.allow().odd_angle,
         ..Request::default()
     };

@@ -18,7 +18,6 @@ mistakes! {
     no_function() "no function is requested: name one, or leave `functions` out for the default set";
     function_twice(name: &str) "`{name}` is requested twice";
     /// `default` and one of its functions.
-    in_default_set(name: &str) "`{name}` is in the default set already";
     /// `(a, b)` in the list of functions, as it is written.
     tuple_without_name(shown: &str) "functions that are computed together have a name: write `name = {shown}`";
     /// `name: (a, b)`

@@ -6,7 +6,7 @@ use super::Mistake;
 use crate::words::number;
 
 mistakes! {
-    none() "no joints: a robot has at least one";
+    none() [base: moving_base()] "no joints: a robot has at least one, or a base that moves, {base}";
     twice(name: &str) "there is a joint `{name}` already";
     /// `name(...)`
     in_parentheses() "the cells of a joint are written in braces: `name: revolute {{ ... }}`";

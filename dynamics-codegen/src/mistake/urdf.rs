@@ -2,14 +2,16 @@
 
 use super::Mistake;
 use crate::audience::Audience;
-use crate::words::{all, number, shortened};
+use crate::limits::MOST_LISTED;
+use crate::words::{all, number, quoted, shortened};
 
 mistakes! {
     /// A body beside a file, of which the first link is that of the base.
     body_beside()
         "the first link of the file is the body of the base: write `floating` alone, and its mass and inertia in the \
          file";
-    no_robot(found: &str => shortened) "expected `<robot>`, found `<{found}>` ({EXPANDED})";
+    no_robot(found: &str => shortened) {what: other_format(&found)}
+        "expected `<robot>`, found `<{found}>` ({what})";
     /// An element or a text of xacro, where a link, a joint or a number is read.
     xacro(what: &str => shortened)
         "`{what}` is left of xacro, in a place that is read: {EXPANDED}; if that leaves it there, remove it or write \
@@ -44,12 +46,14 @@ mistakes! {
     /// A tree that nothing moves; `last` is one of its tips, if there are any.
     nothing_moves(first: &str => shortened, last: Option<&str>)
         {which: last.map_or(format!("that `{first}` carries"), |last| format!("between `{first}` and `{}`", shortened(last)))}
-        "no joint {which} moves: a robot has one at least";
+        [base: moving_base()]
+        "no joint {which} moves: a robot has one at least, or a base that moves, {base}";
     /// A joint that has no position of one number. A robot may begin at the first of `links`, which are behind it, and
     /// lead to the others. Where the joint `is_needed` it cannot be left out: it is on the way to a tip, or nothing else moves.
-    unsupported(joint: &str, kind: &str, links: &[&str], is_needed: bool) {name: shortened(joint)}
-        [way_out: without(joint, links, is_needed)]
-        "the joint `{name}` is {kind}: a robot of a file has revolute, continuous, prismatic and fixed joints{way_out}";
+    unsupported(joint: &str, kind: &str, links: &[&str], is_needed: bool)
+        {name: shortened(joint), alike: joints_alike(kind), floats: kind == "floating"}
+        [way_out: without(joint, links, is_needed, floats)]
+        "the joint `{name}` is {kind}: a robot of a file has revolute, continuous, prismatic and fixed joints{alike}{way_out}";
     /// Joints that follow one another and stand beside the chain.
     circle(joint: &str => shortened)
         "the joint `{joint}` follows itself, by way of others: one of them has to move by itself";
@@ -104,11 +108,41 @@ mistakes! {
     still_out_of_limits(joint: Still, position: f64 => number, limits: [f64; 2])
         {name: shortened(joint.joint), lower: number(limits[0]), upper: number(limits[1])} [lock: lock_still(joint)]
         "`{name}` would stand still at {position}, outside of its limits, {lower} to {upper}: {lock} is within them";
-    /// A link of which functions have to know the mass. `joint` is that which moves it, where nothing beyond has a mass.
-    no_inertial(link: &str => shortened, joint: Option<&str>) {singular: joint.map_or(String::new(), singular)}
+    /// Links of which functions have to know the mass. `joints` are those that move one where nothing beyond has a mass.
+    no_inertial(links: &[&str], joints: &[&str])
+        {is_one: links.len() == 1, singular: singular(joints), names: listed(links)}
         [allow: allow("no_inertia", "in the call"), functions: functions("forward_kinematics", "jacobian")]
-        "the link `{link}` moves and has no `<inertial>`, nor has anything that is fixed to it: {allow} takes it as \
-         massless{singular}; functions of the geometry alone need none, {functions}";
+        "the link {names} moves and has no `<inertial>`, nor has anything that is fixed to it: {allow} takes it as \
+         massless{singular}; functions of the geometry alone need none, {functions}" if is_one
+        else "the links {names} move and have no `<inertial>`, nor has anything that is fixed to them: {allow} takes them \
+         as massless{singular}; functions of the geometry alone need none, {functions}";
+}
+
+/// Joints of the known kinds that move a link as another kind does.
+fn joints_alike(kind: &str) -> &'static str {
+    match kind {
+        "planar" => {
+            ", of which two prismatic ones and a revolute one, with links without mass between them, move alike"
+        }
+        "spherical" | "ball" => {
+            ", of which three revolute ones, with links without mass between them, move alike"
+        }
+        _ => "",
+    }
+}
+
+/// The format of a file by its root element, and how it becomes one in URDF.
+fn other_format(root: &str) -> &'static str {
+    match root {
+        "mujoco" => {
+            "this is a file in MJCF, which is not read: take the robot's file in URDF, or write a table"
+        }
+        "sdf" => {
+            "this is a file in SDF, which is not read: take the file in URDF from which it was made, or write a table"
+        }
+        "html" => "this is a page of the web about the file: download the file itself",
+        _ => EXPANDED,
+    }
 }
 
 /// The links at the ends of the tree, if there are several.
@@ -119,11 +153,22 @@ fn other_ends(last: &[&str]) -> String {
     }
 }
 
-fn singular(joint: &str) -> String {
-    let joint = shortened(joint);
+fn singular(joints: &[&str]) -> String {
+    if joints.is_empty() {
+        return String::new();
+    }
     format!(
-        " (no mass moves with `{joint}` then, and `forward_dynamics` returns an error unless the `tool` has one)"
+        " (no mass moves with {} then, and `forward_dynamics` returns an error unless the `tool` has one)",
+        listed(joints)
     )
+}
+
+/// The first of many names, and how many more there are.
+fn listed(names: &[&str]) -> String {
+    match names.len().saturating_sub(MOST_LISTED) {
+        0 => all(names),
+        more => format!("{} and {more} more", quoted(&names[..MOST_LISTED], ", ")),
+    }
 }
 
 /// How a file in the language that URDF is written by becomes one in URDF.
@@ -146,8 +191,13 @@ impl Audience {
     }
 
     /// The ways out for a joint that no robot of a file has, behind the words of the message.
-    fn without(self, joint: &str, links: &[&str], is_needed: bool) -> String {
-        let begin = (!links.is_empty()).then(|| format!("begin behind it, {}", self.chain(links)));
+    fn without(self, joint: &str, links: &[&str], is_needed: bool, floats: bool) -> String {
+        let base = match floats {
+            true => format!(", on a base that moves, {}", self.moving_base()),
+            false => String::new(),
+        };
+        let begin = format!("begin behind it, {}{base}", self.chain(links));
+        let begin = Some(begin).filter(|_| !links.is_empty());
         let ignore = format!(
             "leave it out with all that hangs on it, {}",
             self.ignore(joint)

@@ -292,14 +292,13 @@ fn functions_are_fused_by_name() {
     );
     assert_eq!(more[2].name(), "type");
     assert_eq!(found.len(), 10);
-    // Friction is requested once, whether the default set has it or not.
+    // A function is requested once, whether the default set has it or not.
     for cells in ["mass: 1", "mass: 1, friction: { viscous: 1 }"] {
-        let found = requests("default, friction_vector", cells);
-        let friction = Request::from(Function::FrictionVector);
-        assert_eq!(
-            found.iter().filter(|request| **request == friction).count(),
-            1
-        );
+        let found = requests("mass_matrix, default, friction_vector", cells);
+        for named in [Function::FrictionVector, Function::MassMatrix].map(Request::from) {
+            let times = found.iter().filter(|request| **request == named).count();
+            assert_eq!(times, 1, "{named:?}");
+        }
     }
 }
 

@@ -526,5 +526,8 @@ fn tables_without_content() {
         assert!(!refusal(call).is_empty(), "{call}");
     }
     let empty = "struct Arm; convention: standard, gravity: [0, 0, 0], joints: []";
-    assert_eq!(refusal(empty), ["no joints: a robot has at least one"]);
+    assert_eq!(
+        refusal(empty),
+        ["no joints: a robot has at least one, or a base that moves, `base: floating`"]
+    );
 }

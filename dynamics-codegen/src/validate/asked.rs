@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::robot::{Frame, Row};
 
 use super::Parts;
-use super::functions::named;
+use super::named::named;
 use super::scope::Scope;
 use crate::description::{Asked, Entry, Name, Place, Table, Wanted};
 use crate::limits::MOST_LISTED;

@@ -6,7 +6,7 @@ use dynamics_symbolic::prove::{Assignment, Number};
 use dynamics_symbolic::robot::{Base, Body, Robot, Value};
 
 use super::body::body;
-use super::functions::{named, read_masses};
+use super::named::{named, read_masses};
 use super::scope::{BASE, Scope};
 use super::{Parts, link};
 use crate::description::{self, Asked, Entry, Place, Table};

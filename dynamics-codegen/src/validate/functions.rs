@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
-use dynamics_symbolic::function::{Freedoms, Growth, INVERSE_KINEMATICS, Part, Request, Set};
+use dynamics_symbolic::function::{Freedoms, Growth, INVERSE_KINEMATICS, Part, Request};
 use dynamics_symbolic::robot::{Frame, Robot, Row};
 
+use super::named::{named, read_masses};
 use super::scope::Scope;
-use crate::description::{Asked, Entry, Name, Table, Wanted};
+use crate::description::{Asked, Masses, Name, Table, Wanted};
 use crate::diagnose::Diagnostics;
 use crate::keys::word_list;
 use crate::limits::{
@@ -24,15 +25,6 @@ pub(crate) const RESERVED: &[&str] = word_list![
     default table formulas DOF JOINT_NAMES JOINT_LIMITS TORQUE_LIMITS VELOCITY_LIMITS OPERATIONS BASE_PARAMETERS BASE_PARAMETER_NAMES evaluate momenta
     energies clone eq
 ];
-
-/// Every function that is named, parts of tuples too.
-pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = &Wanted> + Clone {
-    asked.iter().flat_map(|asked| match asked {
-        Asked::Default(_) | Asked::Unreadable => &[],
-        Asked::One(wanted) => core::slice::from_ref(wanted),
-        Asked::Fused(_, parts) => &parts[..],
-    })
-}
 
 /// The functions that are requested, each with its place; those of the default set have none.
 pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, Option<Place>)> {
@@ -52,7 +44,7 @@ pub(super) fn requests(asked: Option<&[Asked]>, robot: &Robot) -> Vec<(Request, 
             Asked::One(wanted) if wanted.is_inverse => {}
             Asked::One(wanted) => {
                 let request = (one(wanted, &robot.frames), Some(wanted.place));
-                // Friction is in the set where there is some; who requests it need not know.
+                // Whoever names a function need not know whether the set has it.
                 if !(has_default && is_default(&request)) {
                     requests.push(request);
                 }
@@ -132,26 +124,13 @@ pub(super) fn have_mass(
     has_mass
 }
 
-/// Whether a function that a table requests, or that is needed besides, reads masses. The default set does.
-pub(crate) fn read_masses(table: &Table) -> bool {
-    let asked = table.entries.iter().find_map(|entry| match entry {
-        Entry::Functions(asked) => Some(asked.as_deref().unwrap_or_default()),
-        _ => None,
-    });
-    let is_default = |asked: &Asked| matches!(asked, Asked::Default(_));
-    let has_default = asked.is_none_or(|asked| asked.iter().any(is_default));
-    let named = named(asked.unwrap_or_default()).map(|wanted| wanted.function);
-    let mut functions = named.chain(table.needed.iter().copied());
-    has_default || functions.any(Function::reads_masses)
-}
-
 /// Whether anything has inertia, where a function depends on it. `odd_mass` accepts an arm without any, too. The needs
 /// of a base that moves are checked elsewhere.
 pub(super) fn have_inertia(robot: &Robot, table: &Table, diagnostics: &Diagnostics) -> bool {
     let allow = table.allow();
     let is_allowed =
         allow.no_inertia || allow.odd_mass || !read_masses(table) || has_inertia(robot);
-    let is_allowed = is_allowed || robot.floating().is_some();
+    let is_allowed = is_allowed || robot.floating().is_some() || table.masses == Masses::IfAny;
     if let (false, Some(name)) = (is_allowed, &table.name) {
         diagnostics.error(name, mistake::no_inertia());
     }
@@ -212,7 +191,6 @@ pub(super) fn note_on_massless(
 /// Reports what is requested twice, names that mean something else, and tuples that are none.
 pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
     let mut seen = BTreeMap::new();
-    let has_default = asked.iter().any(|asked| matches!(asked, Asked::Default(_)));
     for asked in asked {
         let (method, shown, place) = match asked {
             Asked::Default(place) => ("default".to_owned(), "default".to_owned(), *place),
@@ -233,13 +211,6 @@ pub(super) fn report(asked: &[Asked], table: &Table, scope: &Scope) {
                 }
             }
             _ if other.is_some() => scope.error(place, mistake::function_twice(&shown)),
-            Asked::One(wanted)
-                if has_default
-                    && !wanted.is_inverse
-                    && wanted.function.row().set == Set::Default =>
-            {
-                scope.error(place, mistake::in_default_set(&shown));
-            }
             _ => {}
         }
         if let Asked::Fused(name, parts) = asked {

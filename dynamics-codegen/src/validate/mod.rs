@@ -16,6 +16,7 @@ mod limits;
 mod link;
 mod lock;
 mod measured;
+pub(crate) mod named;
 mod nearly;
 mod neglect;
 mod reach;
@@ -319,7 +320,7 @@ impl Parts {
     }
 
     fn model(self, table: &Table) -> Option<Model> {
-        let asked = functions::named(self.functions.as_deref().unwrap_or_default());
+        let asked = named::named(self.functions.as_deref().unwrap_or_default());
         let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
         let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
         let is_needed = |frame: &description::Frame| !frame.is_link || asked.contains(frame.word());

@@ -4,7 +4,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Value};
 
 use super::scope::Scope;
-use super::{Parts, functions};
+use super::{Parts, named};
 use crate::description::{Share, Table};
 use crate::diagnose::Diagnostics;
 use crate::mistake::entry as mistake;
@@ -41,7 +41,7 @@ pub(super) fn report(parts: &Parts, table: &Table, diagnostics: &Diagnostics) {
     if let Some(tests) = &parts.tests {
         diagnostics.error(*tests, mistake::neglect_and_tests());
     }
-    for wanted in functions::named(parts.functions.as_deref().unwrap_or_default()) {
+    for wanted in named::named(parts.functions.as_deref().unwrap_or_default()) {
         if wanted.function.is_about_base_parameters() {
             let mistake = mistake::neglect_and_identification(wanted.function.name());
             diagnostics.error(wanted.place, mistake);

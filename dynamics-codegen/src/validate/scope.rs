@@ -7,6 +7,7 @@ use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::Value;
 
 use super::measured::{self, Measured};
+use super::named::read_masses;
 use super::{angle, elementary};
 use crate::audience::{AT_THE_END, Audience};
 use crate::description::{
@@ -68,6 +69,8 @@ impl<'d> Scope<'d> {
     /// The fields alone.
     pub(super) fn new(table: &Table, diagnostics: &'d Diagnostics) -> Scope<'d> {
         let joints = table.rows().iter().filter_map(|row| row.name.as_ref());
+        let mut everywhere = table.allow();
+        everywhere.unphysical_inertia |= !read_masses(table);
         let mut scope = Scope {
             diagnostics,
             names: BTreeMap::new(),
@@ -75,7 +78,7 @@ impl<'d> Scope<'d> {
             used: Vec::new(),
             complete: table.has_all_fields,
             total: Total::default(),
-            everywhere: table.allow(),
+            everywhere,
             body: None,
             variable: None,
             follower: None,

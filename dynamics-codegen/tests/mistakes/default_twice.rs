@@ -5,10 +5,3 @@ robot_dynamics! {
     joints: [joint: revolute { mass: 1 }],
     functions: [default, jacobian, default],
 }
-robot_dynamics! {
-    pub struct Arm;
-    convention: standard,
-    gravity: [0, 0, -9.81],
-    joints: [joint: revolute { mass: 1 }],
-    functions: [default, jacobian, mass_matrix, friction_vector],
-}

@@ -426,13 +426,16 @@ impl<'a> Assembly<'a> {
 
     /// Reports the links that move without anything being said of their inertia, all of them.
     fn report_without_inertia(&self) {
+        if self.request.no_inertia {
+            return;
+        }
         let rows = 0..self.moved.len();
         let said = rows.clone().filter(|&row| self.moved[row].carried.is_known);
         let said: BTreeSet<_> = said.map(|row| self.moving(Some(row))).collect();
         let base_is_known = self.base.is_known || said.contains(&None);
-        if self.request.base.is_some() && !base_is_known && !self.request.no_inertia {
-            let mistake = mistake::no_inertial(self.first, None);
-            self.error(self.place_of(self.first), mistake);
+        let mut links = Vec::new();
+        if self.request.base.is_some() && !base_is_known {
+            links.push((self.first, self.place_of(self.first)));
         }
         let known: BTreeSet<usize> = said.into_iter().flatten().collect();
         // The rows that carry one whose inertia is known.
@@ -443,16 +446,21 @@ impl<'a> Assembly<'a> {
                 row = self.moved[at].parent;
             }
         }
+        let mut joints = Vec::new();
         for row in rows {
             let Moved { joint, place, .. } = self.moved[row];
-            if self.moved[row].is_locked || known.contains(&row) || self.request.no_inertia {
+            if self.moved[row].is_locked || known.contains(&row) {
                 continue;
             }
+            links.push((&joint.child, place));
             // A joint that others follow may carry theirs.
-            let is_bare = self.coupled.is_empty() && !carrying.contains(&row);
-            let without_mass = is_bare.then_some(joint.name.as_str());
-            let mistake = mistake::no_inertial(&joint.child, without_mass);
-            self.error(place, mistake);
+            if self.coupled.is_empty() && !carrying.contains(&row) {
+                joints.push(joint.name.as_str());
+            }
+        }
+        let names: Vec<&str> = links.iter().map(|(name, _)| *name).collect();
+        if let Some((_, place)) = links.first() {
+            self.error(*place, mistake::no_inertial(&names, &joints));
         }
     }
 

@@ -1,5 +1,6 @@
 //! The links and joints of a URDF document.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::collections::BTreeSet;
 
@@ -90,7 +91,7 @@ pub(super) enum Kind {
     Fixed,
     Revolute,
     Prismatic,
-    /// `floating` or `planar`, which is refused where it matters.
+    /// `floating`, `planar` or `spherical`, which is refused where it matters.
     Other(&'static str),
 }
 
@@ -107,6 +108,7 @@ type Read<T> = Result<T, Reported>;
 
 /// Reads a document; what is wrong in it is reported.
 pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -> Option<Tree> {
+    let source = &*with_declaration_in_front(source);
     let mut declared = Declared::as_written(source);
     let mut document = Document::parse(source);
     if let Err(Error::UnknownNamespace(..)) = document {
@@ -145,6 +147,19 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
     report_repeated("joint", joints.map(|j| (&*j.name, j.place)), diagnostics);
     report_unknown_links(&tree, diagnostics);
     diagnostics.is_empty().then_some(tree)
+}
+
+/// The document, in which a declaration behind blank lines is blank too, as other readers take it. XML has it in front alone.
+fn with_declaration_in_front(source: &str) -> Cow<'_, str> {
+    let blank = source.len() - source.trim_start().len();
+    let is_late = blank > 0 && source[blank..].starts_with("<?xml");
+    let Some(end) = source.find("?>").filter(|_| is_late) else {
+        return Cow::Borrowed(source);
+    };
+    let (declaration, rest) = source.split_at(end + 2);
+    // As many bytes, in as many lines.
+    let kept = |byte| if byte == b'\n' { '\n' } else { ' ' };
+    Cow::Owned(declaration.bytes().map(kept).collect::<String>() + rest)
 }
 
 /// Reports each name that stands before it in the list already.
@@ -510,22 +525,17 @@ impl Reader<'_> {
     }
 
     fn kind(&self, node: Node) -> Read<Kind> {
-        const KNOWN: [&str; 6] = [
-            "revolute",
-            "continuous",
-            "prismatic",
-            "fixed",
-            "floating",
-            "planar",
-        ];
+        const KNOWN: [&str; 4] = ["revolute", "continuous", "prismatic", "fixed"];
+        const OTHERS: [&str; 4] = ["floating", "planar", "spherical", "ball"];
         let attribute = self.attribute(node, "type")?;
         Ok(match attribute.value() {
             "revolute" | "continuous" => Kind::Revolute,
             "prismatic" => Kind::Prismatic,
             "fixed" => Kind::Fixed,
-            "floating" => Kind::Other("floating"),
-            "planar" => Kind::Other("planar"),
             word => {
+                if let Some(other) = OTHERS.into_iter().find(|other| *other == word) {
+                    return Ok(Kind::Other(other));
+                }
                 let place = self.text.place(attribute.range_value().start);
                 let meant = words::meant(word, &KNOWN);
                 let mistake = crate::mistake::unknown("joint type", word, meant, &KNOWN);
