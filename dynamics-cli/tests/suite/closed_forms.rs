@@ -120,7 +120,7 @@ int main(void)
     )
 }
 
-/// What is returned for a pose 100 m away; a joint that slides has no end.
+/// The count for a pose 100 m away; a joint that slides has no end.
 fn beyond(name: &str) -> i32 {
     if name == "stanford" { 8 } else { -1 }
 }

@@ -80,7 +80,7 @@ fn tables_of_geometry_alone_are_served() {
     assert_eq!(of(&modified).replace("_modified", ""), of(&table));
     let page = folder("geometry").join("page.html");
     output(&["page", &table, "--out", &page.to_string_lossy()]);
-    // What reads masses asks for them.
+    // Functions that read masses ask for them.
     assert!(errors(&["evaluate", &table, "--at", "0,0,0,0,0,0"], 1).contains("no_inertia"));
 }
 

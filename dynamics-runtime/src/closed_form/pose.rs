@@ -34,7 +34,7 @@ pub fn nearest_pose<'p, T: Real>(
     place.as_ref()
 }
 
-/// What vanishes of a rotation: two columns have length one and are at right angles, and their vector product is the third.
+/// The numbers that vanish of a rotation: two columns have length one and are at right angles, and their vector product is the third.
 #[inline]
 fn column_misses<T: Real>([x, y, z]: &[[T; 3]; 3]) -> [T; 6] {
     let one = T::from_f64(1.0);
