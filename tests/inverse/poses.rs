@@ -1,4 +1,4 @@
-//! What is taken as a pose, and what is said of a matrix that is none or of a pose out of reach.
+//! Matrices that are taken as poses, and the reasons for those that are none or out of reach.
 
 use robot_dynamics::closed_form::{NoSolution, Solutions};
 use robot_dynamics::nalgebra::{Matrix3, Matrix4, SVector};
