@@ -12,7 +12,7 @@ const OFF: [f64; 12] = [
     0.0, 1e-16, 1e-15, -1e-14, 1e-12, -1e-10, 1e-9, 1e-8, 3e-8, -1e-7, 1e-6, 1e-4,
 ];
 
-/// Of the pose of `at` with these joints there is a solution that is as near to the joints as digits tell, and all miss the pose
+/// The pose of `at` with these joints has a solution that is as near to the joints as digits tell, and all solutions miss it
 /// by rounding. `free` joints may stand anywhere; `most` is as near as is told apart, rad.
 fn check<const N: usize, A: Inverse<N>>(
     arm: &A,
