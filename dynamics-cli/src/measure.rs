@@ -24,8 +24,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let model = read_on_any_base(path, given)?;
     let arm = arm(path, &model.robot, &requests(&model)?)?;
     let mut text = format!(
-        "{:<32}{:>11}{:>9}{:>10}{:>15}\n",
-        "function", "operations", "ns", "batch ns", "largest error"
+        "{:<32}{:>11}{:>17}{:>11}{:>15}\n",
+        "function", "operations", "interpreted, ns", "batch, ns", "largest error"
     );
     let names: Vec<String> = arm.function_names().map(str::to_owned).collect();
     let progress = Progress::new(names.len());
@@ -36,7 +36,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         let operations = arm.operations(name)?.total();
         let _ = writeln!(
             text,
-            "{name:<32}{operations:>11}{:>9.0}{:>10.1}{:>15.1e}",
+            "{name:<32}{operations:>11}{:>17.0}{:>11.1}{:>15.1e}",
             measured.single, measured.batch, measured.error
         );
     }

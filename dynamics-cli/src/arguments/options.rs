@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction, Command, value_parser};
 use dynamics_codegen::description::Allow;
 use dynamics_codegen::files::number as number_of;
@@ -143,6 +143,17 @@ pub(super) fn plot() -> Arg {
         "Draw the motion as curves over time into this file too, as SVG",
     )
     .long("plot")
+    .value_parser(PathBufValueParser::new().try_map(of_svg))
+}
+
+/// The path of a figure, whose ending is that of its format.
+fn of_svg(path: PathBuf) -> Result<PathBuf, &'static str> {
+    match path.extension() {
+        Some(ending) if !ending.eq_ignore_ascii_case("svg") => {
+            Err("the figure is in SVG: expected a file that ends in `.svg`")
+        }
+        _ => Ok(path),
+    }
 }
 
 /// A number as it is, or a value in the macro's words.

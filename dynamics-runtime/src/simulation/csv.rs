@@ -435,8 +435,11 @@ impl<'t> Rows<'t> {
     }
 
     fn number(&self, cell: usize, is_finite: bool) -> Result<f64, CsvError> {
-        let number = self.row[cell].parse::<f64>().ok();
-        let number = number.filter(|x| !is_finite || x.is_finite());
+        let text = &self.row[cell];
+        let number = text.parse::<f64>().ok();
+        // Digits that overflow are no infinity.
+        let has_digits = text.contains(|c: char| c.is_ascii_digit());
+        let number = number.filter(|x| x.is_finite() || !(is_finite || has_digits));
         number.ok_or_else(|| self.mistake(cell, CsvMistake::Number(self.row[cell].to_owned())))
     }
 }
@@ -577,6 +580,17 @@ mod tests {
         let mut text = Vec::new();
         trajectory.write_csv(&CRAIG_ARM, &mut text).unwrap();
         String::from_utf8(text).unwrap()
+    }
+
+    /// Digits beyond the largest number are a mistake, where an infinity may stand too.
+    #[test]
+    fn digits_that_overflow_are_no_infinity() {
+        let text = written(&trajectory());
+        let overflowing = text.replace("\ninf,inf,", "\ninf,1e999,");
+        assert_ne!(text, overflowing);
+        let error = Trajectory::<2>::read_csv(overflowing.as_bytes());
+        let mistake = error.map_err(|error| error.mistake);
+        assert_eq!(mistake, Err(CsvMistake::Number("1e999".to_owned())));
     }
 
     #[test]
