@@ -77,7 +77,8 @@ pub(crate) fn read_with_frame(
     Ok(read_any(path, beside, Vec::new()).unwrap_or(model))
 }
 
-/// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides. A table may be one of geometry.
+/// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides. A table
+/// may be one of geometry.
 pub(crate) fn read_with_fields(
     path: &Path,
     given: &ArgMatches,

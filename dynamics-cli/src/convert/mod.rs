@@ -25,6 +25,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
+use dynamics_runtime::table::MOST_FRAMES;
 use dynamics_symbolic::robot::{Convention, Robot};
 
 use crate::beside::has_links;
@@ -38,9 +39,6 @@ use table::Table;
 
 /// The parts of joints that URDF has no words for, as the option `--without` names them.
 pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
-
-/// Frames for which the table of a struct has room.
-const MOST_FRAMES: usize = 16;
 
 /// The text of the other file.
 pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {

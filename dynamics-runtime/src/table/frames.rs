@@ -7,7 +7,7 @@ use super::{Placement, Row};
 use crate::JointType;
 
 /// How many frames a [`Table`](super::Table) has room for.
-pub(crate) const MOST_FRAMES: usize = 16;
+pub const MOST_FRAMES: usize = 16;
 
 /// A frame that is fixed to a link or to the base, and a body in it.
 ///

@@ -12,7 +12,8 @@ pub(crate) use arm::{Moving, tip_row};
 pub use carrier::Carrier;
 pub(crate) use followers::MOST_FOLLOWERS;
 pub use followers::{Follower, Followers, JointMotion};
-pub(crate) use frames::MOST_FRAMES;
+#[doc(hidden)]
+pub use frames::MOST_FRAMES;
 pub use frames::{FixedFrame, Frames};
 #[cfg(feature = "std")]
 pub use runtime::RuntimeTable;
