@@ -1,16 +1,19 @@
 //! A robot against Newton-Euler, and against another file.
 
-use std::fmt::Display;
+use std::fmt::{Display, Write as _};
 use std::path::PathBuf;
 
 use clap::ArgMatches;
+use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::check::Check;
+use dynamics_symbolic::exact::SplitMix64;
+use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
 use crate::compare::compare;
 use crate::failure::Failure;
-use crate::load::{arm, count, file_of, read_both, read_on_any_base, requests};
+use crate::load::{arm, count, file_of, read_both, read_with_names, requests};
 use crate::progress::Progress;
 
 /// The text of `check`.
@@ -19,24 +22,29 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let samples = count(given, "samples");
     let other = given.get_one::<PathBuf>("against");
     let (model, other) = match other {
-        None => (read_on_any_base(path, given)?, None),
+        None => (read_with_names(path, given)?, None),
         Some(other) => {
             let [model, of_other] = read_both(other, given)?;
             (model, Some((other, of_other)))
         }
     };
     let asked = requests(&model)?;
-    let checked = arm(path, &model.robot, &asked)?;
+    let mut checked = arm(path, &model.robot, &asked)?;
+    let mut text = numbers_of_its_own(&mut checked)?;
     let check = Check::new().samples(samples);
     let progress = Progress::new(1);
     progress.doing("comparing with Newton-Euler");
     let report = check.run_any(&checked);
     drop(progress);
-    let mut text = format!("{report}\n");
+    let _ = writeln!(text, "{report}");
     if !report.is_ok() {
-        let differs = report.functions.iter().any(|function| !function.is_ok());
-        let message = if differs {
-            "the functions differ from Newton-Euler"
+        let mut bad = report.functions.iter().filter(|row| !row.is_ok());
+        let message = if let Some(first) = bad.next() {
+            if first.overflows && bad.all(|row| row.overflows) {
+                "the numbers overflow double precision, and nothing can be compared: are the units right?"
+            } else {
+                "the functions differ from Newton-Euler"
+            }
         } else if report.has_negative_inertia() {
             "the mass matrix is not positive definite"
         } else {
@@ -68,6 +76,27 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         return Err(Failure::after(text, message));
     }
     Ok(text)
+}
+
+/// Gives fields without a value numbers between 0.75 and 1.25, and says so: the equations hold for any.
+fn numbers_of_its_own(robot: &mut RuntimeRobot) -> Result<String, Failure> {
+    let names = robot.field_names();
+    if names.is_empty() {
+        return Ok(String::new());
+    }
+    let mut random = SplitMix64::new(2);
+    let mut number = || (750.0 + (500.0 * random.unit()).round()) / 1000.0;
+    let values: Vec<f64> = names.iter().map(|_| number()).collect();
+    let pairs = names.iter().zip(&values);
+    let pairs: Vec<_> = pairs
+        .map(|(name, value)| format!("{} = {value}", plain(name)))
+        .collect();
+    let first = plain(&names[0]).to_owned();
+    robot.set_fields(&values)?;
+    Ok(format!(
+        "fields without a value, which are checked with these numbers (`--field {first}=2` gives another): {}\n",
+        pairs.join(", ")
+    ))
 }
 
 /// Why two robots have no states in common: the base of one of them moves, or another number of joints.

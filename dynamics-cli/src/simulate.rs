@@ -92,7 +92,7 @@ fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     robot: &RuntimeRobot,
     given: &ArgMatches,
 ) -> Result<String, Failure> {
-    let motion = run.map_err(|error| stopped(&error, given))?;
+    let motion = run.map_err(|error| stopped(error.naming(in_motion), given))?;
     let text = written(&motion, in_motion)?;
     plot::put(given, || {
         motion.figure(in_motion).title(&robot.robot().name)
@@ -101,8 +101,8 @@ fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
 }
 
 /// The failure of a motion that was not followed to its end, and the option to blame.
-fn stopped<K: Stand>(error: &SizedSimulationError<K>, given: &ArgMatches) -> Failure {
-    let (time, samples) = (error.time, &error.trajectory.t);
+fn stopped<K: Stand>(error: SizedSimulationError<K>, given: &ArgMatches) -> Failure {
+    let time = error.time;
     let duration = number(given, "duration");
     let lost = 16.0 * f64::EPSILON * duration;
     let reason = match error.cause {
@@ -112,18 +112,13 @@ fn stopped<K: Stand>(error: &SizedSimulationError<K>, given: &ArgMatches) -> Fai
             shortest(duration),
             shortest(time)
         ),
-        Cause::TooManySteps => {
-            let most = DormandPrince::default().max_steps as f64;
-            let step = (time - samples.last().unwrap_or(&0.0)) / most;
-            format!(
-                "`--duration {}`: the motion needs steps of {step:.0e} s at t = {} s, some {:.0e} up to the end, \
-                 and {most:.0e} between two samples are the most: give a shorter time, a larger `--tolerance` or more \
-                 `--samples`",
-                shortest(duration),
-                shortest(time),
-                (duration - time) / step
-            )
-        }
+        Cause::TooManySteps => format!(
+            "`--duration {}`: the motion needs more than {} steps between two samples at t = {} s: give a shorter time, a \
+             larger `--tolerance` or more `--samples`; for a stiff robot, Rust and Python have the method of Radau",
+            shortest(duration),
+            DormandPrince::default().max_steps,
+            shortest(time)
+        ),
         _ => error.to_string(),
     };
     Failure::after(String::new(), reason)

@@ -114,6 +114,9 @@ pub(crate) fn of_many<'py>(
         .map(|(argument, value)| Given::new(argument, value))
         .collect::<PyResult<_>>()?;
     let lead = broadcast(&given)?;
+    if lead.is_empty() {
+        warn_of_degrees(py, ready, &given)?;
+    }
     let rows = given.iter().map(|one| one.rows(&lead));
     let rows: Vec<_> = rows.collect::<PyResult<_>>()?;
     let locks: Vec<_> = rows
@@ -141,6 +144,16 @@ pub(crate) fn of_many<'py>(
     }
     drop(locks);
     results.finish(py, ready, &lead, is_single)
+}
+
+/// A `UserWarning` if positions of joints were perhaps meant in degrees.
+fn warn_of_degrees(py: Python<'_>, ready: &Ready, given: &[Given<'_, '_>]) -> PyResult<()> {
+    let mut pairs = ready.arguments.iter().zip(given);
+    let Some((_, q)) = pairs.find(|(argument, _)| argument.name == "q") else {
+        return Ok(());
+    };
+    let positions = q.array().call_method0("ravel")?.extract::<Vec<f64>>()?;
+    errors::warn_of_degrees(py, ready.arm.robot(), &positions, 1)
 }
 
 /// The arguments in their order, and the settings.

@@ -1,6 +1,5 @@
 //! A robot as it was read, and its functions, each derived when it is first needed.
 
-use std::ffi::CString;
 use std::path::Path;
 use std::sync::{Arc, OnceLock, mpsc};
 use std::thread;
@@ -10,8 +9,10 @@ use dynamics_codegen::{Model, nearest};
 use dynamics_evaluation::{BuildError, FileError, ReadOptions, RuntimeRobot, read_source};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
-use pyo3::exceptions::{PyRuntimeError, PyUserWarning, PyValueError};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
+
+use crate::errors::warn;
 
 /// How often a derivation that runs is interrupted for signals such as Ctrl-C.
 const BETWEEN_SIGNALS: Duration = Duration::from_millis(50);
@@ -50,13 +51,23 @@ impl Description {
         let Model {
             robot,
             requests,
-            warnings,
+            inverses,
+            mut warnings,
             ..
         } = read_source(path, text, options)?;
+        let requests: Vec<_> = requests.into_iter().map(|(request, _)| request).collect();
+        if !inverses.is_empty() {
+            let left_out = "`inverse_kinematics` in closed form is written by `generate --lang rust`, `c` and `js` and by the \
+                            macro, and is left out: `reach` finds joint positions by search";
+            if requests.is_empty() {
+                let message = format!("{left_out}. Nothing else is requested");
+                return Err(FileError::Build(path.to_owned(), BuildError::Failure(message)));
+            }
+            warnings.push(left_out.to_owned());
+        }
         if !robot.freedoms().has_base() && robot.freedoms().joints == 0 {
             return Err(FileError::Build(path.to_owned(), BuildError::NoJoints));
         }
-        let requests = requests.into_iter().map(|(request, _)| request);
         Ok(Description {
             warnings,
             ..Description::new(robot, requests)
@@ -68,9 +79,7 @@ impl Description {
         for warning in &self.warnings {
             // Notes are in the words of a call of the macro.
             let text = warning.trim().replace("`round_angles: ", "`round_angles=");
-            let text = CString::new(text)?;
-            let category = py.get_type::<PyUserWarning>();
-            PyErr::warn(py, &category, &text, CALLS_TO_FROM_FILE)?;
+            warn(py, &text, CALLS_TO_FROM_FILE)?;
         }
         Ok(())
     }

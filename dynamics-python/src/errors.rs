@@ -1,7 +1,10 @@
 //! Errors of Rust as exceptions of the package.
 
-use dynamics_evaluation::FileError;
-use pyo3::exceptions::{PyOSError, PyRuntimeError};
+use std::ffi::CString;
+
+use dynamics_evaluation::{FileError, positions_in_degrees};
+use dynamics_symbolic::robot::Robot;
+use pyo3::exceptions::{PyOSError, PyRuntimeError, PyUserWarning};
 use pyo3::prelude::*;
 
 /// The module that has the exceptions.
@@ -49,5 +52,24 @@ pub(crate) fn singular(py: Python<'_>, index: Vec<usize>, joint: &str, reason: &
     match index {
         Ok(index) => raised(py, "SingularMassMatrix", (index, joint, reason)),
         Err(error) => error,
+    }
+}
+
+/// A `UserWarning` at the caller, so many calls of Python outwards.
+pub(crate) fn warn(py: Python<'_>, text: &str, calls: i32) -> PyResult<()> {
+    let text = CString::new(text)?;
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, calls)
+}
+
+/// The same if positions of joints were perhaps meant in degrees.
+pub(crate) fn warn_of_degrees(
+    py: Python<'_>,
+    robot: &Robot,
+    positions: &[f64],
+    calls: i32,
+) -> PyResult<()> {
+    match positions_in_degrees(robot, positions) {
+        Some(remark) => warn(py, &remark, calls),
+        None => Ok(()),
     }
 }

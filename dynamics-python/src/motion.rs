@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::require_transform;
+use crate::errors::warn_of_degrees;
 use crate::force::{Force, Wrench};
 use crate::results::array;
 use crate::robot::Arm;
@@ -222,6 +223,7 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     let (motion, stopped) = match outcome {
         Ok(motion) => (motion, None),
         Err(error) => {
+            let error = error.naming(dynamics);
             let is_invalid = matches!(error.cause, Cause::InvalidSetting(_));
             let stopped = (error.time, error.to_string(), is_invalid);
             (error.trajectory, Some(stopped))
@@ -325,6 +327,9 @@ impl Motion {
     }
 }
 
+/// The calls of the package from this one out to the user's of `Robot.simulate` and `Robot.reach`.
+pub(crate) const CALLS_TO_MOVE: i32 = 3;
+
 #[pymethods]
 impl Arm {
     /// Follows a motion. Arrays of its samples, and how it stopped where that was before its end: the time, the reason, and
@@ -343,6 +348,7 @@ impl Arm {
         for wrench in plan.wrenches.iter().chain(&plan.held_wrench) {
             self.description.kinematics(wrench.frame.as_deref())?;
         }
+        warn_of_degrees(py, &self.description.robot, &plan.q, CALLS_TO_MOVE)?;
         let robot = self.all_functions(py)?;
         let force = Force::new(law, constant);
         let plan = &plan;

@@ -7,6 +7,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::arguments::require_transform;
+use crate::errors::warn_of_degrees;
+use crate::motion::CALLS_TO_MOVE;
 use crate::robot::Arm;
 
 /// The request of a search.
@@ -102,6 +104,7 @@ impl Arm {
             let message = "`reach` is of a robot whose base stands: this one moves";
             return Err(PyValueError::new_err(message));
         }
+        warn_of_degrees(py, &self.description.robot, &asked.start, CALLS_TO_MOVE)?;
         let mut functions = Vec::new();
         let mut targets = Vec::new();
         for (frame, numbers) in &asked.targets {

@@ -224,6 +224,13 @@ impl Arm {
         self.fields.to_vec()
     }
 
+    /// The names of all functions that `functions` knows.
+    #[staticmethod]
+    fn known_functions() -> Vec<&'static str> {
+        let all = dynamics_symbolic::Function::ALL.iter();
+        all.map(|function| function.name()).collect()
+    }
+
     /// The functions by their names.
     #[getter]
     fn functions(&self) -> Vec<(String, Function)> {

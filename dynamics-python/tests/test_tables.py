@@ -1,5 +1,6 @@
 """Robots of files, of texts and of keywords, and the mistakes in them."""
 
+import contextlib
 import copy
 import errno
 import pickle
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 import robot_dynamics as rd
-from conftest import DATA, panda
+from conftest import DATA, GRAVITY, panda
 from robot_dynamics._native import Arm
 from robot_dynamics._robot import KEYWORDS
 
@@ -259,3 +260,42 @@ def test_a_base_that_moves() -> None:
     np.testing.assert_allclose(arm.inverse_dynamics(pose, q, v, a)[:3], [0, 0, -4 * 9.81])
     with pytest.raises(ValueError, match=r"`base` has the shape \(3, 4\): expected \(\.\.\., 4, 4\)"):
         arm.gravity_vector(pose[:3], q)
+
+
+def test_words_that_are_no_functions_are_not_advised_as_such() -> None:
+    arm = rd.Robot.from_file(DATA / "urdf/ur5_robot.urdf", gravity=GRAVITY)
+    for word, told in [
+        ("torque_limits", "a robot has no `torque_limits`: there are .*`?joint_limits"),
+        ("mass_matrx", "did you mean `mass_matrix`"),
+        ("Mass_Matrix", "did you mean `mass_matrix`"),
+        ("regressor", 'functions=\\["default", "regressor"\\]'),
+        ("jacobian_FL_foot", 'functions=\\["default", "jacobian\\(FL_foot\\)"\\]; .* small'),
+        ("inverse_kinematics", "`reach` finds"),
+    ]:
+        with pytest.raises(AttributeError, match=told):
+            getattr(arm, word)
+
+
+def test_closed_forms_are_told_to_be_elsewhere() -> None:
+    path = DATA / "urdf/ur5_robot.urdf"
+    with pytest.raises(rd.TableError, match="`inverse_kinematics` in closed form .*`reach` .* Nothing else"):
+        rd.Robot.from_file(path, gravity=GRAVITY, functions=["inverse_kinematics"])
+    with pytest.warns(UserWarning, match="`inverse_kinematics` in closed form"):
+        arm = rd.Robot.from_file(path, gravity=GRAVITY, functions=["gravity_vector", "inverse_kinematics"])
+    assert arm.gravity_vector(np.zeros(6)).shape == (6,)
+
+
+def test_positions_in_degrees_are_told() -> None:
+    arm = rd.Robot.from_file(DATA / "urdf/ur5_robot.urdf", gravity=GRAVITY)
+    degrees = [0, -90, 90, 0, 45, 0]
+    told = "-90 rad of `shoulder_lift_joint` are 14.3 turns: angles are in radians, and -90 degrees are -1.5708"
+    for call in [
+        lambda: arm.gravity_vector(degrees),
+        lambda: arm.gravity_vector(np.array(degrees)),
+        lambda: arm.simulate(degrees, duration=1e-3, samples=2),
+        lambda: arm.reach(np.eye(4) + 0.3, start=degrees),
+    ]:
+        with pytest.warns(UserWarning, match=told) as caught:
+            with contextlib.suppress(ValueError):
+                call()
+        assert {one.filename for one in caught} == {__file__}

@@ -60,11 +60,25 @@ pub(crate) mod vectors {
 
     impl<'de, V: JointVector> Deserialize<'de> for Entry<V> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let entries: Vec<f64> = match V::size() {
+            let entries: Vec<Number> = match V::size() {
                 Some(size) => read(deserializer, size)?,
                 None => Vec::deserialize(deserializer)?,
             };
-            Ok(Entry(V::from_entries(entries.len(), |i| entries[i])))
+            Ok(Entry(V::from_entries(entries.len(), |i| entries[i].0)))
+        }
+    }
+
+    /// A number. Texts such as JSON have nothing (`null`) in place of one that is not finite.
+    struct Number(f64);
+
+    impl<'de> Deserialize<'de> for Number {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            if deserializer.is_human_readable() {
+                let number = Option::deserialize(deserializer)?;
+                Ok(Number(number.unwrap_or(f64::NAN)))
+            } else {
+                f64::deserialize(deserializer).map(Number)
+            }
         }
     }
 }

@@ -94,7 +94,7 @@ fn fields_have_values() {
         "3",
     ]);
 
-    let message = errors(&["check", &carrying], 1);
+    let message = errors(&["simulate", &carrying], 1);
     assert!(
         message.contains("unknown name `load`: `--field load=2`"),
         "{message}"

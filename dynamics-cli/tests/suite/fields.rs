@@ -171,13 +171,12 @@ fn names_are_arguments_in_every_language() {
     }
 }
 
-/// Commands that evaluate ask for each name once.
+/// Commands that evaluate at the user's numbers ask for each name once.
 #[test]
 fn numbers_are_asked_for() {
     let names = file("asked.toml", NAMES.replace("m2 + load", "m2 + m1"));
     for call in [
-        &["check", &names][..],
-        &["evaluate", &names],
+        &["evaluate", &names][..],
         &["simulate", &names],
         &["inverse-dynamics", &names, "--to", "1,1"],
         &["measure", &names],
@@ -198,6 +197,34 @@ fn numbers_are_asked_for() {
             &VALUES,
         ]
         .concat(),
+    );
+}
+
+/// Names without a value are numbers of the check's own, the same in each run, and are listed.
+#[test]
+fn a_table_of_names_is_checked() {
+    let path = file("own_numbers.toml", NAMES);
+    let check = ["check", &path, "--samples", "5", "--field", "g=9.81"];
+    let text = output(&check);
+    assert!(
+        text.starts_with("fields without a value, which are checked with these numbers (`--field l1=2` gives another): l1 = "),
+        "{text}"
+    );
+    assert!(
+        text.contains(", load = ") && !text.contains("g = "),
+        "{text}"
+    );
+    assert!(
+        text.contains("\ninverse_dynamics") && !text.contains("WRONG"),
+        "{text}"
+    );
+    assert_eq!(output(&check), text);
+    // A name of which no number makes a body: the sign is wrong.
+    let negative = file("negative.toml", NAMES.replace("\"m1\"", "\"-m1 - 9\""));
+    let message = errors(&["check", &negative, "--samples", "5"], 1);
+    assert!(
+        message.contains("the mass matrix is not positive definite"),
+        "{message}"
     );
 }
 
@@ -224,7 +251,7 @@ fn a_list_of_fields_is_closed() {
     ]);
     assert!(shown.contains("fields: l1, l2, m1, m2, load\n"), "{shown}");
     output(&[&["check", &path, "--samples", "5"][..], &VALUES].concat());
-    let message = errors(&["check", &path, "--field", "g=9.81"], 1);
+    let message = errors(&["simulate", &path, "--field", "g=9.81"], 1);
     assert!(
         message.contains(
             "fields have no value: `l1`, `l2`, `m1`, `m2`, `load`. This command needs numbers"

@@ -54,7 +54,7 @@ fn names_beside_the_file_that_is_named_are_fields() {
     let toml = table("carrying.toml", &carrying);
     let shown = output(&["show", &toml]);
     assert!(shown.contains("fields: load\n"), "{shown}");
-    let asked = errors(&["check", &toml], 1);
+    let asked = errors(&["simulate", &toml], 1);
     assert!(asked.contains("--field load=2"), "{asked}");
     output(&["check", &toml, "--field", "load=2", "--samples", "1"]);
     let closed = table("closed.toml", &format!("fields = []\n{carrying}"));

@@ -321,7 +321,7 @@ fn numbers_that_are_too_large_are_told() {
                 "--samples",
                 "3",
             ],
-            "the acceleration of joint 1 is not finite",
+            "the acceleration of joint 1 (pivot) is not finite",
         ),
     ] {
         let message = errors(&arguments, 1);

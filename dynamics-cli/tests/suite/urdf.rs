@@ -447,7 +447,23 @@ fn misspelled_words_are_told() {
         assert_ne!(text, right);
         let told = String::from_utf8_lossy(&call("misspelled.urdf", text).stderr).into_owned();
         assert!(told.contains(expected), "{wrong:?}: {told}");
+        assert_eq!(told.matches(expected).count(), 1, "{told}");
     }
+    let turns = right.replace("lower=\"-1\" upper=\"2\"", "lower=\"-90\" upper=\"90\"");
+    let refused = String::from_utf8_lossy(&call("turns.urdf", turns.clone()).stderr).into_owned();
+    assert!(
+        refused.contains("as which `--allow odd_limits` takes it"),
+        "{refused}"
+    );
+    let turns = file("turns.urdf", turns);
+    output(&[
+        "show",
+        &turns,
+        "--gravity",
+        "0,0,0",
+        "--allow",
+        "odd_limits",
+    ]);
     let others = right
         .replace(
             "<limit lower",
@@ -623,7 +639,17 @@ fn links_without_inertia_matter_where_masses_are_read() {
             assert!(message.contains(expected), "{functions}: {message}");
         }
     }
+    // A file that says nothing of any inertia is one of geometry, if no function needs it.
+    let converted = output(&of_bare("convert", &neither, &["--to", "toml"]));
+    assert!(!converted.contains("mass"), "{converted}");
+    let page = folder("neither").join("page.html");
+    output(&of_bare(
+        "page",
+        &neither,
+        &["--out", &page.to_string_lossy()],
+    ));
     let first = bare("first.urdf", [POINT, ""]);
+    assert!(errors(&of_bare("convert", &first, &["--to", "toml"]), 1).contains("`lower` moves"));
     let message = errors(&of_bare("show", &first, &[]), 1);
     assert!(!message.contains("`upper`"), "{message}");
     assert!(message.contains("the link `lower` moves"), "{message}");
@@ -661,14 +687,15 @@ fn subcommands_ask_for_the_masses_that_they_read() {
         &["page", "--out", &page],
     ] {
         let functions = [&options[1..], &["--functions", "jacobian"]].concat();
-        let message = errors(&of_bare(options[0], &neither, &functions), 1);
-        assert!(message.contains("`--allow no_inertia`"), "{message}");
-        // A page shows the poses of a table in which nothing has a mass.
+        let of_file = of_bare(options[0], &neither, &functions);
         let of_table = [&[options[0], &table][..], &options[1..]].concat();
-        if options[0] == "page" {
-            output(&of_table);
-        } else {
-            let message = errors(&of_table, 1);
+        for call in [of_file, of_table] {
+            // A page shows the poses of a robot in which nothing has a mass.
+            if options[0] == "page" {
+                output(&call);
+                continue;
+            }
+            let message = errors(&call, 1);
             assert!(message.contains("`--allow no_inertia`"), "{message}");
         }
     }

@@ -8,7 +8,7 @@ use dynamics_symbolic::exact::Rational;
 
 use super::request::{Format, MovingBase, Request};
 use super::{beside, fields, json, toml, urdf};
-use crate::description::{Entry, Expr, FileName, Name, Place, Positioned, Row, Table};
+use crate::description::{Entry, Expr, FileName, Masses, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
 use crate::tree::Language;
@@ -267,6 +267,7 @@ pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Reques
     let mut request = Request {
         unphysical_inertia: table.allow().unphysical_inertia || !reads_masses,
         no_inertia: table.allow().no_inertia || !reads_masses,
+        may_be_geometry: table.masses == Masses::IfAny,
         odd_angle: table.allow().odd_angle,
         ..Request::default()
     };

@@ -60,6 +60,8 @@ pub struct Request {
     pub unphysical_inertia: bool,
     /// Whether movable links without `<inertial>` are taken as massless.
     pub no_inertia: bool,
+    /// Whether a file may say nothing of any inertia.
+    pub may_be_geometry: bool,
     /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
     pub odd_angle: bool,
     /// Joints for which more is accepted: angles of their placement, and tensors of what they carry.

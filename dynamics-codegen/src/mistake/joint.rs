@@ -115,8 +115,9 @@ mistakes! {
          link is the `tool`";
     /// As [`position_of_many_turns`], in the words of URDF, which has neither `deg` nor `PI`.
     limit_in_degrees(radians: f64) {degrees: number(radians), right: radians.to_radians()}
+        [allow: allow("odd_limits", "in the call")]
         "`<limit>` is in radians, and {degrees} rad are more than five turns: {degrees} degrees are {right:.4} rad, and \
-         a joint that turns so far is `continuous`";
+         a joint that turns so far is `continuous`, as which {allow} takes it";
 }
 
 /// A computed number in twelve digits: 1 / 0.49 is 2.04081632653.

@@ -5,14 +5,23 @@ use dynamics_symbolic::robot::{JointType, Value};
 use super::scope::{Scope, all};
 use crate::description::{self, Expr, Given};
 use crate::mistake::joint as mistake;
+use crate::place::Place;
 
 /// A revolute joint does not turn so far, in rad, unless its position is written in terms of PI: five
 /// turns.
 const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
 
-/// Both limits. Outer `None`: in error; inner `None`: not written.
+/// Both limits. Outer `None`: in error; inner `None`: not written. Those of a file that make no sense may be none.
 pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
     row.limits.read(None, |limits| {
+        if row.limits_of_urdf
+            && let Some((place, size)) = many_turns_of_either(limits, row, scope)
+        {
+            if scope.allowed().odd_limits {
+                return Some(None);
+            }
+            return scope.refused(place, mistake::limit_in_degrees(size));
+        }
         let value = |limit: &Option<Expr>| self::limit(limit.as_ref()?, row, scope);
         let [lower, upper] = all(limits.each_ref().map(value))?;
         let [Some(first), Some(last)] = limits else {
@@ -40,12 +49,22 @@ fn limit(limit: &Expr, row: &description::Row, scope: &mut Scope) -> Option<Valu
         return scope.refused(limit.place, mistake::limit_with_field());
     }
     match many_turns(&value, row) {
-        Some(size) if row.limits_of_urdf => {
-            scope.refused(limit.place, mistake::limit_in_degrees(size))
-        }
         Some(size) => scope.refused(limit.place, mistake::position_of_many_turns(size)),
         None => Some(value),
     }
+}
+
+/// The larger of two limits that were hardly meant in rad.
+fn many_turns_of_either(
+    limits: &[Option<Expr>; 2],
+    row: &description::Row,
+    scope: &mut Scope,
+) -> Option<(Place, f64)> {
+    let sizes = limits.iter().flatten().filter_map(|limit| {
+        let value = scope.value(limit)?;
+        Some((limit.place, many_turns(&value, row)?))
+    });
+    sizes.max_by(|(_, one), (_, other)| one.total_cmp(other))
 }
 
 /// The greatest torque or speed, a number. Outer `None`: in error; inner `None`: not written.

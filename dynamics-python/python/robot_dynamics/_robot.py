@@ -331,13 +331,30 @@ class Robot:
             raise AttributeError(name)
         if name == "taylor_series":
             raise AttributeError("`taylor_series` is a function of compiled robots: the macro of Rust has it")
+        if name == "inverse_kinematics":
+            raise AttributeError(
+                "`inverse_kinematics` in closed form is written by `generate --lang rust`, `c` and `js` and by the macro: "
+                "`reach` finds joint positions by search"
+            )
         # Only a slip of one letter or two: names of functions resemble each other.
-        meant = difflib.get_close_matches(name, self._functions, 1, 0.9)
+        public = [word for word in (*self._functions, *dir(self)) if not word.startswith("_")]
+        meant = difflib.get_close_matches(name.lower(), public, 1, 0.9)
         if meant:
             raise AttributeError(f"no function `{name}`: did you mean `{meant[0]}`?")
-        raise AttributeError(
-            f"no function `{name}`: add it to `functions`, for example functions=[\"default\", \"{name}\"]"
-        )
+        known = _native.Arm.known_functions()
+        if name in known:
+            raise AttributeError(
+                f"no function `{name}`: add it to `functions`, for example functions=[\"default\", \"{name}\"]"
+            )
+        of_frame = [function for function in known if name.startswith(f"{function}_")]
+        if of_frame:
+            function = max(of_frame, key=len)
+            frame = name[len(function) + 1 :]
+            raise AttributeError(
+                f"no function `{name}`: if `{frame}` is a frame, add it to `functions`, for example "
+                f"functions=[\"default\", \"{function}({frame})\"]; in a method's name its letters are small ones"
+            )
+        raise AttributeError(f"a robot has no `{name}`: there are {', '.join(public)}")
 
     def _function(self, name: str) -> Function:
         if name not in self._functions:

@@ -39,6 +39,7 @@ pub(super) fn refused(
         error: regular.then_some(f64::INFINITY),
         rounding: 0.0,
         joint: Some(error.joint),
+        overflows: false,
     }
 }
 

@@ -72,6 +72,8 @@ pub(super) struct Deviation {
     pub(super) rounding: f64,
     /// The joint of the worst entry, where entries belong to joints.
     pub(super) joint: Option<usize>,
+    /// Whether the magnitude of the worst entry is not finite: the numbers compared with overflow.
+    pub(super) overflows: bool,
 }
 
 /// Entries of a matrix whose row i belongs to joint i.
@@ -122,12 +124,12 @@ impl Entry {
 
 impl Deviation {
     pub(super) fn worst(function: &'static str, entries: impl Iterator<Item = Entry>) -> Self {
-        let (mut worst, mut rounding) = ((0.0, None), 0.0_f64);
+        let (mut worst, mut rounding) = ((0.0, None, false), 0.0_f64);
         for entry in entries {
             rounding = rounding.max(entry.relative(entry.rounding));
             let error = entry.relative(entry.difference);
             if error > worst.0 {
-                worst = (error, entry.joint);
+                worst = (error, entry.joint, !entry.scale.is_finite());
             }
         }
         Deviation {
@@ -135,6 +137,7 @@ impl Deviation {
             error: Some(worst.0),
             rounding,
             joint: worst.1,
+            overflows: worst.2,
         }
     }
 
@@ -145,6 +148,7 @@ impl Deviation {
             error: None,
             rounding: 0.0,
             joint: None,
+            overflows: false,
         }
     }
 }

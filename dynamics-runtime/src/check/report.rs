@@ -54,6 +54,8 @@ pub struct FunctionReport {
     pub rounding: Option<f64>,
     /// The largest error that passes.
     pub tolerance: f64,
+    /// Whether nothing can be said there, because the numbers that are compared with are not finite.
+    pub overflows: bool,
     /// The joint of the entry with the largest error, counted from 0, where there is one.
     pub joint: Option<usize>,
     /// Name of the state of the largest error.
@@ -73,6 +75,14 @@ impl FunctionReport {
     /// Whether the error is within the tolerance.
     pub fn is_ok(&self) -> bool {
         self.error <= self.tolerance
+    }
+
+    fn verdict(&self) -> &'static str {
+        match (self.is_ok(), self.overflows) {
+            (true, _) => "ok",
+            (_, true) => "overflow",
+            (_, false) => "WRONG",
+        }
     }
 
     /// The function with its frame, and the method that returned it where that is another.
@@ -142,6 +152,7 @@ impl Report {
         entry.states += 1;
         if entry.states == 1 || error > entry.error {
             entry.error = error;
+            entry.overflows = deviation.overflows;
             entry.joint = deviation.joint;
             entry.label = label.into();
             entry.base = base.map(|base| base.entries().into());
@@ -181,6 +192,7 @@ impl Report {
                 error: 0.0,
                 rounding: None,
                 tolerance,
+                overflows: false,
                 joint: None,
                 label: String::new(),
                 base: None,
@@ -289,7 +301,7 @@ impl Report {
             row.rounding
                 .map_or_else(String::new, |x| format!("{x:.1e}")),
             format!("{:.1e}", row.tolerance),
-            if row.is_ok() { "ok" } else { "WRONG" }.into(),
+            row.verdict().into(),
             row.joint.map_or("", |i| &self.joint_names[i]).into(),
             row.label.clone(),
         ]

@@ -549,6 +549,36 @@ fn the_printed_report_is_a_table() {
     assert_eq!(format!("{report:#}").matches("qdd = [").count(), 8);
 }
 
+/// Where the numbers that are compared with are not finite, nothing is known of the function.
+#[test]
+fn numbers_that_overflow_are_told_as_such() {
+    struct Heavy;
+    impl Model<2> for Heavy {
+        const JOINT_NAMES: [&'static str; 2] = CraigArm::JOINT_NAMES;
+
+        fn table(&self) -> Table<2> {
+            let mut table = CRAIG_ARM.table();
+            table.rows[1].mass = 1e308;
+            table
+        }
+    }
+    impl Evaluate<2> for Heavy {
+        fn evaluate(&self, state: &State<2>, tau: &SVector<f64, 2>) -> Evaluation {
+            let mut evaluation = CRAIG_ARM.evaluate(state, tau);
+            evaluation.set("inverse_dynamics", SVector::from([f64::NAN; 2]));
+            evaluation
+        }
+    }
+    let report = Check::new().samples(20).run(&Heavy);
+    assert!(!report.is_ok());
+    let torques = report
+        .functions
+        .iter()
+        .find(|row| row.function == "inverse_dynamics");
+    assert!(torques.is_some_and(|row| row.overflows && row.error == f64::INFINITY));
+    assert!(report.to_string().contains("overflow"), "{report}");
+}
+
 #[test]
 #[should_panic(expected = "WRONG")]
 fn assertion_panics_with_the_report() {

@@ -4,6 +4,8 @@
 //! Constants of a program stay the doubles that stand in its text: its value in `DoubleDouble` is the exact value of
 //! the same function.
 
+#[cfg(feature = "std")]
+mod decimal;
 mod operations;
 mod trigonometry;
 
@@ -37,6 +39,7 @@ use crate::operators::scalar_methods;
 /// let (s, c) = third.sin_cos();
 /// let one = s * s + c * c;
 /// assert!((one - DoubleDouble::from(1.0)).high().abs() < 1e-31);
+/// assert_eq!(format!("{third:.29}"), "3.33333333333333333333333333333e-1");
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct DoubleDouble {

@@ -34,10 +34,9 @@ where
     }
     let mut instants = Instants::new(motion.torque.period(), recorder.duration);
     let mut progress = Progress::new(motion.robot.size(), control);
-    let max_steps = progress.max_steps();
     let mut steps = 0;
     while recorder.next_sample().is_some() {
-        let made = if Some(steps) == max_steps {
+        let made = if progress.has_too_many(steps, recorder) {
             Err(Cause::TooManySteps)
         } else {
             stepper.step(system, instants.next()).map_err(Cause::from)

@@ -7,6 +7,7 @@ use nalgebra::Const;
 use super::joint_set::JointSet;
 use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
+use crate::equations_of_motion::SizedModel;
 use crate::newton_euler::NAMES_OF_BASE;
 use crate::size::{JointVector as _, Size};
 use crate::stand::{OnBase, Stand, Velocities};
@@ -28,6 +29,8 @@ pub struct SizedSimulationError<K: Stand> {
     pub qd: Velocities<K>,
     /// Why the motion does not go on from there. Its joints count the six numbers of a base that moves first.
     pub cause: Cause,
+    /// The names of the joints, if the sentence has them ([`naming`](SizedSimulationError::naming)).
+    pub(super) joint_names: Vec<String>,
     /// The samples up to there.
     pub trajectory: SizedTrajectory<K>,
 }
@@ -74,8 +77,18 @@ pub enum Cause {
     /// The equations of a step of an implicit method are not solved by iteration: the step is too
     /// long.
     NoConvergence,
-    /// The greatest number of steps between two samples was made.
+    /// The greatest number of steps between two samples was made, or a tenth of it so far from the next sample that 30 times
+    /// as many would not be enough.
     TooManySteps,
+    /// The same, and a joint is faster than 1e4 rad/s or m/s.
+    ///
+    /// A law of the wrong sign does that, and a sampled one whose gains are too high for its period.
+    RunsAway {
+        /// The fastest joint, counted from 0.
+        joint: usize,
+        /// Its speed, rad/s or m/s.
+        speed: f64,
+    },
     /// A joint passes an end of its range, where that is an error
     /// ([`Simulation::limits_are_errors`](crate::Simulation::limits_are_errors)).
     JointLimit {
@@ -199,7 +212,11 @@ impl<K: Stand> fmt::Display for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (base, q) = K::parts(K::place(&self.base, &self.q));
         write!(f, "the simulation ended at t = {:?} s: ", self.time)?;
-        self.cause.write(f, Behind(K::OF_BASE))?;
+        let freedoms = Freedoms {
+            of_base: K::OF_BASE,
+            joints: &self.joint_names,
+        };
+        self.cause.write(f, freedoms)?;
         f.write_str(" (")?;
         if let Some(base) = base {
             write!(f, "base = {:?}, ", base.entries().as_slice())?;
@@ -225,38 +242,54 @@ impl<K: Stand> core::error::Error for SizedSimulationError<K> {
     }
 }
 
-impl fmt::Display for Cause {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f, Behind(0))
+impl<K: Stand> SizedSimulationError<K> {
+    /// The error with the names of the robot's joints in its sentence: `joint 2 (elbow)` in place of `joint 2`.
+    #[must_use]
+    pub fn naming(mut self, robot: &impl SizedModel<K>) -> Self {
+        self.joint_names = robot.names().as_ref().to_vec();
+        self
     }
 }
 
-/// Joints behind so many freedoms of the base: causes and settings count all freedoms.
-#[derive(Clone, Copy, Debug)]
-struct Behind(usize);
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, Freedoms::default())
+    }
+}
 
-impl Behind {
+/// The names of freedoms, as causes and settings count them: those of the base first.
+#[derive(Clone, Copy, Debug, Default)]
+struct Freedoms<'a> {
+    of_base: usize,
+    /// The names of the joints, if they are known.
+    joints: &'a [String],
+}
+
+impl Freedoms<'_> {
     /// The name of a freedom: joints count from 1.
     fn name(self, freedom: usize) -> String {
-        match NAMES_OF_BASE[..self.0].get(freedom) {
-            Some(name) => (*name).to_owned(),
-            None => format!("joint {}", freedom + 1 - self.0),
+        if let Some(name) = NAMES_OF_BASE[..self.of_base].get(freedom) {
+            return (*name).to_owned();
         }
+        let joint = freedom - self.of_base;
+        let name = self.joints.get(joint);
+        let name = name.map_or(String::new(), |name| format!(" ({name})"));
+        format!("joint {}{name}", joint + 1)
     }
 
     /// Joints by their own numbers.
     fn joints(self, set: JointSet) -> JointSet {
-        set.behind(self.0)
+        set.behind(self.of_base)
     }
 }
 
 impl Cause {
-    fn write(&self, f: &mut fmt::Formatter<'_>, behind: Behind) -> fmt::Result {
+    fn write(&self, f: &mut fmt::Formatter<'_>, freedoms: Freedoms<'_>) -> fmt::Result {
         let mut not_finite = |what: &str, joint: &usize| {
-            write!(f, "the {what} of {} is not finite", behind.name(*joint))
+            write!(f, "the {what} of {} is not finite", freedoms.name(*joint))
         };
         match self {
-            Cause::InvalidSetting(setting) => setting.write(f, behind),
+            Cause::InvalidSetting(setting) => setting.write(f, freedoms),
             Cause::SingularMassMatrix(error) => write!(f, "{error}"),
             Cause::NonFiniteTorque { joint } => not_finite("torque", joint),
             Cause::NonFiniteAcceleration { joint } => not_finite("acceleration", joint),
@@ -272,23 +305,28 @@ impl Cause {
             Cause::TooManySteps => f.write_str(
                 "more steps between two samples than `max_steps`: a larger tolerance, more samples or, for a stiff arm, Radau's method help",
             ),
+            Cause::RunsAway { joint, speed } => write!(
+                f,
+                "{} runs away, at {speed:.1e} rad/s or m/s: a law of the wrong sign does that, and a sampled one whose gains are too high for its period",
+                freedoms.name(*joint)
+            ),
             Cause::JointLimit { joint, limit } => {
-                write!(f, "{} passes its limit {limit:?}", behind.name(*joint))
+                write!(f, "{} passes its limit {limit:?}", freedoms.name(*joint))
             }
             Cause::Chatter { joint } => write!(
                 f,
                 "{} chatters: the torques drive it back to rest from both sides; a law has to be continuous there, and dry friction has to be sticking friction",
-                behind.name(*joint)
+                freedoms.name(*joint)
             ),
             Cause::Sticks { joint } => write!(
                 f,
                 "{} is held at rest by its dry friction, and friction by the sign of the velocity cannot rest: take sticking friction",
-                behind.name(*joint)
+                freedoms.name(*joint)
             ),
             Cause::Impacts { joints } => write!(
                 f,
                 "the motion does not get on at the stops of {}: they hit or leave them again and again",
-                behind.joints(*joints)
+                freedoms.joints(*joints)
             ),
         }
     }
@@ -296,12 +334,12 @@ impl Cause {
 
 impl fmt::Display for InvalidSetting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f, Behind(0))
+        self.write(f, Freedoms::default())
     }
 }
 
 impl InvalidSetting {
-    fn write(&self, f: &mut fmt::Formatter<'_>, behind: Behind) -> fmt::Result {
+    fn write(&self, f: &mut fmt::Formatter<'_>, freedoms: Freedoms<'_>) -> fmt::Result {
         const TIME: &str = "a finite time that is not lost in the rounding of the duration";
         let mut impossible = |given: fmt::Arguments<'_>, expected: &str| {
             write!(f, "{given} is not possible: expected {expected}")
@@ -331,10 +369,10 @@ impl InvalidSetting {
             InvalidSetting::CoulombFriction { joint } => write!(
                 f,
                 "{} has Coulomb friction, which Taylor series do not follow",
-                behind.name(*joint)
+                freedoms.name(*joint)
             ),
             InvalidSetting::InitialState { joint } => {
-                write!(f, "the initial state of {} is not finite", behind.name(*joint))
+                write!(f, "the initial state of {} is not finite", freedoms.name(*joint))
             }
             InvalidSetting::FrictionSpeed(speed) => {
                 write!(f, "friction cannot be regularised over a speed of {speed:?}")
@@ -346,15 +384,15 @@ impl InvalidSetting {
             InvalidSetting::Limits { joint } => write!(
                 f,
                 "the limits of {} are no range: the lower one first, both numbers",
-                behind.name(*joint)
+                freedoms.name(*joint)
             ),
             InvalidSetting::TorqueLimit { joint } => {
-                write!(f, "the torque limit of {} is not a number above zero", behind.name(*joint))
+                write!(f, "the torque limit of {} is not a number above zero", freedoms.name(*joint))
             }
             InvalidSetting::OutsideLimits { joint, q, limits } => write!(
                 f,
                 "{} begins at {q:?}, outside of its limits {:?} to {:?}",
-                behind.name(*joint),
+                freedoms.name(*joint),
                 limits[0],
                 limits[1]
             ),

@@ -85,10 +85,9 @@ where
 
     /// Makes steps to the end of the recorder's plan, under error control at most `max_steps` between two samples.
     pub(super) fn drive(mut self, recorder: &mut Recorder<D>) -> Result<(), Cause> {
-        let max_steps = self.progress.max_steps();
         let mut steps = 0;
         while let Some(next) = recorder.next_sample() {
-            let made = if Some(steps) == max_steps {
+            let made = if self.progress.has_too_many(steps, recorder) {
                 Err(Cause::TooManySteps)
             } else {
                 self.advance(self.instants.next())

@@ -83,6 +83,7 @@ pub(super) fn placed<K: Stand>(charts: K::Charts, end: Outcome<K::Freedoms>) -> 
         q,
         qd,
         cause,
+        joint_names: Vec::new(),
         trajectory,
     }))
 }

@@ -22,7 +22,7 @@ use super::settings::ErrorControl;
 use super::torque::TorqueLaw;
 use crate::integrate::Phase;
 use crate::simulation::EquationsOfMotion;
-use crate::size::Size;
+use crate::size::{JointVector as _, Size};
 
 /// The work of a run since it began to make no progress.
 pub(super) struct Progress<D: Size> {
@@ -68,6 +68,12 @@ const STANDSTILL: f64 = 300.0;
 /// The tolerance of methods without error control: that of most others by default.
 const FIXED_TOLERANCE: f64 = 1e-9;
 
+/// A tenth of the most steps makes less of the way to the next sample than this, where no hope is.
+const TOO_SLOW: f64 = 1.0 / 300.0;
+
+/// A joint is driven ever faster if it is as fast as this, rad/s or m/s, and needs too many steps.
+const FASTEST: f64 = 1e4;
+
 /// The bounces of so many samples count.
 const SAMPLES: f64 = 100.0;
 
@@ -91,9 +97,12 @@ impl<D: Size> Progress<D> {
         }
     }
 
-    /// The most steps between two samples, if they have no fixed length.
-    pub(super) fn max_steps(&self) -> Option<usize> {
-        self.control.map(|control| control.max_steps)
+    /// Whether another step is one too many, after so many since the last sample, if steps have no fixed length.
+    pub(super) fn has_too_many(&self, steps: usize, recorder: &Recorder<D>) -> bool {
+        let Some(most) = self.control.map(|control| control.max_steps) else {
+            return false;
+        };
+        steps >= most || (steps == most / 10 && recorder.share_of_interval() < TOO_SLOW)
     }
 
     /// Counts an event, in which some joints hit their stops or the contact of another one changed.
@@ -179,7 +188,8 @@ impl<D: Size> Progress<D> {
             Cause::TooManySteps | Cause::NoConvergence | Cause::StepTooSmall
         );
         if is_of_steps {
-            self.cause(motion, t, phase).unwrap_or(cause)
+            let better = self.cause(motion, t, phase);
+            better.unwrap_or_else(|| runs_away(cause, phase))
         } else {
             cause
         }
@@ -207,6 +217,18 @@ impl<D: Size> Progress<D> {
         } else {
             Cause::Impacts { joints }
         })
+    }
+}
+
+/// The fastest joint as the cause of too many steps, if it is too fast for a robot.
+fn runs_away<D: Size>(cause: Cause, phase: &Phase<D>) -> Cause {
+    let speeds = phase.qd.entries().iter().map(|speed| speed.abs());
+    let fastest = speeds.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
+    match fastest {
+        Some((joint, speed)) if cause == Cause::TooManySteps && speed > FASTEST => {
+            Cause::RunsAway { joint, speed }
+        }
+        _ => cause,
     }
 }
 

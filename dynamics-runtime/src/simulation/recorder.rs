@@ -53,6 +53,7 @@ impl<D: Size> Recorder<D> {
                 q,
                 qd,
                 cause,
+                joint_names: Vec::new(),
                 trajectory,
             })),
         }
@@ -80,6 +81,12 @@ impl<D: Size> Recorder<D> {
     /// The time between two samples.
     pub(super) fn interval(&self) -> f64 {
         self.duration / self.intervals() as f64
+    }
+
+    /// How much of the way from the last sample to the next one is made.
+    pub(super) fn share_of_interval(&self) -> f64 {
+        let taken = self.trajectory.len() as f64;
+        self.t / self.interval() - (taken - 1.0)
     }
 
     fn intervals(&self) -> u64 {

@@ -5,7 +5,7 @@ use nalgebra::Const;
 use super::joint_set::JointSet;
 use crate::Energy;
 use crate::equations_of_motion::SizedModel;
-use crate::size::Size;
+use crate::size::{JointVector as _, Size};
 use crate::stand::{OnBase, Stand, Velocities};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
@@ -20,10 +20,13 @@ use crate::stand::{OnBase, Stand, Velocities};
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(bound(
-        serialize = "K::Poses: serde::Serialize",
-        deserialize = "K::Poses: serde::Deserialize<'de>"
-    ))
+    serde(
+        remote = "Self",
+        bound(
+            serialize = "K::Poses: serde::Serialize",
+            deserialize = "K::Poses: serde::Deserialize<'de>"
+        )
+    )
 )]
 #[non_exhaustive]
 pub struct SizedTrajectory<K: Stand> {
@@ -59,6 +62,23 @@ pub struct SizedTrajectory<K: Stand> {
         serde(default, skip_serializing_if = "JointSet::is_empty")
     )]
     pub creeping: JointSet,
+}
+
+#[cfg(feature = "serde")]
+impl<K: Stand<Poses: serde::Serialize>> serde::Serialize for SizedTrajectory<K> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        SizedTrajectory::serialize(self, serializer)
+    }
+}
+
+/// Data that no run returns are refused.
+#[cfg(feature = "serde")]
+impl<'de, K: Stand<Poses: serde::Deserialize<'de>>> serde::Deserialize<'de> for SizedTrajectory<K> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let motion = SizedTrajectory::deserialize(deserializer)?;
+        motion.validate().map_err(serde::de::Error::custom)?;
+        Ok(motion)
+    }
 }
 
 /// Whether the base stands, so that it has no poses.
@@ -127,6 +147,43 @@ pub struct Work {
     pub steps: u64,
     /// Steps thrown away because their error was too large, or an evaluation was refused.
     pub rejected: u64,
+}
+
+#[cfg(feature = "serde")]
+impl<K: Stand> SizedTrajectory<K> {
+    /// Whether these are samples of a motion: as many of each quantity, at times that grow, in finite states.
+    fn validate(&self) -> Result<(), String> {
+        let count = self.t.len();
+        let mut lists = vec![
+            ("q", self.q.len()),
+            ("qd", self.qd.len()),
+            ("qdd", self.qdd.len()),
+            ("tau", self.tau.len()),
+        ];
+        lists.extend(K::count(&self.base).map(|poses| ("base", poses)));
+        if let Some((list, found)) = lists.into_iter().find(|(_, found)| *found != count) {
+            return Err(format!(
+                "{count} times in `t`, and {found} entries in `{list}`"
+            ));
+        }
+        if let Some(k) = (1..count).find(|k| !(self.t[k - 1] < self.t[*k])) {
+            let [before, after] = [self.t[k - 1], self.t[k]];
+            return Err(format!(
+                "times must grow from sample to sample: {after:?} s stands behind {before:?} s"
+            ));
+        }
+        let is_finite = |k: &usize| {
+            let states = [self.q[*k].entries(), self.qd[*k].entries()];
+            self.t[*k].is_finite() && states.concat().iter().all(|x| x.is_finite())
+        };
+        match (0..count).find(|k| !is_finite(k)) {
+            Some(k) => Err(format!(
+                "the time, a position or a velocity of sample {} is not finite",
+                k + 1
+            )),
+            None => Ok(()),
+        }
+    }
 }
 
 impl<K: Stand> SizedTrajectory<K> {

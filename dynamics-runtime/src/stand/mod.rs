@@ -62,6 +62,10 @@ pub trait Stand: sealed::Sealed + 'static {
         q: &'a [<Self::Joints as Size>::Vector],
     ) -> impl ExactSizeIterator<Item = Self::Place<'a>> + DoubleEndedIterator;
 
+    /// How many poses there are, if the base moves.
+    #[doc(hidden)]
+    fn count(poses: &Self::Poses) -> Option<usize>;
+
     /// The charts of a run that begins there.
     #[doc(hidden)]
     fn charts(start: &Self::Pose) -> Self::Charts;
@@ -128,6 +132,10 @@ impl<D: Size> Stand for D {
         q.iter()
     }
 
+    fn count((): &()) -> Option<usize> {
+        None
+    }
+
     fn charts(_: &()) {}
 
     #[inline(always)]
@@ -180,6 +188,10 @@ impl<D: Size, V: Size> Stand for OnBase<D, V> {
         q: &'a [D::Vector],
     ) -> impl ExactSizeIterator<Item = Self::Place<'a>> + DoubleEndedIterator {
         base.iter().zip(q)
+    }
+
+    fn count(poses: &Vec<Pose<f64>>) -> Option<usize> {
+        Some(poses.len())
     }
 
     fn charts(start: &Pose<f64>) -> Charts<D, V> {

@@ -4,7 +4,7 @@ use dynamics_runtime::nalgebra::SVector;
 use dynamics_runtime::{
     FloatingNewtonEuler, Friction, Method, NewtonEuler, Pose, Simulation, Trajectory,
     check_against_rnea, robot_dynamics,
-    simulation::{Dop853, Taylor},
+    simulation::{Dop853, FloatingTrajectory, Taylor},
     table::{Convention, FloatingBase, Table},
 };
 use serde::{Serialize, de::DeserializeOwned};
@@ -61,6 +61,42 @@ fn tables_and_trajectories_are_read_as_they_were_written() {
     );
 }
 
+/// JSON has no numbers that are not finite: an acceleration that could not be computed is written as `null`.
+#[test]
+fn motions_without_accelerations_are_read_back_and_no_others() {
+    let motion = Simulation::new(&NewtonEuler::new(&Arm.table()))
+        .initial(SVector::from([0.3, 0.2]), SVector::zeros())
+        .friction(Friction::Sticking)
+        .samples(3)
+        .run()
+        .unwrap();
+    let mut written = serde_json::to_value(&motion).unwrap();
+    written["qdd"][1] = serde_json::json!([null, 2.5]);
+    let read: Trajectory<2> = serde_json::from_value(written.clone()).unwrap();
+    assert!(read.qdd[1][0].is_nan() && read.qdd[1][1] == 2.5);
+    assert_eq!(serde_json::to_value(&read).unwrap(), written);
+
+    let refused = |change: fn(&mut serde_json::Value)| {
+        let mut changed = written.clone();
+        change(&mut changed);
+        serde_json::from_value::<Trajectory<2>>(changed)
+            .unwrap_err()
+            .to_string()
+    };
+    assert_eq!(
+        refused(|motion| motion["t"] = serde_json::json!([0.0, 0.5])),
+        "2 times in `t`, and 3 entries in `q`"
+    );
+    assert_eq!(
+        refused(|motion| motion["t"][2] = serde_json::json!(0.25)),
+        "times must grow from sample to sample: 0.25 s stands behind 0.5 s"
+    );
+    assert_eq!(
+        refused(|motion| motion["q"][1][0] = serde_json::Value::Null),
+        "the time, a position or a velocity of sample 2 is not finite"
+    );
+}
+
 #[test]
 fn motions_on_a_base_that_moves_have_its_poses() {
     let brick = Table::<0> {
@@ -81,6 +117,11 @@ fn motions_on_a_base_that_moves_have_its_poses() {
     let text = serde_json::to_string(&original).unwrap();
     assert!(text.contains(r#""base":[[1.0,0.0,0.0,0.0,1.0,"#), "{text}");
     assert_eq!(original.base.len(), 4);
+    let mut longer = serde_json::to_value(&original).unwrap();
+    let pose = longer["base"][0].clone();
+    longer["base"].as_array_mut().unwrap().push(pose);
+    let error = serde_json::from_value::<FloatingTrajectory<0, 6>>(longer).unwrap_err();
+    assert_eq!(error.to_string(), "4 times in `t`, and 5 entries in `base`");
 }
 
 #[test]

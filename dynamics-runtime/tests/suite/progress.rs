@@ -221,3 +221,26 @@ fn runs_of_fixed_step_say_which_joints_creep() {
         assert!(run.unwrap().creeping.is_empty());
     }
 }
+
+/// A rod on a spring of 1e16 N m/rad: a tenth of the most steps shows that all of them would not be enough.
+#[test]
+fn a_motion_that_is_too_stiff_for_its_method_ends_soon() {
+    robot_dynamics! {
+        struct Stiff;
+
+        convention: modified,
+        gravity: [0, -9.81, 0],
+        joints: [link: revolute { mass: 1, com: [0.5, 0, 0], inertia: rod(1), friction: { viscous: 1e12 } }],
+        functions: [default],
+    }
+    let end = Simulation::new(&Stiff)
+        .initial(Vector1::new(0.3), Vector1::new(0.0))
+        .run()
+        .unwrap_err();
+    assert_eq!(end.cause, Cause::TooManySteps);
+    assert!(
+        end.trajectory.work.steps == 10_000,
+        "{:?}",
+        end.trajectory.work
+    );
+}

@@ -373,3 +373,31 @@ fn a_law_that_returns_no_number_ends_the_run() {
         }
     }
 }
+
+/// Damping of 5,000 N m s/rad turns the velocity of a rod around at each sample, and makes it tens of times as fast.
+#[test]
+fn a_sampled_law_that_diverges_is_told_as_one() {
+    let controlled = [
+        DormandPrince::default().into(),
+        Dop853::default().into(),
+        Method::from(Radau5::default()),
+    ];
+    for method in controlled {
+        let mut run = Simulation::new(&Rods)
+            .control_period(0.01)
+            .torque(|_, _, qd| -5000.0 * qd)
+            .method(method)
+            .initial(Vector2::new(0.1, 0.0), Vector2::new(0.0, 0.0));
+        let error = run.run().unwrap_err();
+        let Cause::RunsAway { joint: 1, speed } = error.cause else {
+            panic!("{error}");
+        };
+        assert!(speed > 1e5 && error.qd[1].abs() == speed);
+        let named = error.naming(&Rods).to_string();
+        let expected = [
+            "joint 2 (elbow) runs away, at ",
+            "gains are too high for its period",
+        ];
+        assert!(expected.iter().all(|part| named.contains(part)), "{named}");
+    }
+}

@@ -438,6 +438,9 @@ impl<'a> Assembly<'a> {
             links.push((self.first, self.place_of(self.first)));
         }
         let known: BTreeSet<usize> = said.into_iter().flatten().collect();
+        if self.request.may_be_geometry && known.is_empty() && !base_is_known {
+            return;
+        }
         // The rows that carry one whose inertia is known.
         let mut carrying = BTreeSet::new();
         for &row in &known {
