@@ -2,7 +2,7 @@
 
 use std::io::Write as _;
 
-use dynamics_evaluation::{angle_in_degrees, positions_in_degrees};
+use dynamics_codegen::{angle_in_degrees, positions_in_degrees};
 use dynamics_symbolic::robot::Robot;
 
 /// Remarks on the first angle that was perhaps meant in degrees; whether there is one.

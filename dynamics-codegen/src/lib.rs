@@ -23,6 +23,7 @@ extern crate proc_macro;
 
 mod audience;
 mod call;
+mod degrees;
 pub mod description;
 mod diagnose;
 mod expand;
@@ -41,6 +42,7 @@ mod validate;
 mod words;
 
 pub use audience::Audience;
+pub use degrees::{angle_in_degrees, positions_in_degrees};
 pub use diagnose::Error;
 pub use validate::Model;
 pub use words::{nearest, visible};

@@ -10,7 +10,6 @@ mod block;
 mod bounds;
 mod checked;
 mod compiled;
-mod degrees;
 mod error;
 mod file;
 mod identified;
@@ -30,8 +29,6 @@ mod value;
 
 pub use dynamics_runtime;
 
-#[doc(hidden)]
-pub use degrees::{angle_in_degrees, positions_in_degrees};
 pub use error::{BuildError, EvaluationError, UnknownField};
 pub use file::{FileError, FileMistake, ReadOptions};
 #[doc(hidden)]

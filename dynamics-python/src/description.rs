@@ -61,7 +61,10 @@ impl Description {
                             macro, and is left out: `reach` finds joint positions by search";
             if requests.is_empty() {
                 let message = format!("{left_out}. Nothing else is requested");
-                return Err(FileError::Build(path.to_owned(), BuildError::Failure(message)));
+                return Err(FileError::Build(
+                    path.to_owned(),
+                    BuildError::Failure(message),
+                ));
             }
             warnings.push(left_out.to_owned());
         }

@@ -2,7 +2,8 @@
 
 use std::ffi::CString;
 
-use dynamics_evaluation::{FileError, positions_in_degrees};
+use dynamics_codegen::positions_in_degrees;
+use dynamics_evaluation::FileError;
 use dynamics_symbolic::robot::Robot;
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyUserWarning};
 use pyo3::prelude::*;

@@ -5,7 +5,9 @@ use nalgebra::Const;
 use super::joint_set::JointSet;
 use crate::Energy;
 use crate::equations_of_motion::SizedModel;
-use crate::size::{JointVector as _, Size};
+#[cfg(feature = "serde")]
+use crate::size::JointVector as _;
+use crate::size::Size;
 use crate::stand::{OnBase, Stand, Velocities};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques

@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use dynamics_runtime::simulation::shortest;
 use dynamics_symbolic::robot::{JointType, Robot};
+
+use crate::words::number;
 
 /// From so many turns on, an angle was perhaps meant in degrees.
 const TURNS: f64 = 2.0;
@@ -21,11 +22,10 @@ pub fn positions_in_degrees(robot: &Robot, positions: &[f64]) -> Option<String> 
 pub fn angle_in_degrees(name: &str, angle: f64) -> Option<String> {
     // An angle that is not finite is refused elsewhere, or propagates.
     (angle.abs() > TURNS * TAU && angle.is_finite()).then(|| {
+        let shown = number(angle);
         format!(
-            "{} rad of `{name}` are {} turns: angles are in radians, and {} degrees are {}",
-            shortest(angle),
+            "{shown} rad of `{name}` are {} turns: angles are in radians, and {shown} degrees are {}",
             rounded(angle.abs() / TAU, 1),
-            shortest(angle),
             rounded(angle.to_radians(), 4)
         )
     })
