@@ -25,8 +25,8 @@ pub use languages::{
 };
 pub use names::field;
 pub use signature::{
-    base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
-    stub_of_trait,
+    Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub,
+    stub_of_function, stub_of_trait,
 };
 use signature::{
     call, call_of_function, function_items, leading_matrix, provided, signature, without_parameters,
