@@ -10,6 +10,12 @@ pub(super) fn ident(name: &str) -> Ident {
     Ident::new(name, proc_macro2::Span::mixed_site())
 }
 
+/// A variable of the generated code's own. Nobody writes a `_` at the end of a constant's name: a pattern that is the name
+/// of a constant around the call would be that constant.
+pub(super) fn variable(name: &str) -> Ident {
+    ident(&format!("{name}_"))
+}
+
 /// An operator of one letter.
 pub(super) fn punct(operator: char) -> TokenTree {
     Punct::new(operator, Spacing::Alone).into()
