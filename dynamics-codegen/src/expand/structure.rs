@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use dynamics_symbolic::emit::shown;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
@@ -70,6 +71,7 @@ fn item(
         let written = field_type(field);
         quote!(#attributes #visibility #(#name:)* #written)
     });
+    let documentation = documentation.iter().map(|line| shown(line));
     let body = match structure.shape {
         Shape::Unit => quote!(;),
         Shape::Named => quote!({ #(#fields),* }),

@@ -3,7 +3,7 @@
 
 use super::body::Writer;
 use super::inputs::{constants_like, input_name};
-use super::names::{ident, number_of_joints, variable};
+use super::names::{ident, number_of_joints, shown, variable};
 use crate::function::{Argument, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
 use crate::program::Operand;
@@ -108,6 +108,7 @@ fn method_of(
     let (pose, elbow, n) = (ident("pose"), ident("elbow"), number_of_joints(joints));
     let generic = (joints == 0).then(|| quote!(, const N: usize));
     let method = inverse_method(frame);
+    let documentation = documentation.iter().map(|line| shown(line));
     let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
     let (name, batch) = (named(&method), named(&format!("{method}_batch")));
     let [of_one, of_many] =
