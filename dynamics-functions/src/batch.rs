@@ -29,17 +29,31 @@ pub fn batch_methods(item: TokenStream) -> TokenStream {
     } else {
         Receiver::Each
     };
+    let place = tokens.iter().rev().find(|token| matches!(token, TokenTree::Ident(_)));
+    let place = place.map_or_else(Span::call_site, TokenTree::span);
     if let Some(TokenTree::Group(items)) = tokens.pop() {
         let mut items = items.stream();
         for parallel in [false, true] {
             items.extend(Function::ALL.into_iter().map(|function| {
                 let batch = Batch::of_table(function, receiver);
-                batch.method(parallel)
+                at(batch.method(parallel), place)
             }));
         }
         tokens.push(Group::new(Delimiter::Brace, items).into());
     }
     tokens.into_iter().collect()
+}
+
+/// Tokens at that place, which the compiler shows in place of all items.
+fn at(tokens: TokenStream, place: Span) -> TokenStream {
+    let at_place = |mut token: TokenTree| {
+        if let TokenTree::Group(group) = &token {
+            token = Group::new(group.delimiter(), at(group.stream(), place)).into();
+        }
+        token.set_span(place);
+        token
+    };
+    tokens.into_iter().map(at_place).collect()
 }
 
 /// A function at many states.

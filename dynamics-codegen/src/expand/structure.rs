@@ -72,12 +72,13 @@ fn item(
         quote!(#attributes #visibility #(#name:)* #written)
     });
     let documentation = documentation.iter().map(|line| shown(line));
-    let body = match structure.shape {
-        Shape::Unit => quote!(;),
-        Shape::Named => quote!({ #(#fields),* }),
-        Shape::Tuple => quote!(( #(#fields),* );),
+    // The compiler shows the line of the struct in place of the whole call.
+    let item = match (name.span(), structure.shape) {
+        (line, Shape::Unit) => quote_spanned!(line=> struct #name;),
+        (line, Shape::Named) => quote_spanned!(line=> struct #name { #(#fields),* }),
+        (line, Shape::Tuple) => quote_spanned!(line=> struct #name( #(#fields),* );),
     };
-    quote!(#derive #attributes #(#[doc = #documentation])* #visibility struct #name #body)
+    quote!(#derive #attributes #(#[doc = #documentation])* #visibility #item)
 }
 
 /// The fields, without one whose name stands twice.
