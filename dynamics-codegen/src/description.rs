@@ -66,6 +66,8 @@ pub struct Table {
     pub notes: Vec<String>,
     /// Angles of a URDF file that are taken as multiples of a quarter turn.
     pub rounded: Rounded,
+    /// What the reader of a file is told besides.
+    pub warnings: Vec<String>,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, including those entries that could not be read.

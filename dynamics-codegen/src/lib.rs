@@ -61,6 +61,15 @@ pub fn generate(call: TokenStream) -> TokenStream {
     generate_by(call, &dynamics_symbolic::derive::derive_together)
 }
 
+/// The same; `say` is told what is derived, before it is.
+pub fn generate_told(call: TokenStream, say: impl Fn(&str) + 'static) -> TokenStream {
+    generate_by(call, &move |robot, parts| {
+        let names: Vec<_> = parts.iter().map(|part| robot.name_of(*part)).collect();
+        say(&format!("`{}` of `{}`", names.join("`, `"), robot.name));
+        dynamics_symbolic::derive::derive_together(robot, parts)
+    })
+}
+
 /// The items of a call without the engine: the struct, its table and its traits, with no method derived and
 /// nothing neglected.
 pub fn outline(call: TokenStream) -> TokenStream {

@@ -40,6 +40,18 @@ impl Place {
         }
     }
 
+    /// The place behind the quote at this one and so many letters.
+    #[cfg(feature = "files")]
+    pub(crate) fn inside(self, letters: usize) -> Place {
+        match self {
+            Place::File { line, column } => Place::File {
+                line,
+                column: column + 1 + letters,
+            },
+            place => place,
+        }
+    }
+
     /// The tokens that the compiler is to show: for what stands in no token, those of the call.
     pub(crate) fn tokens(self) -> [Span; 2] {
         match self {

@@ -1,5 +1,6 @@
 //! Words that a message offers in place of a wrong one.
 
+pub use dynamics_symbolic::emit::visible;
 use proc_macro2::Ident;
 
 use crate::keys::word_list;
@@ -87,24 +88,6 @@ pub(crate) fn number(x: f64) -> String {
         decimal
     } else {
         scientific
-    }
-}
-
-/// A visible character for one that would act on a terminal or end a line: a control character, or one that changes the
-/// direction of writing. Any other one is itself.
-pub fn visible(c: char) -> char {
-    match c {
-        // The pictures of control characters stand in their order from U+2400 on.
-        '\0'..='\u{1f}' => {
-            char::from_u32(0x2400 + u32::from(c)).unwrap_or(char::REPLACEMENT_CHARACTER)
-        }
-        '\u{7f}' => '\u{2421}',
-        '\u{80}'..='\u{9f}'
-        | '\u{200e}'
-        | '\u{200f}'
-        | '\u{2028}'..='\u{202e}'
-        | '\u{2066}'..='\u{2069}' => char::REPLACEMENT_CHARACTER,
-        _ => c,
     }
 }
 

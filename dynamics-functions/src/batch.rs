@@ -29,17 +29,31 @@ pub fn batch_methods(item: TokenStream) -> TokenStream {
     } else {
         Receiver::Each
     };
+    let place = tokens.iter().rev().find(|token| matches!(token, TokenTree::Ident(_)));
+    let place = place.map_or_else(Span::call_site, TokenTree::span);
     if let Some(TokenTree::Group(items)) = tokens.pop() {
         let mut items = items.stream();
         for parallel in [false, true] {
             items.extend(Function::ALL.into_iter().map(|function| {
                 let batch = Batch::of_table(function, receiver);
-                batch.method(parallel)
+                at(batch.method(parallel), place)
             }));
         }
         tokens.push(Group::new(Delimiter::Brace, items).into());
     }
     tokens.into_iter().collect()
+}
+
+/// Tokens at that place, which the compiler shows in place of all items.
+fn at(tokens: TokenStream, place: Span) -> TokenStream {
+    let at_place = |mut token: TokenTree| {
+        if let TokenTree::Group(group) = &token {
+            token = Group::new(group.delimiter(), at(group.stream(), place)).into();
+        }
+        token.set_span(place);
+        token
+    };
+    tokens.into_iter().map(at_place).collect()
 }
 
 /// A function at many states.
@@ -57,8 +71,10 @@ pub struct Batch {
     arm: TokenStream,
     /// The type of the function for the trait `Function`, and its value.
     function: [TokenStream; 2],
-    /// The numbers of joints and of degrees of freedom, where they are known.
-    sizes: Option<[Literal; 2]>,
+    /// The numbers of joints and of degrees of freedom, of one robot.
+    sizes: Option<[TokenStream; 2]>,
+    /// The declaration of constants in these numbers, and what is true of them.
+    generics: [TokenStream; 2],
     /// Where the methods' types are.
     path: TokenStream,
 }
@@ -81,6 +97,7 @@ impl Batch {
             },
             function: [quote!(functions::#name), quote!(functions::#value)],
             sizes: None,
+            generics: [quote!(const N: usize), TokenStream::new()],
             path: quote!(crate),
         }
     }
@@ -91,7 +108,7 @@ impl Batch {
         request: &Request,
         index: usize,
         method: &Ident,
-        sizes: Option<[Literal; 2]>,
+        (sizes, generics): ([TokenStream; 2], [TokenStream; 2]),
         path: &TokenStream,
     ) -> Batch {
         let function = match request.function() {
@@ -118,7 +135,8 @@ impl Batch {
             receiver: Receiver::Arm,
             arm: quote!(Self),
             function,
-            sizes,
+            sizes: Some(sizes),
+            generics,
             path: path.clone(),
         }
     }
@@ -148,10 +166,11 @@ impl Batch {
         let name = format_ident!("{prefix}{}_batch", self.name);
         let visibility = (self.receiver == Receiver::Each || !is_of_table).then(|| quote!(pub));
         let [n, v] = match &self.sizes {
-            Some(sizes) => sizes.each_ref().map(ToTokens::to_token_stream),
+            Some(sizes) => sizes.clone(),
             None => [quote!(N), quote!(N)],
         };
-        let generic = is_of_table.then(|| quote!(, const N: usize));
+        let [generics, where_clause] = &self.generics;
+        let generics = (!generics.is_empty()).then(|| quote!(, #generics));
         let arms = match self.receiver {
             Receiver::Arm => quote!(self),
             Receiver::Each => quote!(self.0),
@@ -185,12 +204,12 @@ impl Batch {
             #cfg
             #(#[doc = #documentation])*
             #[allow(clippy::too_many_arguments)]
-            #visibility fn #name<T: #path::Precision #generic>(
+            #visibility fn #name<T: #path::Precision #generics>(
                 &self,
                 #(#arguments,)*
                 #result: impl #path::StatesMut<<#arm as #path::Function<#function, #n>>::Values, T>,
             ) -> ::core::result::Result<(), #path::#error>
-            #bounds
+            #bounds #where_clause
             {
                 #body
             }

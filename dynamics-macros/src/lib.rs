@@ -6,13 +6,16 @@
 //! finds the runtime. Without such a path that is `::dynamics_runtime`.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "robots")]
+mod patience;
+
 /// Generates a struct and the equations of motion of a robot arm as its methods, from
 /// the arm's Denavit-Hartenberg table. The crate `robot-dynamics` documents the table
 /// and the methods.
 #[cfg(feature = "robots")]
 #[proc_macro]
 pub fn robot_dynamics(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
-    dynamics_codegen::generate(input.into()).into()
+    patience::patiently(|say| dynamics_codegen::generate_told(input.into(), say)).into()
 }
 
 /// The types by which the runtime's trait `Function` knows the functions of the engine's table: for the runtime

@@ -30,7 +30,7 @@ pub mod spatial;
 
 pub use dynamics_functions as function;
 pub use emit::{
-    base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
+    Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
     stub_of_inverse, stub_of_trait,
 };
 pub use function::{Function, Request};

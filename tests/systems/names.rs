@@ -127,6 +127,16 @@ mod among_constants {
     const index: u8 = 1;
     const l: f64 = 1.0;
     const off: f64 = 1.0;
+    const t_1: f64 = 1.0;
+    const s_1: f64 = 1.0;
+    static c_1: f64 = 1.0;
+    const q_1: f64 = 1.0;
+    const sa_1: f64 = 1.0;
+    static sign_2: f64 = 1.0;
+    const p_l: f64 = 1.0;
+    const joint_1: u8 = 1;
+    static is_singular: bool = true;
+    const qd_r: u8 = 1;
 
     robots::every_function! {
         struct Arm { l: f64, off: f64 }

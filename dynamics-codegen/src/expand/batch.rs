@@ -1,7 +1,7 @@
 //! Functions at many states that belong to a robot: several as one, those of frames, and all of one whose base moves.
 
-use dynamics_symbolic::function::Batch;
-use dynamics_symbolic::{Request, method_name};
+use dynamics_symbolic::function::{Batch, Shape};
+use dynamics_symbolic::{Function, Request, method_name};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -19,13 +19,17 @@ fn batches(
     is_meant: impl Fn(&Request) -> bool,
 ) -> Vec<Batch> {
     let is_taken = |name: &str| requests.iter().any(|request| request.name() == name);
+    // Series on a base that moves are refused, and have no trait.
+    let is_refused =
+        |function: Function| target.freedoms.has_base() && *function.shape() == Shape::Series;
     let free = requests.iter().enumerate().filter(|(_, request)| {
         let name = request.name();
         let names = [format!("{name}_batch"), format!("par_{name}_batch")];
-        is_meant(request) && !names.iter().any(|name| is_taken(name))
+        let is_refused = request.function().is_some_and(is_refused);
+        is_meant(request) && !is_refused && !names.iter().any(|name| is_taken(name))
     });
     let batch = |(index, request): (usize, &Request)| {
-        let sizes = target.is_known().then(|| [target.n(), target.v()]);
+        let sizes = (target.sizes(), target.stubbed().generics(target.path));
         Batch::of_robot(request, index, &method_name(request), sizes, target.path)
     };
     free.map(batch).collect()
@@ -47,7 +51,7 @@ pub(super) fn of_each(
     requests: &[Request],
     fields: &TokenStream,
 ) -> Option<TokenStream> {
-    if !requests.iter().any(|r| is_own(target, r)) || !target.is_known() {
+    if !requests.iter().any(|r| is_own(target, r)) || !target.is_known {
         return None;
     }
     let Target {

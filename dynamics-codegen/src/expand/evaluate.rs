@@ -33,7 +33,7 @@ pub(super) fn evaluation(target: &Target, robot: &Robot, requests: &[Request]) -
     }
 }
 
-/// The arguments at the state. Names of variables have a `_` in them: see [`apart`](super::names::apart).
+/// The arguments at the state.
 fn at_state(target: &Target) -> TokenStream {
     let path = target.path;
     let arguments = if target.freedoms.has_base() {
@@ -49,7 +49,7 @@ fn parts(target: &Target, robot: &Robot, request: &Request) -> TokenStream {
     let name = request.name();
     let call = call(request, &quote!(f64));
     let values: Vec<Ident> = (1..=request.parts().len())
-        .map(|number| format_ident!("part_{number}"))
+        .map(|number| format_ident!("part_{number}_"))
         .collect();
     let of_parts = request.parts().iter().zip(&values);
     let of_parts = of_parts.map(|(part, value)| set(target, robot, *part, &quote!(#value)));

@@ -85,16 +85,17 @@ pub(crate) fn robot(
 /// of the code around the call.
 pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream) -> TokenStream {
     let names = joint_names(entries);
+    let is_known = names.is_some();
+    let names = names.unwrap_or_default();
     let joints = names.len();
     let is_moving_base =
         |entry: &Entry| matches!(entry, Entry::Base(Some(base)) if base.floating().is_some());
     let base_moves = entries.iter().any(is_moving_base);
-    let base = if base_moves && joints > 0 {
-        Base::FREEDOMS
-    } else {
-        0
+    let base = if base_moves { Base::FREEDOMS } else { 0 };
+    let target = Target {
+        is_known: is_known && base + joints > 0,
+        ..Target::new(structure, Freedoms { base, joints }, path)
     };
-    let target = Target::new(structure, Freedoms { base, joints }, path);
     let mut requests = requests_to_stub(entries);
     if base_moves {
         requests = requests.into_iter().map(Request::on_moving_base).collect();
@@ -117,12 +118,12 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         base_parameters: base_parameter_constants(&requests, None),
         table: unimplemented.clone(),
         bodies: {
-            let methods = requests.iter().map(|r| stub(r, target.freedoms, path));
+            let methods = requests.iter().map(|r| stub(r, target.stubbed(), path));
             methods.chain(stubs_of_inverses(entries, &target)).collect()
         },
         provided: provided.collect(),
         functions: functions
-            .map(|(i, r)| stub_of_function(r, i, target.freedoms, path))
+            .map(|(i, r)| stub_of_function(r, i, target.stubbed(), path))
             .collect(),
         field: Some(unimplemented.clone()),
         angles: Vec::new(),
@@ -136,8 +137,8 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     quote!(#item #implementations)
 }
 
-/// Names of the joints; none where an error left their number unknown.
-fn joint_names(entries: &[Entry]) -> Vec<String> {
+/// Names of the joints; `None` where an error left their number unknown.
+fn joint_names(entries: &[Entry]) -> Option<Vec<String>> {
     let names = entries.iter().find_map(|entry| match entry {
         Entry::Joints(_, Some(joints)) if joints.complete => {
             let names = joints.rows.iter().map(Row::word);
@@ -145,8 +146,7 @@ fn joint_names(entries: &[Entry]) -> Vec<String> {
         }
         _ => None,
     });
-    let names = names.unwrap_or_default();
-    without_others(names, entries).unwrap_or_default()
+    without_others(names?, entries)
 }
 
 /// The names without those of joints that are locked or follow others, or `None` where it is not known

@@ -3,8 +3,8 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-/// Arguments and local variables of the generated code, except for those whose names have a `_` in them.
-pub(crate) const NAMES: [&str; 19] = [
+/// Arguments and local variables of the generated code, except for those whose names end in `_`.
+pub(crate) const NAMES: &[&str] = &[
     "base",
     "q",
     "qd",
@@ -24,6 +24,21 @@ pub(crate) const NAMES: [&str; 19] = [
     "pose",
     "elbow",
     "solutions",
+    "qd_r",
+    "qdd_r",
+    "at_state",
+    "found_values",
+    "found_parts",
+    "all_values",
+    "all_arms",
+    "nearest_pose",
+    "pose_place",
+    "of_pose",
+    "is_singular",
+    "on_circle",
+    "a_number",
+    "found_direction",
+    "is_any",
 ];
 
 /// The items in a scope of their own, in which primitive types, and the names of arguments and local variables,
@@ -33,7 +48,7 @@ pub(crate) const NAMES: [&str; 19] = [
 /// constant. It may be named like a function, and a function of that name in a nearer scope hides the
 /// constant.
 pub(super) fn apart(items: &TokenStream) -> TokenStream {
-    let names = NAMES.map(|name| Ident::new(name, Span::call_site()));
+    let names = NAMES.iter().map(|name| Ident::new(name, Span::call_site()));
     quote! {
         #[allow(dead_code, unused_imports)]
         const _: () = {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use dynamics_symbolic::emit::shown;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
@@ -70,12 +71,14 @@ fn item(
         let written = field_type(field);
         quote!(#attributes #visibility #(#name:)* #written)
     });
-    let body = match structure.shape {
-        Shape::Unit => quote!(;),
-        Shape::Named => quote!({ #(#fields),* }),
-        Shape::Tuple => quote!(( #(#fields),* );),
+    let documentation = documentation.iter().map(|line| shown(line));
+    // The compiler shows the line of the struct in place of the whole call.
+    let item = match (name.span(), structure.shape) {
+        (line, Shape::Unit) => quote_spanned!(line=> struct #name;),
+        (line, Shape::Named) => quote_spanned!(line=> struct #name { #(#fields),* }),
+        (line, Shape::Tuple) => quote_spanned!(line=> struct #name( #(#fields),* );),
     };
-    quote!(#derive #attributes #(#[doc = #documentation])* #visibility struct #name #body)
+    quote!(#derive #attributes #(#[doc = #documentation])* #visibility #item)
 }
 
 /// The fields, without one whose name stands twice.

@@ -1,7 +1,9 @@
 //! The struct that a piece of generated code belongs to.
 
+use dynamics_symbolic::Stubbed;
 use dynamics_symbolic::function::Freedoms;
 use proc_macro2::{Ident, Literal, TokenStream};
+use quote::ToTokens;
 
 use crate::call::Structure;
 
@@ -12,8 +14,10 @@ pub(super) struct Target<'a> {
     pub(super) visibility: &'a TokenStream,
     /// Attributes that switch the struct on and off: its impls go with it.
     pub(super) cfgs: &'a TokenStream,
-    /// The degrees of freedom; none where an error left the number of joints unknown.
+    /// The degrees of freedom; no joints where an error left their number unknown.
     pub(super) freedoms: Freedoms,
+    /// Whether the number of joints is known.
+    pub(super) is_known: bool,
     /// Path of the runtime crate.
     pub(super) path: &'a TokenStream,
 }
@@ -29,13 +33,27 @@ impl<'a> Target<'a> {
             visibility: &structure.visibility,
             cfgs: &structure.cfgs,
             freedoms: freedoms.into(),
+            is_known: true,
             path,
         }
     }
 
-    /// Whether the number of joints is known.
-    pub(super) fn is_known(&self) -> bool {
-        self.freedoms.all() > 0
+    /// The robot of stubs.
+    pub(super) fn stubbed(&self) -> Stubbed {
+        Stubbed {
+            freedoms: self.freedoms,
+            is_known: self.is_known,
+        }
+    }
+
+    /// The numbers of joints and of degrees of freedom in impls, which are for all of them where an error left the number
+    /// unknown.
+    pub(super) fn sizes(&self) -> [TokenStream; 2] {
+        if self.is_known {
+            [self.n(), self.v()].map(ToTokens::into_token_stream)
+        } else {
+            self.stubbed().names()
+        }
     }
 
     /// The number of joints as a literal.

@@ -70,11 +70,11 @@ pub(super) fn functions<'a>(
     target: &Target,
     items: impl Iterator<Item = (&'a Request, Option<TokenStream>)>,
 ) -> TokenStream {
-    let (generics, n) = generics(target);
+    let [n, _] = target.sizes();
     let implementation = |(index, (request, items)): (usize, (&Request, Option<TokenStream>))| {
         let items = items?;
         let function = function_type(request, index, target.path);
-        let start = start(target, &generics, quote!(Function<#function, #n>));
+        let start = of_all(target, quote!(Function<#function, #n>));
         Some(quote!(#start { #items }))
     };
     items.enumerate().filter_map(implementation).collect()
@@ -100,7 +100,7 @@ pub(super) fn field_by_index(fields: &[String]) -> Option<TokenStream> {
 /// The trait that reads the field of the number `index`, beside the batches that belong to the robot.
 pub(super) fn fields(target: &Target, value: &TokenStream, requests: &[Request]) -> TokenStream {
     let path = target.path;
-    let start = start(target, &quote!(), quote!(Fields));
+    let start = start(target, [quote!(), quote!()], quote!(Fields));
     let fields = |of_each: TokenStream| {
         quote! {
             #path::__with_std! {
@@ -135,56 +135,51 @@ pub(super) fn momenta(target: &Target, functions: &[Function]) -> Option<TokenSt
     })
 }
 
-/// The start of an impl, and the number of joints in it. Where an error left the
-/// number unknown the impl is for all of them.
+/// The start of an impl of a trait of robots whose base stands, and the number of joints in it.
 fn header(target: &Target, name: TokenStream) -> (TokenStream, TokenStream) {
-    let (generics, n) = generics(target);
-    (start(target, &generics, quote!(#name<#n>)), n)
+    let [n, _] = target.sizes();
+    (of_all(target, quote!(#name<#n>)), n)
 }
 
-fn generics(target: &Target) -> (TokenStream, TokenStream) {
-    if target.is_known() {
-        (quote!(), target.n().into_token_stream())
-    } else {
-        (quote!(<const N: usize>), quote!(N))
-    }
+/// The start of an impl. Where an error left the number of joints unknown it is for all of them.
+fn of_all(target: &Target, name: TokenStream) -> TokenStream {
+    start(target, target.stubbed().generics(target.path), name)
 }
 
-fn start(target: &Target, generics: &TokenStream, name: TokenStream) -> TokenStream {
+fn start(target: &Target, [generics, bounds]: [TokenStream; 2], name: TokenStream) -> TokenStream {
     let Target {
         name: structure,
         cfgs,
         path,
         ..
     } = target;
+    let generics = (!generics.is_empty()).then(|| quote!(<#generics>));
     quote! {
         #cfgs
         #[automatically_derived]
         #[allow(deprecated, unused_variables, clippy::all, clippy::pedantic, clippy::nursery)]
-        impl #generics #path::#name for #structure
+        impl #generics #path::#name for #structure #bounds
     }
 }
 
 fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bool) -> TokenStream {
     let path = target.path;
-    let (generics, n) = generics(target);
-    let v = target.freedoms.has_base().then(|| {
-        let v = target.v();
-        quote!(, #v)
-    });
-    let header = start(target, &generics, quote!(Model<#n #v>));
+    let [n, v] = target.sizes();
+    let v = target.freedoms.has_base().then(|| quote!(, #v));
+    let header = of_all(target, quote!(Model<#n #v>));
     // An unknown number of joints has no names; the body stands in for a table too.
-    let (names, table) = if target.is_known() {
+    let (names, table) = if target.is_known {
         (quote!(Self::JOINT_NAMES), quote!(Self::table(self)))
     } else {
         (quote!([""; N]), table.clone())
     };
-    let angles = (!angles.is_empty() || target.freedoms.has_base()).then(|| {
+    let has_angles = target.is_known && angles.len() == target.freedoms.joints;
+    let angles = has_angles.then(|| {
         quote! {
             const READS_ANGLE: [bool; #n] = [#(#angles),*];
         }
     });
-    let energies = has_energies.then(|| energies(target, &n));
+    let energies = has_energies.then(|| energies(target));
     quote! {
         #header {
             const JOINT_NAMES: [&'static str; #n] = #names;
@@ -201,11 +196,11 @@ fn model(target: &Target, angles: &[bool], table: &TokenStream, has_energies: bo
 }
 
 /// The method of `Model` that returns both energies.
-fn energies(target: &Target, n: &TokenStream) -> TokenStream {
-    let path = target.path;
-    let (mut name, mut v, mut place) = (quote!(energies), n.clone(), None);
+fn energies(target: &Target) -> TokenStream {
+    let (path, [n, v]) = (target.path, target.sizes());
+    let (mut name, mut place) = (quote!(energies), None);
     if target.freedoms.has_base() {
-        (name, v) = (quote!(energies_on), target.v().into_token_stream());
+        name = quote!(energies_on);
         place = Some(quote!(base: &#path::Pose<f64>,));
     }
     let base = place.as_ref().map(|_| quote!(base,));
@@ -238,7 +233,7 @@ fn evaluate(target: &Target, evaluation: &Evaluation) -> TokenStream {
         // One impl, for no joints, where their number is unknown: a check of the robot then infers the number.
         (quote!(Evaluate<#n>), quote!(State<#n>))
     };
-    let header = start(target, &quote!(), name);
+    let header = start(target, [quote!(), quote!()], name);
     let parts = evaluation.parts.as_ref().map(|parts| {
         quote! {
             fn evaluate_parts(

@@ -62,6 +62,7 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     }
     table.notes.extend(read.notes);
     table.rounded = read.rounded;
+    table.warnings = read.warnings;
     let cells = beside::take(&mut table.entries);
     let in_front = cells.as_ref().map_or(0, |(at, ..)| *at);
     if let Some((_, place, rows)) = cells {

@@ -2,6 +2,8 @@
 
 use std::fmt::Display;
 
+use dynamics_symbolic::function::frame_in_methods;
+
 use super::Mistake;
 use crate::audience::AT_THE_END;
 use crate::description::{Name, Wanted};
@@ -23,6 +25,10 @@ mistakes! {
     /// `name: (a, b)`
     tuple_by_colon(name: &impl Display) "functions are put together by `=`: write `{name} = (...)`";
     default_for_one() "`default` stands for several functions: name each of them";
+    /// The name of the method where the function is requested at a frame.
+    method_of_frame(function: &str, frame: &str => shortened)
+        {method: frame_in_methods(&frame)}
+        "a function at a frame is written `{function}({frame})`: its method is `{function}_{method}`, in lower case";
     tuple_named_as_function(name: &str) "`{name}` is the name of a function: a tuple has another one";
     /// `name = ()`
     no_parts(name: &impl Display)

@@ -62,7 +62,9 @@ mistakes! {
         "a tensor without a mass: write the {place}'s `mass`; the moment about one axis alone needs none (`mass: 0` \
          says that there is none, or {allow})";
     /// A mass, an inertia or a coefficient below zero.
-    negative(what: &str) "{what} cannot be negative";
+    negative(what: &str)
+        {hint: if what.contains("friction") { ": write its magnitude, or 0 if there is none" } else { "" }}
+        "{what} cannot be negative{hint}";
     /// `place` is the row or the tool.
     solid_without_mass(place: &str) "a solid's inertia needs the {place}'s `mass`";
     /// `place` is the row or the tool.

@@ -21,6 +21,9 @@ mistakes! {
     other_type(suffix: &str) "every number is an `f64`: remove `{suffix}`";
     unit(suffix: &str => shortened)
         "a number has no unit, found `{suffix}`: lengths are in m, masses in kg, angles in rad";
+    /// A unit in which the table has its numbers.
+    unit_of_table(suffix: &str, number: &str)
+        "a number has no unit, found `{suffix}`: write `{number}`, for lengths are in m, masses in kg, angles in rad";
     too_large() "this number is larger than the largest `f64`";
     too_small() "this number is smaller than the smallest `f64`, but not zero";
 }

@@ -17,7 +17,14 @@ mistakes! {
         "`{what}` is left of xacro, in a place that is read: {EXPANDED}; if that leaves it there, remove it or write \
          its value";
     attribute_missing(element: &str, name: &str) "`<{element}>` has no `{name}`";
-    element_missing(element: &str, name: &str) "`<{element}>` has no `<{name}>`";
+    element_missing(element: &str, name: &str)
+        {hint: match name {
+            "inertia" => ": write the tensor about the centre of mass, kg m^2; that of a mass at one point is zero, \
+                `<inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/>`",
+            "mass" => ": write it in kg, `<mass value=\"1.5\"/>`, or take the element away",
+            _ => "",
+        }}
+        "`<{element}>` has no `<{name}>`{hint}";
     three_numbers(name: &str, count: usize) "`{name}` has three numbers, found {count}";
     twice(what: &str, name: &str => shortened) "there is a {what} `{name}` already";
     /// Roll, pitch or yaw of many turns, or of whole radians.

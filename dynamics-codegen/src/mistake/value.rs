@@ -12,8 +12,15 @@ mistakes! {
     foreign(what: &str)
         "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, `sqrt(x)`, `sin(x)`, `cos(x)`, \
          fields, `let` names, `+ - * /` and parentheses";
-    /// `base ** ...`
-    power(base: &str) "`**` does not belong in a value: a power is a product, `{base} * {base}`";
+    /// A power, by that sign.
+    power(sign: &str, product: &str) "`{sign}` does not belong in a value: a power is a product, `{product}`";
+    /// `2 x`
+    sign_missing(first: &str => shortened, second: &str => shortened)
+        {product: format!("{first} * {second}")}
+        "no sign stands between `{first}` and `{second}`: a product is `{product}`";
+    /// `rod(0.5`, and the same closed.
+    parenthesis_missing(closed: &str => shortened) "a `)` is missing: `{closed}`";
+    parenthesis_too_many() "this `)` closes nothing: remove it, or write a `(` before";
     with_self() "a field is written by its name alone, without `self`";
     path_to_pi() "write `PI` alone, without a path";
     /// A constant of Rust's standard library, which is written otherwise here.

@@ -80,7 +80,7 @@ fn power(cursor: &mut Cursor, left: &Expr) -> Reported {
         ExprKind::Name(name) => name,
         _ => "x",
     };
-    cursor.error(start.to(cursor.last), mistake::power(base))
+    cursor.error(start.to(cursor.last), mistake::power("**", &format!("{base} * {base}")))
 }
 
 /// Reads an operand with its signs.

@@ -7,6 +7,8 @@ mod assigned;
 mod cursor;
 mod entry;
 pub(crate) mod expression;
+#[cfg(feature = "files")]
+mod formula;
 mod list;
 pub(crate) mod number;
 mod row;

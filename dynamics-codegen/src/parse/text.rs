@@ -4,6 +4,7 @@ use proc_macro2::{Span, TokenStream};
 use syn::buffer::TokenBuffer;
 
 use super::cursor::Cursor;
+use super::formula::mistake_in;
 use super::size;
 use super::value::value;
 use crate::diagnose::Diagnostics;
@@ -14,13 +15,19 @@ use crate::tree::{Fault, Kind, Node};
 
 /// The value that a text is, such as `PI/2`, `sphere(0.1)` or `1%`, at that place, and its tokens.
 pub(crate) fn read(text: &str, place: Place) -> Result<(Node, TokenStream), Fault> {
-    let no_value =
-        |mistake: Option<Mistake>| (place, mistake.unwrap_or_else(|| mistake::no_value(text)));
-    let otherwise = otherwise(text);
-    if otherwise.is_some() || !lexes(text) {
-        return Err(no_value(otherwise));
+    if let Some(mistake) = otherwise(text) {
+        return Err((place, mistake));
     }
-    let tokens: TokenStream = text.parse().map_err(|_| no_value(None))?;
+    if text.len() <= MOST_TOKENS
+        && let Some((before, mistake)) = mistake_in(text)
+    {
+        return Err((place.inside(before), mistake));
+    }
+    let no_value = || (place, mistake::no_value(text));
+    if !lexes(text) {
+        return Err(no_value());
+    }
+    let tokens: TokenStream = text.parse().map_err(|_| no_value())?;
     let errors = Diagnostics::new();
     let is_short = size::check(&tokens, &errors).is_ok();
     let buffer = TokenBuffer::new2(tokens.clone());
@@ -56,8 +63,7 @@ fn otherwise(text: &str) -> Option<Mistake> {
     match unit {
         _ if !is_unit || !is_number => None,
         "deg" | "degrees" | "°" => Some(number::degrees(&format!("{sign}{}", &number[..end]))),
-        "" | "e" | "E" => None,
-        _ => Some(number::unit(unit)),
+        _ => None,
     }
 }
 

@@ -17,7 +17,9 @@ impl Reader<'_> {
                 let body = self.visit(cells, |reader, cells| {
                     reader.body_of_base(cells, &FLOATING, |_, _| Ok(()))
                 });
-                moves?;
+                if !is_meant(word.plain()) {
+                    moves?;
+                }
                 Ok(Base::Floating(word.into(), body?))
             }
             Kind::Word(_) | Kind::Text(_) => {
@@ -25,7 +27,10 @@ impl Reader<'_> {
                 if self.is_call() && matches!(node.kind, Kind::Text(_)) && is_meant(word) {
                     return Err(self.error(node.place, mistake::in_quotes(MOVING)));
                 }
-                self.moves(word, node.place)?;
+                let moves = self.moves(word, node.place);
+                if !is_meant(word) {
+                    moves?;
+                }
                 Ok(Base::Floating(node.place, Body::default()))
             }
             Kind::Table(items) => match items.iter().find(|(key, _)| is_meant(&key.word)) {

@@ -377,7 +377,11 @@ impl Reader<'_> {
             let mistake = if word == DEFAULT {
                 mistake::entry::default_for_one()
             } else {
-                unknown("function", word, known).mistake
+                let unknown = unknown("function", word, known);
+                let of_frame = method_of_frame(word).filter(|_| unknown.meant.is_none());
+                of_frame.map_or(unknown.mistake, |[function, frame]| {
+                    mistake::entry::method_of_frame(function, frame)
+                })
             };
             self.error(node.place, mistake)
         })
@@ -489,6 +493,17 @@ fn applied(text: &str) -> Option<(&str, &str)> {
         .iter()
         .find_map(|&quote| frame.strip_prefix(quote)?.strip_suffix(quote));
     Some((function.trim(), unquoted.unwrap_or(frame)))
+}
+
+/// The function and the frame of a method's name, `jacobian_left_hand`.
+fn method_of_frame(word: &str) -> Option<[&str; 2]> {
+    let of_tip = Function::ALL.into_iter().filter(|f| f.row().of_tip);
+    let of_frame = of_tip.filter_map(|function| {
+        let (name, rest) = word.split_at_checked(function.name().len())?;
+        let frame = rest.strip_prefix('_').filter(|frame| !frame.is_empty())?;
+        (name.to_lowercase() == function.name()).then_some([function.name(), frame])
+    });
+    of_frame.max_by_key(|[function, _]| function.len())
 }
 
 /// The names of all functions.

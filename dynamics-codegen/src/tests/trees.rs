@@ -385,3 +385,47 @@ fn terms_are_neglected_on_trees() {
         "{items}"
     );
 }
+
+/// A loop that a URDF file tells in words of other programs is told with its line, and no joint of a simulated world is one.
+#[test]
+fn loops_of_a_file_are_told() {
+    let link = |name| {
+        format!(
+            "<link name=\"{name}\"><inertial><mass value=\"1\"/>\
+             <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" iyz=\"0\" ixz=\"0\"/></inertial></link>\n"
+        )
+    };
+    let joint = |name, child| {
+        format!(
+            "<joint name=\"{name}\" type=\"continuous\"><parent link=\"base\"/><child link=\"{child}\"/></joint>\n"
+        )
+    };
+    let of_gazebo = |name, parent, child| {
+        format!(
+            "<gazebo><joint name=\"{name}\" type=\"revolute\"><parent>{parent}</parent><child>{child}</child></joint></gazebo>\n"
+        )
+    };
+    let text = [
+        "<robot name=\"bars\">\n".to_owned(),
+        link("base"),
+        link("left"),
+        link("right"),
+        joint("a", "left"),
+        joint("b", "right"),
+        "<drake:loop_joint name=\"four\" type=\"continuous\"><link1 link=\"left\"/></drake:loop_joint>\n".to_owned(),
+        of_gazebo("closed", "bars::left", "right"),
+        of_gazebo("held", "world", "base"),
+        "</robot>".to_owned(),
+    ]
+    .concat();
+    let table = super::floating::entries("", "gravity: [0, 0, -9.81]");
+    let model = crate::files::model_beside("Bars", &text, Format::Urdf, table);
+    let warnings = model.unwrap_or_else(|errors| panic!("{errors:?}")).warnings;
+    assert_eq!(warnings.len(), 2, "{warnings:#?}");
+    for (warning, start) in warnings.iter().zip([
+        " Line 7 of the file closes a loop by `<loop_joint name=\"four\">`, which is left out",
+        " Line 8 of the file closes a loop by `<joint name=\"closed\">`, which is left out",
+    ]) {
+        assert!(warning.starts_with(start), "{warning}");
+    }
+}

@@ -64,6 +64,10 @@ fn report_without_tip(asked: &[Asked], parts: &Parts, table: &Table, scope: &Sco
     let Some(ends) = ends_without_tip(parts) else {
         return;
     };
+    // A slip in `lock`, which is reported, may leave more ends than there are.
+    if !parts.lock.iter().all(|lock| lock.is_of(table.rows())) {
+        return;
+    }
     let rows = table.rows();
     let tips: Vec<&str> = ends.iter().map(|&row| rows[row].word()).collect();
     let frames = from_the_ends(&ends, parts, table);

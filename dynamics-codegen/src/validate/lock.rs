@@ -16,6 +16,13 @@ pub(super) struct Lock {
     position: Option<Position>,
 }
 
+impl Lock {
+    /// Whether the joint is one of these.
+    pub(super) fn is_of(&self, rows: &[description::Row]) -> bool {
+        rows.iter().any(|row| row.word() == self.name.plain())
+    }
+}
+
 struct Position {
     value: Value,
     /// The oddity of it, where it is an angle.

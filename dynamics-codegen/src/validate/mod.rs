@@ -96,7 +96,7 @@ pub(crate) fn model(table: &Table, diagnostics: &Diagnostics) -> Option<Model> {
         model.notes.extend(note);
     }
     is_good.then(|| Model {
-        warnings: nearly::notes(&model, table),
+        warnings: [table.warnings.clone(), nearly::notes(&model, table)].concat(),
         ..model
     })
 }

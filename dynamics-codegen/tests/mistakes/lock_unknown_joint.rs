@@ -8,3 +8,23 @@ robot_dynamics! {
     ],
     lock: [elbo = 0.3, showlder = 1],
 }
+
+// What follows from the slip is not told.
+robot_dynamics! {
+    pub struct Fork;
+    convention: modified,
+    gravity: [0, 0, -9.81],
+    joints: [
+        waist: revolute { mass: 1 },
+        left: revolute { on: waist, mass: 1 },
+        right: revolute { on: waist, mass: 1 },
+    ],
+    functions: [jacobian],
+    lock: [lft = 0],
+}
+
+robot_dynamics! {
+    pub struct Gripper;
+    file: "../tests/data/urdf/panda.urdf", chain: ["panda_link0", "panda_hand"],
+    lock: [panda_finger_joint_1 = 0], ignore: [panda_fingerjoint2],
+}

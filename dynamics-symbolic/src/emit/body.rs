@@ -7,7 +7,7 @@
 //! each borrow of a captured variable is a region of its own.
 
 use super::inputs::{constants_of, input_names, inputs, literal, reads_cells, real};
-use super::names::{ident, in_tuple, line_names, punct};
+use super::names::{ident, in_tuple, line_names, punct, variable};
 use super::pivots::pivots;
 use crate::function::{Request, Shape, Sizes, sizes_of, spans};
 use crate::program::{ConstantId, Line, Operand, Output, Program, Proven, Rest};
@@ -71,8 +71,8 @@ impl<'p> Writer<'p> {
             lines,
             constants,
             singles: program.constants.singles(constants),
-            inputs: inputs.map(|name| ident(&name)).collect(),
-            names: names.map(|name| name.map(|name| ident(&name))).collect(),
+            inputs: inputs.map(|name| variable(&name)).collect(),
+            names: names.map(|name| Some(variable(&name?))).collect(),
         }
     }
 

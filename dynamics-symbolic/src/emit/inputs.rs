@@ -1,6 +1,6 @@
 //! The inputs that a method reads before its first operation: arguments, fields, sines and cosines.
 
-use super::names::{field, ident, punct};
+use super::names::{field, ident, punct, variable};
 use crate::function::{Argument, Request, plain};
 use crate::program::Program;
 use crate::robot::{Robot, Symbol, Value};
@@ -80,8 +80,7 @@ pub(super) fn real(x: f64) -> TokenStream {
     quote!(#real(#x))
 }
 
-/// The variable of an input. Names end in `_i`: an identifier pattern that
-/// happens to be the name of a user's constant would be that constant.
+/// The name of an input.
 pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> String {
     let angle_number = |value: &Value| {
         let mut constant = angles.iter().filter_map(|symbol| match symbol {
@@ -147,7 +146,7 @@ pub(super) fn inputs(
                 None => continue,
             },
         };
-        let name = ident(&names[index]);
+        let name = variable(&names[index]);
         lines.extend(quote!(let #name = #value;));
     }
     lines
@@ -160,7 +159,7 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
     let cells = Cells::constant(robot, path);
     let sines = sines(&cells, false, &angles, program);
     let fields = program.inputs.iter().filter_map(|symbol| match symbol {
-        Symbol::Field(i) => Some((ident(&input_name(robot, symbol, &angles)), cells.field(*i))),
+        Symbol::Field(i) => Some((variable(&input_name(robot, symbol, &angles)), cells.field(*i))),
         _ => None,
     });
     let (names, values): (Vec<_>, Vec<_>) = fields.unzip();
@@ -179,7 +178,7 @@ fn sines(cells: &Cells, are_asked_for: bool, angles: &[&Symbol], program: &Progr
     let pair = |sine: Symbol, cosine: Symbol| {
         let [s, c] = [sine, cosine].map(|symbol| {
             let is_read = program.inputs.contains(&symbol);
-            is_read.then(|| ident(&input_name(robot, &symbol, angles)))
+            is_read.then(|| variable(&input_name(robot, &symbol, angles)))
         });
         Pair(s, c)
     };

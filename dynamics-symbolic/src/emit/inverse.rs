@@ -3,7 +3,7 @@
 
 use super::body::Writer;
 use super::inputs::{constants_like, input_name};
-use super::names::{ident, number_of_joints};
+use super::names::{ident, number_of_joints, shown, variable};
 use crate::function::{Argument, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
 use crate::program::Operand;
@@ -108,6 +108,7 @@ fn method_of(
     let (pose, elbow, n) = (ident("pose"), ident("elbow"), number_of_joints(joints));
     let generic = (joints == 0).then(|| quote!(, const N: usize));
     let method = inverse_method(frame);
+    let documentation = documentation.iter().map(|line| shown(line));
     let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
     let (name, batch) = (named(&method), named(&format!("{method}_batch")));
     let [of_one, of_many] =
@@ -252,7 +253,7 @@ impl Method<'_> {
         });
         let entries = program.inputs.iter().filter_map(|symbol| match symbol {
             Symbol::Entry(Argument::Pose, k) if *k < ELBOW => {
-                let name = ident(&input_name(self.robot, symbol, &[]));
+                let name = variable(&input_name(self.robot, symbol, &[]));
                 let (row, column) = Plan::place_in_pose(*k);
                 let [row, column] = [row, column].map(Literal::usize_unsuffixed);
                 Some(quote!(let #name = #pose.data.0[#column][#row];))
@@ -296,7 +297,7 @@ impl Method<'_> {
                 let solutions = ident("solutions");
                 let has_family = self.searches && self.plan.has_family(step);
                 let family = |first: TokenStream, rest: TokenStream| {
-                    let family = ident(&format!("family_{}", joint + 1));
+                    let family = variable(&format!("family_{}", joint + 1));
                     quote! {
                         let mut #family = #path::closed_form::Family::new(#first);
                         while let ::core::option::Option::Some([#found, #on_circle]) = #family.next(&mut #solutions) {
@@ -335,11 +336,11 @@ impl Method<'_> {
     /// The variable of a number behind the entries of the pose.
     fn number(&self, place: usize) -> Ident {
         let symbol = Symbol::Entry(Argument::Pose, place);
-        ident(&input_name(self.robot, &symbol, &[]))
+        variable(&input_name(self.robot, &symbol, &[]))
     }
 
     fn found(&self, joint: usize) -> Ident {
-        ident(&format!("joint_{}", joint + 1))
+        variable(&format!("joint_{}", joint + 1))
     }
 
     /// Parts of the solution of a step, where they are read.

@@ -23,10 +23,10 @@ pub use languages::{
     casadi_source, description, inverse_in_c, inverse_in_javascript, javascript_module,
     matlab_files, python_module, python_module_name, snake_case,
 };
-pub use names::field;
+pub use names::{field, shown, visible};
 pub use signature::{
-    base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
-    stub_of_trait,
+    Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub,
+    stub_of_function, stub_of_trait,
 };
 use signature::{
     call, call_of_function, function_items, leading_matrix, provided, signature, without_parameters,
@@ -91,6 +91,7 @@ fn documented(
     signature: &TokenStream,
     body: &TokenStream,
 ) -> TokenStream {
+    let documentation = documentation.iter().map(|line| shown(line));
     quote! {
         #(#[doc = #documentation])*
         #inlining

@@ -7,7 +7,7 @@
 
 use super::body::{MOST_LETS, declared_in_groups};
 use super::inputs;
-use super::names::{ident, number_of_joints, punct};
+use super::names::{ident, number_of_joints, punct, variable};
 use crate::function::Argument;
 use crate::program::{Instruction, Operand, Program, Proven, Readers};
 use crate::robot::{Robot, Symbol};
@@ -111,7 +111,7 @@ impl<'p> Series<'p> {
             turns,
             turning: 0,
             blocks: [0; 2],
-            inputs: inputs.map(|name| ident(&name)).collect(),
+            inputs: inputs.map(|name| variable(&name)).collect(),
         };
         for instruction in &program.instructions {
             let [a, b] = instruction.operands();
@@ -291,7 +291,7 @@ impl<'p> Series<'p> {
         let lines = self.multiples().filter_map(|index| {
             let (leader, factor) = self.followed(index)?;
             let number = self.index_of_multiple(index);
-            let name = |symbol: Symbol| ident(&inputs::input_name(self.robot, &symbol, &[]));
+            let name = |symbol: Symbol| variable(&inputs::input_name(self.robot, &symbol, &[]));
             let (sine, cosine) = (name(Symbol::Sine(index)), name(Symbol::Cosine(index)));
             let pair = self.term_call("multiple", quote!(#number, #leader, #factor));
             Some(quote!(let (#sine, #cosine) = #pair;))
@@ -447,5 +447,5 @@ impl<'p> Series<'p> {
 }
 
 fn name(index: usize) -> Ident {
-    ident(&format!("t_{}", index + 1))
+    variable(&format!("t_{}", index + 1))
 }

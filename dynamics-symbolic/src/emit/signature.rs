@@ -4,27 +4,43 @@ use super::names::{field, ident, in_tuple, number_of_joints};
 use crate::derive::base::observed;
 use crate::function::{Argument, Freedoms, Function, Request, Shape, Size, Sizes};
 use crate::robot::Robot;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote};
 
-/// The types of values in generated code: the number of joints as a token, the sizes, and the path of the runtime.
+/// The types of values in generated code: the numbers of joints and of velocities as tokens, the sizes, and the path of
+/// the runtime.
 struct Types<'a> {
     n: TokenStream,
+    v: TokenStream,
     sizes: Sizes,
     path: &'a TokenStream,
 }
 
 impl<'a> Types<'a> {
-    /// Without joints, which no robot is, types are generic over their number.
     fn new(sizes: Sizes, path: &'a TokenStream) -> Self {
         let n = joints(sizes);
-        Types { n, sizes, path }
+        let v = match sizes.freedoms {
+            freedoms if freedoms.has_base() => {
+                Literal::usize_unsuffixed(freedoms.all()).into_token_stream()
+            }
+            _ => n.clone(),
+        };
+        Types { n, v, sizes, path }
+    }
+
+    /// The types of a stub.
+    fn of_stub(stubbed: Stubbed, path: &'a TokenStream) -> Self {
+        let mut types = Types::new(without_parameters(stubbed.freedoms), path);
+        if !stubbed.is_known {
+            [types.n, types.v] = stubbed.names();
+        }
+        types
     }
 
     fn size(&self, size: Size) -> TokenStream {
         match size {
             Size::Joints => self.n.clone(),
-            Size::Freedoms if !self.sizes.freedoms.has_base() => self.n.clone(),
+            Size::Freedoms => self.v.clone(),
             other => Literal::usize_unsuffixed(other.of(self.sizes)).into_token_stream(),
         }
     }
@@ -123,6 +139,100 @@ impl<'a> Types<'a> {
             fn #name<T: #path::Scalar #generic>(&self #(, #arguments)*) -> #output
         }
     }
+
+    /// The items of the runtime's trait `Function`.
+    fn function_items(
+        &self,
+        request: &Request,
+        index: usize,
+        body: &TokenStream,
+        work: u32,
+    ) -> TokenStream {
+        let path = self.path;
+        let function = function_type(request, index, path);
+        let (arguments, names) = (request.arguments(), names(request));
+        let shapes = arguments.iter().filter_map(|argument| argument.shape());
+        let taken = shapes.map(|shape| self.arrangement(&shape));
+        let arrangements = request
+            .functions()
+            .map(|function| self.arrangement(function.shape()));
+        let values = if request.is_tuple() {
+            quote!((#(#arrangements,)*))
+        } else {
+            arrangements.collect()
+        };
+        let texts = arguments.iter().map(|argument| argument.name());
+        let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
+        let has_numbers = |argument: &Argument| {
+            argument
+                .shape()
+                .is_none_or(|shape| shape.entries(self.sizes) > 0)
+        };
+        let in_lanes = arguments.iter().any(has_numbers);
+        let mut error = quote!(::core::convert::Infallible);
+        if request.refuses() {
+            error = quote!(#path::SingularMassMatrix);
+        }
+        let sines = ident("sines");
+        quote! {
+            type Arguments = (#(#taken,)*);
+            type Values = #values;
+            type Error = #error;
+
+            const ARGUMENTS: &'static [&'static str] = &[#(#texts),*];
+            const RESULT: &'static str = #result;
+            const WORK: u32 = #work;
+            const IN_LANES: bool = #in_lanes;
+
+            #[inline(always)]
+            fn at<T: #path::Scalar>(
+                &self,
+                _: #function,
+                #sines: &impl #path::Inputs<T>,
+                (#(#names,)*): &<Self::Arguments as #path::Arrangement>::Of<T>,
+            ) -> ::core::result::Result<<Self::Values as #path::Arrangement>::Of<T>, Self::Error> {
+                #body
+            }
+        }
+    }
+}
+
+/// The robot of stubs, which stand in after an error.
+#[derive(Clone, Copy)]
+pub struct Stubbed {
+    /// Its degrees of freedom; no joints where an error left their number unknown.
+    pub freedoms: Freedoms,
+    /// Whether the number of joints is known.
+    pub is_known: bool,
+}
+
+impl Stubbed {
+    /// The constants that are the unknown numbers of joints and of velocities.
+    pub fn names(self) -> [TokenStream; 2] {
+        let v = if self.freedoms.has_base() { "V" } else { "N" };
+        ["N", v].map(|name| Ident::new(name, Span::call_site()).into_token_stream())
+    }
+
+    /// The declaration of these constants, and what is true of them: six velocities more than joints. The compiler finds
+    /// either number by the other one.
+    pub fn generics(self, path: &TokenStream) -> [TokenStream; 2] {
+        if self.is_known {
+            return Default::default();
+        }
+        if !self.freedoms.has_base() {
+            return [quote!(const N: usize), TokenStream::new()];
+        }
+        let nalgebra = quote!(#path::nalgebra);
+        [
+            quote!(const N: usize, const V: usize),
+            quote! {
+                where #nalgebra::Const<N>:
+                    #nalgebra::DimAdd<#nalgebra::Const<6>, Output = #nalgebra::Const<V>>,
+                #nalgebra::Const<V>:
+                    #nalgebra::DimSub<#nalgebra::Const<6>, Output = #nalgebra::Const<N>>
+            },
+        ]
+    }
 }
 
 /// The number of joints as a token: of an unknown robot, which has no degree of freedom, a constant's name.
@@ -139,10 +249,9 @@ fn names(request: &Request) -> Vec<Ident> {
     arguments.map(|argument| ident(argument.name())).collect()
 }
 
-/// The signature of a method, without visibility. Without joints, which no robot is, it is generic over their number.
+/// The signature of a method, without visibility.
 pub(super) fn signature(request: &Request, sizes: Sizes, path: &TokenStream) -> TokenStream {
-    let generic = (sizes.freedoms.all() == 0).then(|| quote!(, const N: usize));
-    Types::new(sizes, path).signature(request, generic)
+    Types::new(sizes, path).signature(request, None)
 }
 
 /// The name of a method: that of several functions or of a frame is the user's.
@@ -265,15 +374,17 @@ pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> 
 }
 
 /// A method of the right signature without a body: it stands in after an error in the table, so that the rest of the
-/// user's file still type-checks. If the number of joints is not known, `dof` is zero, and the method takes vectors of
-/// any length. The number of base parameters is then 0.
-pub fn stub(request: &Request, freedoms: impl Into<Freedoms>, path: &TokenStream) -> TokenStream {
-    let signature = signature(request, without_parameters(freedoms), path);
+/// user's file still type-checks. If the number of joints is not known, the method takes vectors of any length. The number
+/// of base parameters is then 0.
+pub fn stub(request: &Request, stubbed: Stubbed, path: &TokenStream) -> TokenStream {
+    let [generics, bounds] = stubbed.generics(path);
+    let generics = (!stubbed.is_known).then(|| quote!(, #generics));
+    let signature = Types::of_stub(stubbed, path).signature(request, generics);
     let documentation = format!(" `{}`, not generated because of an error.", request.name());
     quote! {
         #[doc = #documentation]
         #[allow(unused_variables)]
-        pub #signature { ::core::unimplemented!() }
+        pub #signature #bounds { ::core::unimplemented!() }
     }
 }
 
@@ -306,52 +417,7 @@ pub(super) fn function_items(
     body: &TokenStream,
     work: u32,
 ) -> TokenStream {
-    let types = Types::new(sizes, path);
-    let function = function_type(request, index, path);
-    let (arguments, names) = (request.arguments(), names(request));
-    let shapes = arguments.iter().filter_map(|argument| argument.shape());
-    let taken = shapes.map(|shape| types.arrangement(&shape));
-    let arrangements = request
-        .functions()
-        .map(|function| types.arrangement(function.shape()));
-    let values = if request.is_tuple() {
-        quote!((#(#arrangements,)*))
-    } else {
-        arrangements.collect()
-    };
-    let texts = arguments.iter().map(|argument| argument.name());
-    let (result, work) = (request.result(), Literal::u32_unsuffixed(work));
-    let has_numbers = |argument: &Argument| {
-        argument
-            .shape()
-            .is_none_or(|shape| shape.entries(sizes) > 0)
-    };
-    let in_lanes = arguments.iter().any(has_numbers);
-    let mut error = quote!(::core::convert::Infallible);
-    if request.refuses() {
-        error = quote!(#path::SingularMassMatrix);
-    }
-    let sines = ident("sines");
-    quote! {
-        type Arguments = (#(#taken,)*);
-        type Values = #values;
-        type Error = #error;
-
-        const ARGUMENTS: &'static [&'static str] = &[#(#texts),*];
-        const RESULT: &'static str = #result;
-        const WORK: u32 = #work;
-        const IN_LANES: bool = #in_lanes;
-
-        #[inline(always)]
-        fn at<T: #path::Scalar>(
-            &self,
-            _: #function,
-            #sines: &impl #path::Inputs<T>,
-            (#(#names,)*): &<Self::Arguments as #path::Arrangement>::Of<T>,
-        ) -> ::core::result::Result<<Self::Values as #path::Arrangement>::Of<T>, Self::Error> {
-            #body
-        }
-    }
+    Types::new(sizes, path).function_items(request, index, body, work)
 }
 
 /// The call of the program in the runtime's trait `Function`.
@@ -392,14 +458,17 @@ pub(super) fn call_of_function(
 pub fn stub_of_function(
     request: &Request,
     index: usize,
-    freedoms: impl Into<Freedoms>,
+    stubbed: Stubbed,
     path: &TokenStream,
 ) -> Option<TokenStream> {
     let body = quote!(::core::unimplemented!());
-    let sizes = without_parameters(freedoms);
-    let has_trait = request.function().and_then(Function::trait_name).is_some();
-    let has_trait = has_trait && !sizes.freedoms.has_base();
-    (!has_trait).then(|| function_items(request, index, sizes, path, &body, 0))
+    let function = request.function();
+    let has_trait = match stubbed.freedoms.has_base() {
+        true => function.is_some_and(|function| *function.shape() == Shape::Series),
+        false => function.and_then(Function::trait_name).is_some(),
+    };
+    let types = Types::of_stub(stubbed, path);
+    (!has_trait).then(|| types.function_items(request, index, &body, 0))
 }
 
 #[cfg(test)]

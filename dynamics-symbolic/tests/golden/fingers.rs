@@ -180,31 +180,31 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Fused<0>, 2> for Ar
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [1],
                 [q.data.0[0][1]],
             );
-            let p_width = ::robot_dynamics::Inputs::field(
+            let p_width_ = ::robot_dynamics::Inputs::field(
                 sines,
                 0,
                 self.width,
                 q.data.0[0][0],
             );
-            let p_length = ::robot_dynamics::Inputs::field(
+            let p_length_ = ::robot_dynamics::Inputs::field(
                 sines,
                 1,
                 self.length,
                 q.data.0[0][0],
             );
-            let t_1 = p_length.mul_add(c_2, p_width);
-            let t_2 = p_length * s_2;
+            let t_1_ = p_length_.mul_add(c_2_, p_width_);
+            let t_2_ = p_length_ * s_2_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [c_2, s_2, real(0.0), real(0.0)],
-                    [-s_2, c_2, real(0.0), real(0.0)],
+                    [c_2_, s_2_, real(0.0), real(0.0)],
+                    [-s_2_, c_2_, real(0.0), real(0.0)],
                     [real(0.0), real(0.0), real(1.0), real(0.0)],
-                    [t_1, t_2, real(0.0), real(1.0)],
+                    [t_1_, t_2_, real(0.0), real(1.0)],
                 ]),
             )
         })
@@ -230,22 +230,22 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Fused<1>, 2> for Ar
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0],
                 [q.data.0[0][0]],
             );
-            let p_length = ::robot_dynamics::Inputs::field(
+            let p_length_ = ::robot_dynamics::Inputs::field(
                 sines,
                 1,
                 self.length,
                 q.data.0[0][0],
             );
-            let t_1 = p_length * s_1;
-            let t_2 = p_length * c_1;
+            let t_1_ = p_length_ * s_1_;
+            let t_2_ = p_length_ * c_1_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_1, t_2, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    [-t_1_, t_2_, real(0.0), real(0.0), real(0.0), real(1.0)],
                     [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
                 ]),
             )
@@ -272,24 +272,24 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Fused<2>, 2> for Ar
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [1],
                 [q.data.0[0][1]],
             );
-            let p_length = ::robot_dynamics::Inputs::field(
+            let p_length_ = ::robot_dynamics::Inputs::field(
                 sines,
                 1,
                 self.length,
                 q.data.0[0][0],
             );
-            let wrench_1 = wrench.data.0[0][0];
-            let wrench_2 = wrench.data.0[0][1];
-            let wrench_6 = wrench.data.0[0][5];
-            let t_1 = (-s_2).mul_add(wrench_1, c_2 * wrench_2);
-            let t_2 = p_length.mul_add(t_1, wrench_6);
+            let wrench_1_ = wrench.data.0[0][0];
+            let wrench_2_ = wrench.data.0[0][1];
+            let wrench_6_ = wrench.data.0[0][5];
+            let t_1_ = (-s_2_).mul_add(wrench_1_, c_2_ * wrench_2_);
+            let t_2_ = p_length_.mul_add(t_1_, wrench_6_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), t_2]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), t_2_]]),
             )
         })
     }
@@ -318,32 +318,32 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Fused<3>, 2> for Ar
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let p_length = ::robot_dynamics::Inputs::field(
+            let p_length_ = ::robot_dynamics::Inputs::field(
                 sines,
                 1,
                 self.length,
                 q.data.0[0][0],
             );
-            let t_1 = p_length * p_length;
-            let t_2 = p_length * s_1;
-            let t_3 = p_length * c_1;
-            let t_4 = p_length * s_2;
-            let t_5 = p_length * c_2;
+            let t_1_ = p_length_ * p_length_;
+            let t_2_ = p_length_ * s_1_;
+            let t_3_ = p_length_ * c_1_;
+            let t_4_ = p_length_ * s_2_;
+            let t_5_ = p_length_ * c_2_;
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
                         [real(0.0), real(0.0)],
-                        [real(0.0), t_1],
+                        [real(0.0), t_1_],
                     ]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [-t_2, t_3, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [-t_2_, t_3_, real(0.0), real(0.0), real(0.0), real(1.0)],
                         [
                             real(0.0),
                             real(0.0),
@@ -364,7 +364,7 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Fused<3>, 2> for Ar
                             real(0.0),
                             real(0.0),
                         ],
-                        [-t_4, t_5, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [-t_4_, t_5_, real(0.0), real(0.0), real(0.0), real(1.0)],
                     ]),
                 ),
             )

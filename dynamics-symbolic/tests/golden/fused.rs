@@ -158,36 +158,36 @@ impl Function for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = real(4.166666666666667) + c_2;
-            let t_2 = real(2.0) * t_1;
-            let t_3 = real(0.3333333333333333) + c_2;
-            let t_4 = qd_1 * s_2;
-            let t_5 = s_2.mul_add(qd_2, t_4);
-            let t_6 = t_4 + t_5;
-            let t_7 = qd_2 * t_6;
-            let t_8 = qd_1 * t_4;
-            let t_9 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_10 = real(4.905) * t_9;
-            let t_11 = real(49.05).mul_add(c_1, t_10);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = real(4.166666666666667) + c_2_;
+            let t_2_ = real(2.0) * t_1_;
+            let t_3_ = real(0.3333333333333333) + c_2_;
+            let t_4_ = qd_1_ * s_2_;
+            let t_5_ = s_2_.mul_add(qd_2_, t_4_);
+            let t_6_ = t_4_ + t_5_;
+            let t_7_ = qd_2_ * t_6_;
+            let t_8_ = qd_1_ * t_4_;
+            let t_9_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_10_ = real(4.905) * t_9_;
+            let t_11_ = real(49.05).mul_add(c_1_, t_10_);
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_2, t_3],
-                        [t_3, real(0.3333333333333333)],
+                        [t_2_, t_3_],
+                        [t_3_, real(0.3333333333333333)],
                     ]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[-t_7, t_8]]),
+                    ::robot_dynamics::nalgebra::ArrayStorage([[-t_7_, t_8_]]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_10]]),
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_11_, t_10_]]),
                 ),
             )
         })
@@ -216,48 +216,48 @@ impl Function for Arm {
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = c_1 * c_2;
-        let t_4 = qd_1 * qd_1;
-        let t_5 = real(-4.905).mul_add(s_1, t_4);
-        let t_6 = s_2.mul_add(t_5, real(4.905) * t_3);
-        let t_7 = t_6 - tau_2;
-        let t_8 = real(0.3333333333333333) + c_2;
-        let t_9 = real(3.0) * t_8;
-        let t_10 = real(49.05).mul_add(c_1, -tau_1);
-        let t_11 = (-s_2).mul_add(t_2, t_10);
-        let t_12 = t_11 + t_6;
-        let t_13 = (-t_7).mul_add(t_9, t_12);
-        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
-        let t_15 = (-t_8).mul_add(t_9, t_14);
-        let t_16 = real(1.0) / t_15;
-        let t_17 = t_13 * t_16;
-        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
-        let t_19 = qd_1 * t_1;
-        let t_20 = real(0.041666666666666664).mul_add(t_2, t_4);
-        let t_21 = c_2.mul_add(t_19, real(4.0) * t_20);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let t_1_ = qd_1_ + qd_2_;
+        let t_2_ = t_1_ * t_1_;
+        let t_3_ = c_1_ * c_2_;
+        let t_4_ = qd_1_ * qd_1_;
+        let t_5_ = real(-4.905).mul_add(s_1_, t_4_);
+        let t_6_ = s_2_.mul_add(t_5_, real(4.905) * t_3_);
+        let t_7_ = t_6_ - tau_2_;
+        let t_8_ = real(0.3333333333333333) + c_2_;
+        let t_9_ = real(3.0) * t_8_;
+        let t_10_ = real(49.05).mul_add(c_1_, -tau_1_);
+        let t_11_ = (-s_2_).mul_add(t_2_, t_10_);
+        let t_12_ = t_11_ + t_6_;
+        let t_13_ = (-t_7_).mul_add(t_9_, t_12_);
+        let t_14_ = real(2.0).mul_add(c_2_, real(8.333333333333334));
+        let t_15_ = (-t_8_).mul_add(t_9_, t_14_);
+        let t_16_ = real(1.0) / t_15_;
+        let t_17_ = t_13_ * t_16_;
+        let t_18_ = real(-3.0).mul_add(t_7_, t_9_ * t_17_);
+        let t_19_ = qd_1_ * t_1_;
+        let t_20_ = real(0.041666666666666664).mul_add(t_2_, t_4_);
+        let t_21_ = c_2_.mul_add(t_19_, real(4.0) * t_20_);
         ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
             "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15, t_14)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15_, t_14_)?;
         ::core::result::Result::Ok((
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17_, t_18_]]),
             ),
-            t_21,
+            t_21_,
         ))
     }
 }
@@ -281,19 +281,19 @@ impl Function for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(10.0) + c_2;
-            let t_2 = s_1.mul_add(t_1, c_1 * s_2);
-            let t_3 = real(4.905) * t_2;
+            let t_1_ = real(10.0) + c_2_;
+            let t_2_ = s_1_.mul_add(t_1_, c_1_ * s_2_);
+            let t_3_ = real(4.905) * t_2_;
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([[real(0.0), real(0.0)]]),
                 ),
-                t_3,
+                t_3_,
             )
         })
     }

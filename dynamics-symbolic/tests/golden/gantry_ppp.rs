@@ -315,17 +315,17 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::FrictionVector, 3> 
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(qd.data.0[0][0], x);
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qd_3 = qd.data.0[0][2];
-            let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-            let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-            let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-            let t_1 = real(8.0).mul_add(sign_1, real(5.0) * qd_1);
-            let t_2 = real(6.0).mul_add(sign_2, real(4.0) * qd_2);
-            let t_3 = real(4.0).mul_add(sign_3, real(3.0) * qd_3);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qd_3_ = qd.data.0[0][2];
+            let sign_1_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+            let sign_2_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+            let sign_3_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+            let t_1_ = real(8.0).mul_add(sign_1_, real(5.0) * qd_1_);
+            let t_2_ = real(6.0).mul_add(sign_2_, real(4.0) * qd_2_);
+            let t_3_ = real(4.0).mul_add(sign_3_, real(3.0) * qd_3_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_1, t_2, t_3]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_1_, t_2_, t_3_]]),
             )
         })
     }
@@ -350,25 +350,25 @@ impl ::robot_dynamics::InverseDynamics<3> for Arm {
         qdd: &::robot_dynamics::nalgebra::SVector<T, 3>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 3> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_3 = qd.data.0[0][2];
-        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let qdd_3 = qdd.data.0[0][2];
-        let t_1 = qdd_1 + real(9.81);
-        let t_2 = real(22.0).mul_add(t_1, real(5.0) * qd_1);
-        let t_3 = real(8.0).mul_add(sign_1, t_2);
-        let t_4 = real(4.0).mul_add(qd_2, real(10.0) * qdd_2);
-        let t_5 = real(6.0).mul_add(sign_2, t_4);
-        let t_6 = qd_3 + qdd_3;
-        let t_7 = real(1.3333333333333333).mul_add(sign_3, t_6);
-        let t_8 = real(3.0) * t_7;
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let qd_3_ = qd.data.0[0][2];
+        let sign_1_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let qdd_1_ = qdd.data.0[0][0];
+        let qdd_2_ = qdd.data.0[0][1];
+        let qdd_3_ = qdd.data.0[0][2];
+        let t_1_ = qdd_1_ + real(9.81);
+        let t_2_ = real(22.0).mul_add(t_1_, real(5.0) * qd_1_);
+        let t_3_ = real(8.0).mul_add(sign_1_, t_2_);
+        let t_4_ = real(4.0).mul_add(qd_2_, real(10.0) * qdd_2_);
+        let t_5_ = real(6.0).mul_add(sign_2_, t_4_);
+        let t_6_ = qd_3_ + qdd_3_;
+        let t_7_ = real(1.3333333333333333).mul_add(sign_3_, t_6_);
+        let t_8_ = real(3.0) * t_7_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_5, t_8]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3_, t_5_, t_8_]]),
         )
     }
 }
@@ -398,24 +398,24 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
         ::robot_dynamics::SingularMassMatrix,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qd_3 = qd.data.0[0][2];
-        let sign_1 = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
-        let sign_2 = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
-        let sign_3 = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let tau_3 = tau.data.0[0][2];
-        let t_1 = real(5.0).mul_add(qd_1, -tau_1);
-        let t_2 = real(215.82) + t_1;
-        let t_3 = real(8.0).mul_add(sign_1, t_2);
-        let t_4 = real(0.045454545454545456) * t_3;
-        let t_5 = real(-4.0).mul_add(qd_2, tau_2);
-        let t_6 = real(-6.0).mul_add(sign_2, t_5);
-        let t_7 = real(0.1) * t_6;
-        let t_8 = real(-0.3333333333333333).mul_add(tau_3, qd_3);
-        let t_9 = real(1.3333333333333333).mul_add(sign_3, t_8);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let qd_3_ = qd.data.0[0][2];
+        let sign_1_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][0]);
+        let sign_2_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][1]);
+        let sign_3_ = ::robot_dynamics::Scalar::sign(qd.data.0[0][2]);
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let tau_3_ = tau.data.0[0][2];
+        let t_1_ = real(5.0).mul_add(qd_1_, -tau_1_);
+        let t_2_ = real(215.82) + t_1_;
+        let t_3_ = real(8.0).mul_add(sign_1_, t_2_);
+        let t_4_ = real(0.045454545454545456) * t_3_;
+        let t_5_ = real(-4.0).mul_add(qd_2_, tau_2_);
+        let t_6_ = real(-6.0).mul_add(sign_2_, t_5_);
+        let t_7_ = real(0.1) * t_6_;
+        let t_8_ = real(-0.3333333333333333).mul_add(tau_3_, qd_3_);
+        let t_9_ = real(1.3333333333333333).mul_add(sign_3_, t_8_);
         ::robot_dynamics::SingularMassMatrix::test_joint(
             2,
             "joint3",
@@ -436,7 +436,7 @@ impl ::robot_dynamics::ForwardDynamics<3> for Arm {
         )?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_4, t_7, -t_9]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_4_, t_7_, -t_9_]]),
             ),
         )
     }
@@ -461,16 +461,16 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 3> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qd_3 = qd.data.0[0][2];
-            let t_1 = qd_1 * qd_1;
-            let t_2 = qd_2.mul_add(qd_2, t_1);
-            let t_3 = qd_3.mul_add(qd_3, t_2);
-            let t_4 = real(0.5833333333333334).mul_add(t_2, t_1);
-            let t_5 = real(0.25).mul_add(t_3, t_4);
-            let t_6 = real(6.0) * t_5;
-            t_6
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qd_3_ = qd.data.0[0][2];
+            let t_1_ = qd_1_ * qd_1_;
+            let t_2_ = qd_2_.mul_add(qd_2_, t_1_);
+            let t_3_ = qd_3_.mul_add(qd_3_, t_2_);
+            let t_4_ = real(0.5833333333333334).mul_add(t_2_, t_1_);
+            let t_5_ = real(0.25).mul_add(t_3_, t_4_);
+            let t_6_ = real(6.0) * t_5_;
+            t_6_
         })
     }
 }
@@ -495,10 +495,10 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let q_1 = q.data.0[0][0];
-            let t_1 = real(0.04045454545454545) - q_1;
-            let t_2 = real(-215.82) * t_1;
-            t_2
+            let q_1_ = q.data.0[0][0];
+            let t_1_ = real(0.04045454545454545) - q_1_;
+            let t_2_ = real(-215.82) * t_1_;
+            t_2_
         })
     }
 }

@@ -206,27 +206,27 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
-        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let t_1 = p_m2 * p_l2;
-        let t_2 = c_2 * t_1;
-        let t_3 = p_l1 * t_2;
-        let t_4 = p_m1 + p_m2;
-        let t_5 = p_l1 * t_4;
-        let t_6 = p_l2 * t_1;
-        let t_7 = t_6 + t_3;
-        let t_8 = p_l1.mul_add(t_5, t_3);
-        let t_9 = t_7 + t_8;
+        let p_m1_ = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let t_1_ = p_m2_ * p_l2_;
+        let t_2_ = c_2_ * t_1_;
+        let t_3_ = p_l1_ * t_2_;
+        let t_4_ = p_m1_ + p_m2_;
+        let t_5_ = p_l1_ * t_4_;
+        let t_6_ = p_l2_ * t_1_;
+        let t_7_ = t_6_ + t_3_;
+        let t_8_ = p_l1_.mul_add(t_5_, t_3_);
+        let t_9_ = t_7_ + t_8_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_9, t_7], [t_7, t_6]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_9_, t_7_], [t_7_, t_6_]]),
         )
     }
 }
@@ -248,27 +248,27 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(s_2_, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = p_m2 * p_l2;
-        let t_2 = p_l1 * s_2;
-        let t_3 = t_1 * t_2;
-        let t_4 = qd_1 * t_3;
-        let t_5 = qd_2.mul_add(t_3, t_4);
-        let t_6 = t_4 + t_5;
-        let t_7 = qd_2 * t_6;
-        let t_8 = qd_1 * t_4;
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let t_1_ = p_m2_ * p_l2_;
+        let t_2_ = p_l1_ * s_2_;
+        let t_3_ = t_1_ * t_2_;
+        let t_4_ = qd_1_ * t_3_;
+        let t_5_ = qd_2_.mul_add(t_3_, t_4_);
+        let t_6_ = t_4_ + t_5_;
+        let t_7_ = qd_2_ * t_6_;
+        let t_8_ = qd_1_ * t_4_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t_7, t_8]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[-t_7_, t_8_]]),
         )
     }
 }
@@ -288,26 +288,26 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
-        let t_1 = p_m1 + p_m2;
-        let t_2 = p_l1 * t_1;
-        let t_3 = p_m2 * p_l2;
-        let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_5 = t_3 * t_4;
-        let t_6 = c_1.mul_add(t_2, t_5);
-        let t_7 = p_g * t_6;
-        let t_8 = p_g * t_5;
+        let p_m1_ = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_g_ = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
+        let t_1_ = p_m1_ + p_m2_;
+        let t_2_ = p_l1_ * t_1_;
+        let t_3_ = p_m2_ * p_l2_;
+        let t_4_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+        let t_5_ = t_3_ * t_4_;
+        let t_6_ = c_1_.mul_add(t_2_, t_5_);
+        let t_7_ = p_g_ * t_6_;
+        let t_8_ = p_g_ * t_5_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_7, t_8]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_7_, t_8_]]),
         )
     }
 }
@@ -331,39 +331,39 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = p_m2 * p_l2;
-        let t_2 = c_2 * t_1;
-        let t_3 = qdd_1 + qdd_2;
-        let t_4 = s_2 * t_1;
-        let t_5 = qd_1 + qd_2;
-        let t_6 = t_5 * t_5;
-        let t_7 = (-t_4).mul_add(t_6, t_2 * t_3);
-        let t_8 = p_m1 + p_m2;
-        let t_9 = p_l1 * t_8;
-        let t_10 = p_g.mul_add(c_1, p_l1 * qdd_1);
-        let t_11 = qd_1 * qd_1;
-        let t_12 = (-p_l1).mul_add(t_11, p_g * s_1);
-        let t_13 = p_l2 * t_1;
-        let t_14 = t_2.mul_add(t_10, t_13 * t_3);
-        let t_15 = (-t_4).mul_add(t_12, t_14);
-        let t_16 = p_l1.mul_add(t_7, t_9 * t_10);
-        let t_17 = t_15 + t_16;
+        let p_m1_ = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_g_ = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let qdd_1_ = qdd.data.0[0][0];
+        let qdd_2_ = qdd.data.0[0][1];
+        let t_1_ = p_m2_ * p_l2_;
+        let t_2_ = c_2_ * t_1_;
+        let t_3_ = qdd_1_ + qdd_2_;
+        let t_4_ = s_2_ * t_1_;
+        let t_5_ = qd_1_ + qd_2_;
+        let t_6_ = t_5_ * t_5_;
+        let t_7_ = (-t_4_).mul_add(t_6_, t_2_ * t_3_);
+        let t_8_ = p_m1_ + p_m2_;
+        let t_9_ = p_l1_ * t_8_;
+        let t_10_ = p_g_.mul_add(c_1_, p_l1_ * qdd_1_);
+        let t_11_ = qd_1_ * qd_1_;
+        let t_12_ = (-p_l1_).mul_add(t_11_, p_g_ * s_1_);
+        let t_13_ = p_l2_ * t_1_;
+        let t_14_ = t_2_.mul_add(t_10_, t_13_ * t_3_);
+        let t_15_ = (-t_4_).mul_add(t_12_, t_14_);
+        let t_16_ = p_l1_.mul_add(t_7_, t_9_ * t_10_);
+        let t_17_ = t_15_ + t_16_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_17, t_15]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_17_, t_15_]]),
         )
     }
 }
@@ -393,53 +393,53 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::SingularMassMatrix,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_m1 = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = p_m2 * p_l2;
-        let t_2 = s_2 * t_1;
-        let t_3 = qd_1 + qd_2;
-        let t_4 = t_3 * t_3;
-        let t_5 = t_2 * t_4;
-        let t_6 = c_2 * t_1;
-        let t_7 = p_g * c_1;
-        let t_8 = qd_1 * qd_1;
-        let t_9 = (-p_l1).mul_add(t_8, p_g * s_1);
-        let t_10 = (-t_2).mul_add(t_9, t_6 * t_7);
-        let t_11 = p_m1 + p_m2;
-        let t_12 = p_l1 * t_11;
-        let t_13 = t_10 - tau_2;
-        let t_14 = p_l2 * t_1;
-        let t_15 = p_l1 * t_6;
-        let t_16 = t_14 + t_15;
-        let t_17 = real(1.0) / t_14;
-        let t_18 = t_16 * t_17;
-        let t_19 = (-t_12).mul_add(t_7, tau_1);
-        let t_20 = p_l1.mul_add(t_5, t_19);
-        let t_21 = t_20 - t_10;
-        let t_22 = t_13.mul_add(t_18, t_21);
-        let t_23 = p_l1.mul_add(t_12, t_15);
-        let t_24 = t_16 + t_23;
-        let t_25 = (-t_16).mul_add(t_18, t_24);
-        let t_26 = real(1.0) / t_25;
-        let t_27 = t_22 * t_26;
-        let t_28 = t_18.mul_add(t_27, t_13 * t_17);
-        ::robot_dynamics::SingularMassMatrix::test_joint(1, "joint2", t_14, t_14)?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_25, t_24)?;
+        let p_m1_ = ::robot_dynamics::Inputs::field(sines, 0, self.m1, q.data.0[0][0]);
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 1, self.m2, q.data.0[0][0]);
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 2, self.l1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_g_ = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let t_1_ = p_m2_ * p_l2_;
+        let t_2_ = s_2_ * t_1_;
+        let t_3_ = qd_1_ + qd_2_;
+        let t_4_ = t_3_ * t_3_;
+        let t_5_ = t_2_ * t_4_;
+        let t_6_ = c_2_ * t_1_;
+        let t_7_ = p_g_ * c_1_;
+        let t_8_ = qd_1_ * qd_1_;
+        let t_9_ = (-p_l1_).mul_add(t_8_, p_g_ * s_1_);
+        let t_10_ = (-t_2_).mul_add(t_9_, t_6_ * t_7_);
+        let t_11_ = p_m1_ + p_m2_;
+        let t_12_ = p_l1_ * t_11_;
+        let t_13_ = t_10_ - tau_2_;
+        let t_14_ = p_l2_ * t_1_;
+        let t_15_ = p_l1_ * t_6_;
+        let t_16_ = t_14_ + t_15_;
+        let t_17_ = real(1.0) / t_14_;
+        let t_18_ = t_16_ * t_17_;
+        let t_19_ = (-t_12_).mul_add(t_7_, tau_1_);
+        let t_20_ = p_l1_.mul_add(t_5_, t_19_);
+        let t_21_ = t_20_ - t_10_;
+        let t_22_ = t_13_.mul_add(t_18_, t_21_);
+        let t_23_ = p_l1_.mul_add(t_12_, t_15_);
+        let t_24_ = t_16_ + t_23_;
+        let t_25_ = (-t_16_).mul_add(t_18_, t_24_);
+        let t_26_ = real(1.0) / t_25_;
+        let t_27_ = t_22_ * t_26_;
+        let t_28_ = t_18_.mul_add(t_27_, t_13_ * t_17_);
+        ::robot_dynamics::SingularMassMatrix::test_joint(1, "joint2", t_14_, t_14_)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_25_, t_24_)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_27, -t_28]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_27_, -t_28_]]),
             ),
         )
     }
@@ -464,50 +464,50 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
-            let p_m1 = ::robot_dynamics::Inputs::field(
+            let p_m1_ = ::robot_dynamics::Inputs::field(
                 sines,
                 0,
                 self.m1,
                 q.data.0[0][0],
             );
-            let p_m2 = ::robot_dynamics::Inputs::field(
+            let p_m2_ = ::robot_dynamics::Inputs::field(
                 sines,
                 1,
                 self.m2,
                 q.data.0[0][0],
             );
-            let p_l1 = ::robot_dynamics::Inputs::field(
+            let p_l1_ = ::robot_dynamics::Inputs::field(
                 sines,
                 2,
                 self.l1,
                 q.data.0[0][0],
             );
-            let p_l2 = ::robot_dynamics::Inputs::field(
+            let p_l2_ = ::robot_dynamics::Inputs::field(
                 sines,
                 3,
                 self.l2,
                 q.data.0[0][0],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = p_m2 * p_l2;
-            let t_2 = p_l1 * qd_1;
-            let t_3 = c_2 * t_2;
-            let t_4 = qd_1 + qd_2;
-            let t_5 = t_3 * t_4;
-            let t_6 = p_m1 + p_m2;
-            let t_7 = t_6 * t_2;
-            let t_8 = p_l2 * t_1;
-            let t_9 = t_8 * t_4;
-            let t_10 = t_4.mul_add(t_9, t_2 * t_7);
-            let t_11 = t_1.mul_add(t_5, real(0.5) * t_10);
-            t_11
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = p_m2_ * p_l2_;
+            let t_2_ = p_l1_ * qd_1_;
+            let t_3_ = c_2_ * t_2_;
+            let t_4_ = qd_1_ + qd_2_;
+            let t_5_ = t_3_ * t_4_;
+            let t_6_ = p_m1_ + p_m2_;
+            let t_7_ = t_6_ * t_2_;
+            let t_8_ = p_l2_ * t_1_;
+            let t_9_ = t_8_ * t_4_;
+            let t_10_ = t_4_.mul_add(t_9_, t_2_ * t_7_);
+            let t_11_ = t_1_.mul_add(t_5_, real(0.5) * t_10_);
+            t_11_
         })
     }
 }
@@ -532,43 +532,43 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let p_m1 = ::robot_dynamics::Inputs::field(
+            let p_m1_ = ::robot_dynamics::Inputs::field(
                 sines,
                 0,
                 self.m1,
                 q.data.0[0][0],
             );
-            let p_m2 = ::robot_dynamics::Inputs::field(
+            let p_m2_ = ::robot_dynamics::Inputs::field(
                 sines,
                 1,
                 self.m2,
                 q.data.0[0][0],
             );
-            let p_l1 = ::robot_dynamics::Inputs::field(
+            let p_l1_ = ::robot_dynamics::Inputs::field(
                 sines,
                 2,
                 self.l1,
                 q.data.0[0][0],
             );
-            let p_l2 = ::robot_dynamics::Inputs::field(
+            let p_l2_ = ::robot_dynamics::Inputs::field(
                 sines,
                 3,
                 self.l2,
                 q.data.0[0][0],
             );
-            let p_g = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
-            let t_1 = p_m1 + p_m2;
-            let t_2 = p_m2 * p_l2;
-            let t_3 = c_2.mul_add(t_2, p_l1 * t_1);
-            let t_4 = s_2 * t_2;
-            let t_5 = s_1.mul_add(t_3, c_1 * t_4);
-            let t_6 = p_g * t_5;
-            t_6
+            let p_g_ = ::robot_dynamics::Inputs::field(sines, 4, self.g, q.data.0[0][0]);
+            let t_1_ = p_m1_ + p_m2_;
+            let t_2_ = p_m2_ * p_l2_;
+            let t_3_ = c_2_.mul_add(t_2_, p_l1_ * t_1_);
+            let t_4_ = s_2_ * t_2_;
+            let t_5_ = s_1_.mul_add(t_3_, c_1_ * t_4_);
+            let t_6_ = p_g_ * t_5_;
+            t_6_
         })
     }
 }

@@ -1210,19 +1210,19 @@ impl ::robot_dynamics::MassMatrix<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
-        let t_1 = c_2 + c_2;
-        let t_2 = real(8.333333333333334) + t_1;
-        let t_3 = real(0.3333333333333333) + c_2;
+        let t_1_ = c_2_ + c_2_;
+        let t_2_ = real(8.333333333333334) + t_1_;
+        let t_3_ = real(0.3333333333333333) + c_2_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
-                [t_2, t_3],
-                [t_3, real(0.3333333333333333)],
+                [t_2_, t_3_],
+                [t_3_, real(0.3333333333333333)],
             ]),
         )
     }
@@ -1244,21 +1244,21 @@ impl ::robot_dynamics::CoriolisVector<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
-        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(s_2_, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = qd_1 * qd_1;
-        let t_2 = s_2 * t_1;
-        let t_3 = qd_1 + qd_2;
-        let t_4 = t_3 * t_3;
-        let t_5 = (-s_2).mul_add(t_4, t_2);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let t_1_ = qd_1_ * qd_1_;
+        let t_2_ = s_2_ * t_1_;
+        let t_3_ = qd_1_ + qd_2_;
+        let t_4_ = t_3_ * t_3_;
+        let t_5_ = (-s_2_).mul_add(t_4_, t_2_);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_2]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_5_, t_2_]]),
         )
     }
 }
@@ -1278,16 +1278,16 @@ impl ::robot_dynamics::GravityVector<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_2 = real(4.905) * t_1;
-        let t_3 = real(49.05).mul_add(c_1, t_2);
+        let t_1_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+        let t_2_ = real(4.905) * t_1_;
+        let t_3_ = real(49.05).mul_add(c_1_, t_2_);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3_, t_2_]]),
         )
     }
 }
@@ -1363,28 +1363,28 @@ impl ::robot_dynamics::InverseDynamics<2> for Arm {
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qdd_1 + qdd_2;
-        let t_4 = real(-4.905).mul_add(s_1, qd_1 * qd_1);
-        let t_5 = real(4.905).mul_add(c_1, qdd_1);
-        let t_6 = s_2.mul_add(t_4, real(0.3333333333333333) * t_3);
-        let t_7 = c_2.mul_add(t_5, t_6);
-        let t_8 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
-        let t_9 = (-s_2).mul_add(t_2, c_2 * t_3);
-        let t_10 = t_8 + t_9;
-        let t_11 = t_10 + t_7;
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let qdd_1_ = qdd.data.0[0][0];
+        let qdd_2_ = qdd.data.0[0][1];
+        let t_1_ = qd_1_ + qd_2_;
+        let t_2_ = t_1_ * t_1_;
+        let t_3_ = qdd_1_ + qdd_2_;
+        let t_4_ = real(-4.905).mul_add(s_1_, qd_1_ * qd_1_);
+        let t_5_ = real(4.905).mul_add(c_1_, qdd_1_);
+        let t_6_ = s_2_.mul_add(t_4_, real(0.3333333333333333) * t_3_);
+        let t_7_ = c_2_.mul_add(t_5_, t_6_);
+        let t_8_ = real(49.05).mul_add(c_1_, real(8.0) * qdd_1_);
+        let t_9_ = (-s_2_).mul_add(t_2_, c_2_ * t_3_);
+        let t_10_ = t_8_ + t_9_;
+        let t_11_ = t_10_ + t_7_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_7]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_11_, t_7_]]),
         )
     }
 }
@@ -1414,43 +1414,43 @@ impl ::robot_dynamics::ForwardDynamics<2> for Arm {
         ::robot_dynamics::SingularMassMatrix,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = qd_1 + qd_2;
-        let t_2 = t_1 * t_1;
-        let t_3 = qd_1 * qd_1;
-        let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-        let t_5 = s_2.mul_add(t_4, c_1 * c_2);
-        let t_6 = real(4.905) * t_5;
-        let t_7 = t_6 - tau_2;
-        let t_8 = real(0.3333333333333333) + c_2;
-        let t_9 = real(3.0) * t_8;
-        let t_10 = real(49.05).mul_add(c_1, -tau_1);
-        let t_11 = (-s_2).mul_add(t_2, t_10);
-        let t_12 = t_11 + t_6;
-        let t_13 = (-t_7).mul_add(t_9, t_12);
-        let t_14 = real(2.0).mul_add(c_2, real(8.333333333333334));
-        let t_15 = (-t_8).mul_add(t_9, t_14);
-        let t_16 = real(1.0) / t_15;
-        let t_17 = t_13 * t_16;
-        let t_18 = real(-3.0).mul_add(t_7, t_9 * t_17);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let t_1_ = qd_1_ + qd_2_;
+        let t_2_ = t_1_ * t_1_;
+        let t_3_ = qd_1_ * qd_1_;
+        let t_4_ = real(0.2038735983690112).mul_add(t_3_, -s_1_);
+        let t_5_ = s_2_.mul_add(t_4_, c_1_ * c_2_);
+        let t_6_ = real(4.905) * t_5_;
+        let t_7_ = t_6_ - tau_2_;
+        let t_8_ = real(0.3333333333333333) + c_2_;
+        let t_9_ = real(3.0) * t_8_;
+        let t_10_ = real(49.05).mul_add(c_1_, -tau_1_);
+        let t_11_ = (-s_2_).mul_add(t_2_, t_10_);
+        let t_12_ = t_11_ + t_6_;
+        let t_13_ = (-t_7_).mul_add(t_9_, t_12_);
+        let t_14_ = real(2.0).mul_add(c_2_, real(8.333333333333334));
+        let t_15_ = (-t_8_).mul_add(t_9_, t_14_);
+        let t_16_ = real(1.0) / t_15_;
+        let t_17_ = t_13_ * t_16_;
+        let t_18_ = real(-3.0).mul_add(t_7_, t_9_ * t_17_);
         ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
             "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15, t_14)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_15_, t_14_)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17, t_18]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_17_, t_18_]]),
             ),
         )
     }
@@ -1475,20 +1475,20 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::KineticEnergy, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 + qd_2;
-            let t_2 = qd_1 * c_2;
-            let t_3 = t_1 * t_1;
-            let t_4 = real(0.041666666666666664).mul_add(t_3, qd_1 * qd_1);
-            let t_5 = t_1.mul_add(t_2, real(4.0) * t_4);
-            t_5
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ + qd_2_;
+            let t_2_ = qd_1_ * c_2_;
+            let t_3_ = t_1_ * t_1_;
+            let t_4_ = real(0.041666666666666664).mul_add(t_3_, qd_1_ * qd_1_);
+            let t_5_ = t_1_.mul_add(t_2_, real(4.0) * t_4_);
+            t_5_
         })
     }
 }
@@ -1513,15 +1513,15 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(10.0) + c_2;
-            let t_2 = s_1.mul_add(t_1, c_1 * s_2);
-            let t_3 = real(4.905) * t_2;
-            t_3
+            let t_1_ = real(10.0) + c_2_;
+            let t_2_ = s_1_.mul_add(t_1_, c_1_ * s_2_);
+            let t_3_ = real(4.905) * t_2_;
+            t_3_
         })
     }
 }
@@ -1545,23 +1545,23 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::BiasForce, 2> for A
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 + qd_2;
-            let t_2 = t_1 * t_1;
-            let t_3 = qd_1 * qd_1;
-            let t_4 = real(0.2038735983690112).mul_add(t_3, -s_1);
-            let t_5 = s_2.mul_add(t_4, c_1 * c_2);
-            let t_6 = real(4.905) * t_5;
-            let t_7 = (-s_2).mul_add(t_2, real(49.05) * c_1);
-            let t_8 = t_7 + t_6;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ + qd_2_;
+            let t_2_ = t_1_ * t_1_;
+            let t_3_ = qd_1_ * qd_1_;
+            let t_4_ = real(0.2038735983690112).mul_add(t_3_, -s_1_);
+            let t_5_ = s_2_.mul_add(t_4_, c_1_ * c_2_);
+            let t_6_ = real(4.905) * t_5_;
+            let t_7_ = (-s_2_).mul_add(t_2_, real(49.05) * c_1_);
+            let t_8_ = t_7_ + t_6_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_8, t_6]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_8_, t_6_]]),
             )
         })
     }
@@ -1586,21 +1586,21 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::CoriolisMatrix, 2> 
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(s_2_, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Sine],
                 [q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = s_2 * qd_2;
-            let t_2 = qd_1 * s_2;
-            let t_3 = t_1 + t_2;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = s_2_ * qd_2_;
+            let t_2_ = qd_1_ * s_2_;
+            let t_3_ = t_1_ + t_2_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_1, t_2],
-                    [-t_3, real(0.0)],
+                    [-t_1_, t_2_],
+                    [-t_3_, real(0.0)],
                 ]),
             )
         })
@@ -1627,15 +1627,15 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(s_2_, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Sine],
                 [q.data.0[0][1]],
             );
-            let t_1 = real(2.0) * s_2;
+            let t_1_ = real(2.0) * s_2_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_1, real(0.0)]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_1_, real(0.0)]]),
             )
         })
     }
@@ -1661,7 +1661,7 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(s_2_, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Sine],
@@ -1669,8 +1669,8 @@ for Arm {
             );
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [real(0.0), s_2],
-                    [-s_2, real(0.0)],
+                    [real(0.0), s_2_],
+                    [-s_2_, real(0.0)],
                 ]),
             )
         })
@@ -1697,21 +1697,21 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_2 = c_1.mul_add(s_2, s_1 * c_2);
-            let t_3 = real(2.0).mul_add(c_1, t_1);
-            let t_4 = real(2.0).mul_add(s_1, t_2);
+            let t_1_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_2_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+            let t_3_ = real(2.0).mul_add(c_1_, t_1_);
+            let t_4_ = real(2.0).mul_add(s_1_, t_2_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_1, t_2, real(0.0), real(0.0)],
-                    [-t_2, t_1, real(0.0), real(0.0)],
+                    [t_1_, t_2_, real(0.0), real(0.0)],
+                    [-t_2_, t_1_, real(0.0), real(0.0)],
                     [real(0.0), real(0.0), real(1.0), real(0.0)],
-                    [t_3, t_4, real(0.0), real(1.0)],
+                    [t_3_, t_4_, real(0.0), real(1.0)],
                 ]),
             )
         })
@@ -1737,32 +1737,32 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::LinkPoses, 2> for A
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(2.0) * c_1;
-            let t_2 = real(2.0) * s_1;
-            let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_4 = c_1.mul_add(s_2, s_1 * c_2);
-            let t_5 = t_1 + t_3;
-            let t_6 = t_2 + t_4;
+            let t_1_ = real(2.0) * c_1_;
+            let t_2_ = real(2.0) * s_1_;
+            let t_3_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_4_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+            let t_5_ = t_1_ + t_3_;
+            let t_6_ = t_2_ + t_4_;
             [
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [c_1, s_1, real(0.0), real(0.0)],
-                        [-s_1, c_1, real(0.0), real(0.0)],
+                        [c_1_, s_1_, real(0.0), real(0.0)],
+                        [-s_1_, c_1_, real(0.0), real(0.0)],
                         [real(0.0), real(0.0), real(1.0), real(0.0)],
-                        [t_1, t_2, real(0.0), real(1.0)],
+                        [t_1_, t_2_, real(0.0), real(1.0)],
                     ]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_3, t_4, real(0.0), real(0.0)],
-                        [-t_4, t_3, real(0.0), real(0.0)],
+                        [t_3_, t_4_, real(0.0), real(0.0)],
+                        [-t_4_, t_3_, real(0.0), real(0.0)],
                         [real(0.0), real(0.0), real(1.0), real(0.0)],
-                        [t_5, t_6, real(0.0), real(1.0)],
+                        [t_5_, t_6_, real(0.0), real(1.0)],
                     ]),
                 ),
             ]
@@ -1789,19 +1789,19 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Jacobian, 2> for Ar
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-            let t_2 = real(2.0).mul_add(s_1, t_1);
-            let t_3 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_4 = real(2.0).mul_add(c_1, t_3);
+            let t_1_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+            let t_2_ = real(2.0).mul_add(s_1_, t_1_);
+            let t_3_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_4_ = real(2.0).mul_add(c_1_, t_3_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_2, t_4, real(0.0), real(0.0), real(0.0), real(1.0)],
-                    [-t_1, t_3, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    [-t_2_, t_4_, real(0.0), real(0.0), real(0.0), real(1.0)],
+                    [-t_1_, t_3_, real(0.0), real(0.0), real(0.0), real(1.0)],
                 ]),
             )
         })
@@ -1834,44 +1834,44 @@ impl ::robot_dynamics::Function<
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qdd_1 = qdd.data.0[0][0];
-            let qdd_2 = qdd.data.0[0][1];
-            let t_1 = real(4.905) * c_1;
-            let t_2 = real(0.5) * c_2;
-            let t_3 = real(9.81) * s_1;
-            let t_4 = t_2.mul_add(t_3, s_2 * t_1);
-            let t_5 = real(5.0).mul_add(t_3, t_4);
-            let t_6 = real(2.0) * qd_1;
-            let t_7 = (-qd_1).mul_add(t_6, t_3);
-            let t_8 = qdd_1 + t_1;
-            let t_9 = t_2.mul_add(t_7, s_2 * t_8);
-            let t_10 = qdd_1 + qdd_2;
-            let t_11 = qd_1 + qd_2;
-            let t_12 = t_11 * t_11;
-            let t_13 = c_2.mul_add(t_12, s_2 * t_10);
-            let t_14 = t_13 + t_9;
-            let t_15 = s_2 * t_6;
-            let t_16 = s_2 * t_11;
-            let t_17 = real(2.0) * t_16;
-            let t_18 = t_15 - t_17;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qdd_1_ = qdd.data.0[0][0];
+            let qdd_2_ = qdd.data.0[0][1];
+            let t_1_ = real(4.905) * c_1_;
+            let t_2_ = real(0.5) * c_2_;
+            let t_3_ = real(9.81) * s_1_;
+            let t_4_ = t_2_.mul_add(t_3_, s_2_ * t_1_);
+            let t_5_ = real(5.0).mul_add(t_3_, t_4_);
+            let t_6_ = real(2.0) * qd_1_;
+            let t_7_ = (-qd_1_).mul_add(t_6_, t_3_);
+            let t_8_ = qdd_1_ + t_1_;
+            let t_9_ = t_2_.mul_add(t_7_, s_2_ * t_8_);
+            let t_10_ = qdd_1_ + qdd_2_;
+            let t_11_ = qd_1_ + qd_2_;
+            let t_12_ = t_11_ * t_11_;
+            let t_13_ = c_2_.mul_add(t_12_, s_2_ * t_10_);
+            let t_14_ = t_13_ + t_9_;
+            let t_15_ = s_2_ * t_6_;
+            let t_16_ = s_2_ * t_11_;
+            let t_17_ = real(2.0) * t_16_;
+            let t_18_ = t_15_ - t_17_;
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [-t_5, -t_4],
-                        [-t_14, -t_9],
+                        [-t_5_, -t_4_],
+                        [-t_14_, -t_9_],
                     ]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_18, t_15],
-                        [-t_17, real(0.0)],
+                        [t_18_, t_15_],
+                        [-t_17_, real(0.0)],
                     ]),
                 ),
             )
@@ -1908,74 +1908,83 @@ impl ::robot_dynamics::Function<
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = real(2.0).mul_add(c_2, real(8.333333333333334));
-        let t_2 = real(0.3333333333333333) + c_2;
-        let t_3 = real(3.0) * t_2;
-        let t_4 = (-t_2).mul_add(t_3, t_1);
-        let t_5 = real(1.0) / t_4;
-        let t_6 = real(4.905) * c_1;
-        let t_7 = real(4.905) * s_1;
-        let t_8 = c_2.mul_add(t_7, s_2 * t_6);
-        let t_9 = real(49.05).mul_add(s_1, t_8);
-        let t_10 = t_3.mul_add(t_8, -t_9);
-        let t_11 = t_5 * t_10;
-        let t_12 = qd_1.mul_add(qd_1, -t_7);
-        let t_13 = qd_1 + qd_2;
-        let t_14 = t_13 * t_13;
-        let t_15 = s_2.mul_add(t_12, c_2 * t_6);
-        let t_16 = t_15 - tau_2;
-        let t_17 = real(49.05).mul_add(c_1, -tau_1);
-        let t_18 = (-s_2).mul_add(t_14, t_17);
-        let t_19 = t_18 + t_15;
-        let t_20 = (-t_16).mul_add(t_3, t_19);
-        let t_21 = t_20 * t_5;
-        let t_22 = t_6 - t_21;
-        let t_23 = (-c_2).mul_add(t_12, s_2 * t_22);
-        let t_24 = real(3.0).mul_add(t_16, t_21);
-        let t_25 = (-t_3).mul_add(t_21, t_24);
-        let t_26 = c_2.mul_add(t_14, t_23);
-        let t_27 = s_2.mul_add(t_25, t_3 * t_23);
-        let t_28 = t_26 - t_27;
-        let t_29 = t_5 * t_28;
-        let t_30 = t_3.mul_add(t_11, real(3.0) * t_8);
-        let t_31 = (-t_3).mul_add(t_29, real(3.0) * t_23);
-        let t_32 = real(2.0) * qd_1;
-        let t_33 = s_2 * t_32;
-        let t_34 = s_2 * t_13;
-        let t_35 = real(2.0) * t_34;
-        let t_36 = t_3.mul_add(t_33, -t_33);
-        let t_37 = t_35 + t_36;
-        let t_38 = t_5 * t_37;
-        let t_39 = t_5 * t_35;
-        let t_40 = t_3.mul_add(t_38, real(3.0) * t_33);
-        let t_41 = t_3 * t_39;
-        let t_42 = t_3 * t_5;
-        let t_43 = t_3.mul_add(t_42, real(3.0));
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let t_1_ = real(2.0).mul_add(c_2_, real(8.333333333333334));
+        let t_2_ = real(0.3333333333333333) + c_2_;
+        let t_3_ = real(3.0) * t_2_;
+        let t_4_ = (-t_2_).mul_add(t_3_, t_1_);
+        let t_5_ = real(1.0) / t_4_;
+        let t_6_ = real(4.905) * c_1_;
+        let t_7_ = real(4.905) * s_1_;
+        let t_8_ = c_2_.mul_add(t_7_, s_2_ * t_6_);
+        let t_9_ = real(49.05).mul_add(s_1_, t_8_);
+        let t_10_ = t_3_.mul_add(t_8_, -t_9_);
+        let t_11_ = t_5_ * t_10_;
+        let t_12_ = qd_1_.mul_add(qd_1_, -t_7_);
+        let t_13_ = qd_1_ + qd_2_;
+        let t_14_ = t_13_ * t_13_;
+        let t_15_ = s_2_.mul_add(t_12_, c_2_ * t_6_);
+        let t_16_ = t_15_ - tau_2_;
+        let t_17_ = real(49.05).mul_add(c_1_, -tau_1_);
+        let t_18_ = (-s_2_).mul_add(t_14_, t_17_);
+        let t_19_ = t_18_ + t_15_;
+        let t_20_ = (-t_16_).mul_add(t_3_, t_19_);
+        let t_21_ = t_20_ * t_5_;
+        let t_22_ = t_6_ - t_21_;
+        let t_23_ = (-c_2_).mul_add(t_12_, s_2_ * t_22_);
+        let t_24_ = real(3.0).mul_add(t_16_, t_21_);
+        let t_25_ = (-t_3_).mul_add(t_21_, t_24_);
+        let t_26_ = c_2_.mul_add(t_14_, t_23_);
+        let t_27_ = s_2_.mul_add(t_25_, t_3_ * t_23_);
+        let t_28_ = t_26_ - t_27_;
+        let t_29_ = t_5_ * t_28_;
+        let t_30_ = t_3_.mul_add(t_11_, real(3.0) * t_8_);
+        let t_31_ = (-t_3_).mul_add(t_29_, real(3.0) * t_23_);
+        let t_32_ = real(2.0) * qd_1_;
+        let t_33_ = s_2_ * t_32_;
+        let t_34_ = s_2_ * t_13_;
+        let t_35_ = real(2.0) * t_34_;
+        let t_36_ = t_3_.mul_add(t_33_, -t_33_);
+        let t_37_ = t_35_ + t_36_;
+        let t_38_ = t_5_ * t_37_;
+        let t_39_ = t_5_ * t_35_;
+        let t_40_ = t_3_.mul_add(t_38_, real(3.0) * t_33_);
+        let t_41_ = t_3_ * t_39_;
+        let t_42_ = t_3_ * t_5_;
+        let t_43_ = t_3_.mul_add(t_42_, real(3.0));
         ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
             "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_4, t_1)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_4_, t_1_)?;
         ::core::result::Result::Ok((
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_11, t_30], [t_29, t_31]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [-t_11_, t_30_],
+                    [t_29_, t_31_],
+                ]),
             ),
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_38, -t_40], [t_39, -t_41]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_38_, -t_40_],
+                    [t_39_, -t_41_],
+                ]),
             ),
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_5, -t_42], [-t_42, t_43]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([
+                    [t_5_, -t_42_],
+                    [-t_42_, t_43_],
+                ]),
             ),
         ))
     }
@@ -2004,37 +2013,37 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::Regressor, 2> for A
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qdd_1 = qdd.data.0[0][0];
-            let qdd_2 = qdd.data.0[0][1];
-            let t_1 = real(9.81) * c_1;
-            let t_2 = real(-9.81) * s_1;
-            let t_3 = qdd_1 + qdd_2;
-            let t_4 = real(2.0).mul_add(qdd_1, t_1);
-            let t_5 = qd_1 * qd_1;
-            let t_6 = real(2.0).mul_add(t_5, t_2);
-            let t_7 = s_2.mul_add(t_6, c_2 * t_4);
-            let t_8 = qd_1 + qd_2;
-            let t_9 = t_8 * t_8;
-            let t_10 = (-c_2).mul_add(t_3, s_2 * t_9);
-            let t_11 = real(-2.0).mul_add(t_10, t_7);
-            let t_12 = (-s_2).mul_add(t_4, c_2 * t_6);
-            let t_13 = s_2.mul_add(t_3, c_2 * t_9);
-            let t_14 = real(-2.0).mul_add(t_13, t_12);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qdd_1_ = qdd.data.0[0][0];
+            let qdd_2_ = qdd.data.0[0][1];
+            let t_1_ = real(9.81) * c_1_;
+            let t_2_ = real(-9.81) * s_1_;
+            let t_3_ = qdd_1_ + qdd_2_;
+            let t_4_ = real(2.0).mul_add(qdd_1_, t_1_);
+            let t_5_ = qd_1_ * qd_1_;
+            let t_6_ = real(2.0).mul_add(t_5_, t_2_);
+            let t_7_ = s_2_.mul_add(t_6_, c_2_ * t_4_);
+            let t_8_ = qd_1_ + qd_2_;
+            let t_9_ = t_8_ * t_8_;
+            let t_10_ = (-c_2_).mul_add(t_3_, s_2_ * t_9_);
+            let t_11_ = real(-2.0).mul_add(t_10_, t_7_);
+            let t_12_ = (-s_2_).mul_add(t_4_, c_2_ * t_6_);
+            let t_13_ = s_2_.mul_add(t_3_, c_2_ * t_9_);
+            let t_14_ = real(-2.0).mul_add(t_13_, t_12_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [qdd_1, real(0.0)],
-                    [t_1, real(0.0)],
-                    [t_2, real(0.0)],
-                    [t_3, t_3],
-                    [t_11, t_7],
-                    [t_14, t_12],
+                    [qdd_1_, real(0.0)],
+                    [t_1_, real(0.0)],
+                    [t_2_, real(0.0)],
+                    [t_3_, t_3_],
+                    [t_11_, t_7_],
+                    [t_14_, t_12_],
                 ]),
             )
         })
@@ -2099,56 +2108,56 @@ for Arm {
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = s_2 * c_2;
-        let t_2 = real(0.75) * t_1;
-        let t_3 = t_2 + t_2;
-        let t_4 = c_2 * c_2;
-        let t_5 = real(0.25).mul_add(t_4, s_2 * s_2);
-        let t_6 = real(4.0).mul_add(t_5, real(4.0));
-        let t_7 = real(1.0) / t_6;
-        let t_8 = t_3 * t_7;
-        let t_9 = real(9.81) * s_1;
-        let t_10 = real(2.0).mul_add(t_5, real(3.0));
-        let t_11 = t_10 * t_7;
-        let t_12 = real(9.81) * c_1;
-        let t_13 = qd_1 * qd_1;
-        let t_14 = real(2.0) * t_13;
-        let t_15 = qd_1 + qd_2;
-        let t_16 = t_15 * t_15;
-        let t_17 = c_2.mul_add(t_14, real(0.5) * t_16);
-        let t_18 = s_2 * t_14;
-        let t_19 = real(0.25).mul_add(t_18, real(1.5) * tau_2);
-        let t_20 = (-c_2).mul_add(t_19, s_2 * t_17);
-        let t_21 = tau_1 - tau_2;
-        let t_22 = real(2.0).mul_add(t_20, t_21);
-        let t_23 = (-t_8).mul_add(t_9, t_22 * t_7);
-        let t_24 = (-t_11).mul_add(t_12, t_23);
-        let t_25 = real(2.0).mul_add(t_24, t_12);
-        let t_26 = (-s_2).mul_add(t_9, t_18);
-        let t_27 = c_2.mul_add(t_25, t_26);
-        let t_28 = real(-3.0).mul_add(tau_2, t_24);
-        let t_29 = real(1.5).mul_add(t_27, t_28);
-        let t_30 = c_2 + c_2;
-        let t_31 = real(8.333333333333334) + t_30;
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let t_1_ = s_2_ * c_2_;
+        let t_2_ = real(0.75) * t_1_;
+        let t_3_ = t_2_ + t_2_;
+        let t_4_ = c_2_ * c_2_;
+        let t_5_ = real(0.25).mul_add(t_4_, s_2_ * s_2_);
+        let t_6_ = real(4.0).mul_add(t_5_, real(4.0));
+        let t_7_ = real(1.0) / t_6_;
+        let t_8_ = t_3_ * t_7_;
+        let t_9_ = real(9.81) * s_1_;
+        let t_10_ = real(2.0).mul_add(t_5_, real(3.0));
+        let t_11_ = t_10_ * t_7_;
+        let t_12_ = real(9.81) * c_1_;
+        let t_13_ = qd_1_ * qd_1_;
+        let t_14_ = real(2.0) * t_13_;
+        let t_15_ = qd_1_ + qd_2_;
+        let t_16_ = t_15_ * t_15_;
+        let t_17_ = c_2_.mul_add(t_14_, real(0.5) * t_16_);
+        let t_18_ = s_2_ * t_14_;
+        let t_19_ = real(0.25).mul_add(t_18_, real(1.5) * tau_2_);
+        let t_20_ = (-c_2_).mul_add(t_19_, s_2_ * t_17_);
+        let t_21_ = tau_1_ - tau_2_;
+        let t_22_ = real(2.0).mul_add(t_20_, t_21_);
+        let t_23_ = (-t_8_).mul_add(t_9_, t_22_ * t_7_);
+        let t_24_ = (-t_11_).mul_add(t_12_, t_23_);
+        let t_25_ = real(2.0).mul_add(t_24_, t_12_);
+        let t_26_ = (-s_2_).mul_add(t_9_, t_18_);
+        let t_27_ = c_2_.mul_add(t_25_, t_26_);
+        let t_28_ = real(-3.0).mul_add(tau_2_, t_24_);
+        let t_29_ = real(1.5).mul_add(t_27_, t_28_);
+        let t_30_ = c_2_ + c_2_;
+        let t_31_ = real(8.333333333333334) + t_30_;
         ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
             "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_6, t_31)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_6_, t_31_)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_24, -t_29]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_24_, -t_29_]]),
             ),
         )
     }
@@ -2169,42 +2178,42 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
             let a_number = ::robot_dynamics::SeriesTerm::like(term);
             move |x: f64| ::robot_dynamics::Scalar::constant(a_number, x)
         };
-        let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
-        let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);
-        let s_2 = ::robot_dynamics::SeriesTerm::sine(term, 1);
-        let c_2 = ::robot_dynamics::SeriesTerm::cosine(term, 1);
-        let qd_1 = ::robot_dynamics::SeriesTerm::velocity(term, 0);
-        let qd_2 = ::robot_dynamics::SeriesTerm::velocity(term, 1);
+        let c_1_ = ::robot_dynamics::SeriesTerm::cosine(term, 0);
+        let s_1_ = ::robot_dynamics::SeriesTerm::sine(term, 0);
+        let s_2_ = ::robot_dynamics::SeriesTerm::sine(term, 1);
+        let c_2_ = ::robot_dynamics::SeriesTerm::cosine(term, 1);
+        let qd_1_ = ::robot_dynamics::SeriesTerm::velocity(term, 0);
+        let qd_2_ = ::robot_dynamics::SeriesTerm::velocity(term, 1);
         ::robot_dynamics::SeriesTerm::turn(term, 0, 6);
         ::robot_dynamics::SeriesTerm::turn(term, 1, 8);
-        let t_1 = qd_1 + qd_2;
-        let t_2 = ::robot_dynamics::SeriesTerm::product(term, 0, t_1, t_1);
-        let t_4 = ::robot_dynamics::SeriesTerm::product(term, 1, qd_1, qd_1);
-        let t_6 = (-real(4.905)).mul_add(s_1, t_4);
-        let t_10 = ::robot_dynamics::SeriesTerm::product(term, 2, s_2, t_6);
-        let t_17 = ::robot_dynamics::SeriesTerm::product(term, 4, s_2, t_2);
+        let t_1_ = qd_1_ + qd_2_;
+        let t_2_ = ::robot_dynamics::SeriesTerm::product(term, 0, t_1_, t_1_);
+        let t_4_ = ::robot_dynamics::SeriesTerm::product(term, 1, qd_1_, qd_1_);
+        let t_6_ = (-real(4.905)).mul_add(s_1_, t_4_);
+        let t_10_ = ::robot_dynamics::SeriesTerm::product(term, 2, s_2_, t_6_);
+        let t_17_ = ::robot_dynamics::SeriesTerm::product(term, 4, s_2_, t_2_);
         let forces = {
-            let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
-            let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
-            let t_3 = qdd_1 + qdd_2;
-            let t_8 = real(4.905).mul_add(c_1, qdd_1);
-            let t_11 = real(0.3333333333333333).mul_add(t_3, t_10);
-            let t_12 = ::robot_dynamics::SeriesTerm::trial(term, 3, c_2, t_8);
-            let t_13 = t_12 + t_11;
-            let t_16 = real(49.05).mul_add(c_1, real(8.0) * qdd_1);
-            let t_18 = ::robot_dynamics::SeriesTerm::trial(term, 5, c_2, t_3);
-            let t_19 = t_18 - t_17;
-            let t_20 = t_16 + t_19;
-            let t_21 = t_20 + t_13;
-            [t_21, t_13]
+            let qdd_1_ = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+            let qdd_2_ = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
+            let t_3_ = qdd_1_ + qdd_2_;
+            let t_8_ = real(4.905).mul_add(c_1_, qdd_1_);
+            let t_11_ = real(0.3333333333333333).mul_add(t_3_, t_10_);
+            let t_12_ = ::robot_dynamics::SeriesTerm::trial(term, 3, c_2_, t_8_);
+            let t_13_ = t_12_ + t_11_;
+            let t_16_ = real(49.05).mul_add(c_1_, real(8.0) * qdd_1_);
+            let t_18_ = ::robot_dynamics::SeriesTerm::trial(term, 5, c_2_, t_3_);
+            let t_19_ = t_18_ - t_17_;
+            let t_20_ = t_16_ + t_19_;
+            let t_21_ = t_20_ + t_13_;
+            [t_21_, t_13_]
         };
         ::robot_dynamics::SeriesTerm::solve(term, forces);
-        let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
-        let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
-        let t_3 = qdd_1 + qdd_2;
-        let t_8 = real(4.905).mul_add(c_1, qdd_1);
-        let t_12 = ::robot_dynamics::SeriesTerm::product(term, 3, c_2, t_8);
-        let t_18 = ::robot_dynamics::SeriesTerm::product(term, 5, c_2, t_3);
+        let qdd_1_ = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+        let qdd_2_ = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
+        let t_3_ = qdd_1_ + qdd_2_;
+        let t_8_ = real(4.905).mul_add(c_1_, qdd_1_);
+        let t_12_ = ::robot_dynamics::SeriesTerm::product(term, 3, c_2_, t_8_);
+        let t_18_ = ::robot_dynamics::SeriesTerm::product(term, 5, c_2_, t_3_);
     }
     #[inline(always)]
     fn leading_matrix<T: ::robot_dynamics::Scalar>(
@@ -2213,19 +2222,19 @@ impl ::robot_dynamics::TaylorDynamics<2> for Arm {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
-        let t_1 = c_2 + c_2;
-        let t_2 = real(8.333333333333334) + t_1;
-        let t_3 = real(0.3333333333333333) + c_2;
+        let t_1_ = c_2_ + c_2_;
+        let t_2_ = real(8.333333333333334) + t_1_;
+        let t_3_ = real(0.3333333333333333) + c_2_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
             ::robot_dynamics::nalgebra::ArrayStorage([
-                [t_2, t_3],
-                [t_3, real(0.3333333333333333)],
+                [t_2_, t_3_],
+                [t_3_, real(0.3333333333333333)],
             ]),
         )
     }
@@ -2250,21 +2259,21 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::WrenchTorques, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let wrench_1 = wrench.data.0[0][0];
-            let wrench_2 = wrench.data.0[0][1];
-            let wrench_6 = wrench.data.0[0][5];
-            let t_1 = (-c_1).mul_add(wrench_2, s_1 * wrench_1);
-            let t_2 = s_1.mul_add(wrench_2, c_1 * wrench_1);
-            let t_3 = (-c_2).mul_add(t_1, wrench_6);
-            let t_4 = (-s_2).mul_add(t_2, t_3);
-            let t_5 = real(-2.0).mul_add(t_1, t_4);
+            let wrench_1_ = wrench.data.0[0][0];
+            let wrench_2_ = wrench.data.0[0][1];
+            let wrench_6_ = wrench.data.0[0][5];
+            let t_1_ = (-c_1_).mul_add(wrench_2_, s_1_ * wrench_1_);
+            let t_2_ = s_1_.mul_add(wrench_2_, c_1_ * wrench_1_);
+            let t_3_ = (-c_2_).mul_add(t_1_, wrench_6_);
+            let t_4_ = (-s_2_).mul_add(t_2_, t_3_);
+            let t_5_ = real(-2.0).mul_add(t_1_, t_4_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_5, t_4]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_5_, t_4_]]),
             )
         })
     }
@@ -2289,22 +2298,22 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::ToolVelocity, 2> fo
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 + qd_2;
-            let t_2 = s_2 * t_1;
-            let t_3 = real(2.0) + c_2;
-            let t_4 = qd_1.mul_add(t_3, c_2 * qd_2);
-            let t_5 = s_1.mul_add(t_4, c_1 * t_2);
-            let t_6 = (-s_1).mul_add(t_2, c_1 * t_4);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ + qd_2_;
+            let t_2_ = s_2_ * t_1_;
+            let t_3_ = real(2.0) + c_2_;
+            let t_4_ = qd_1_.mul_add(t_3_, c_2_ * qd_2_);
+            let t_5_ = s_1_.mul_add(t_4_, c_1_ * t_2_);
+            let t_6_ = (-s_1_).mul_add(t_2_, c_1_ * t_4_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_5, t_6, real(0.0), real(0.0), real(0.0), t_1],
+                    [-t_5_, t_6_, real(0.0), real(0.0), real(0.0), t_1_],
                 ]),
             )
         })
@@ -2335,31 +2344,31 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qdd_1 = qdd.data.0[0][0];
-            let qdd_2 = qdd.data.0[0][1];
-            let t_1 = real(2.0) + c_2;
-            let t_2 = c_2 * qd_2;
-            let t_3 = real(2.0).mul_add(t_2, qd_1 * t_1);
-            let t_4 = qdd_1 + qdd_2;
-            let t_5 = qd_2.mul_add(t_2, s_2 * t_4);
-            let t_6 = qd_1.mul_add(t_3, t_5);
-            let t_7 = s_2 * qd_2;
-            let t_8 = real(2.0).mul_add(t_7, qd_1 * s_2);
-            let t_9 = (-c_2).mul_add(qdd_2, qd_2 * t_7);
-            let t_10 = (-qdd_1).mul_add(t_1, t_9);
-            let t_11 = qd_1.mul_add(t_8, t_10);
-            let t_12 = (-c_1).mul_add(t_6, s_1 * t_11);
-            let t_13 = c_1.mul_add(t_11, s_1 * t_6);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qdd_1_ = qdd.data.0[0][0];
+            let qdd_2_ = qdd.data.0[0][1];
+            let t_1_ = real(2.0) + c_2_;
+            let t_2_ = c_2_ * qd_2_;
+            let t_3_ = real(2.0).mul_add(t_2_, qd_1_ * t_1_);
+            let t_4_ = qdd_1_ + qdd_2_;
+            let t_5_ = qd_2_.mul_add(t_2_, s_2_ * t_4_);
+            let t_6_ = qd_1_.mul_add(t_3_, t_5_);
+            let t_7_ = s_2_ * qd_2_;
+            let t_8_ = real(2.0).mul_add(t_7_, qd_1_ * s_2_);
+            let t_9_ = (-c_2_).mul_add(qdd_2_, qd_2_ * t_7_);
+            let t_10_ = (-qdd_1_).mul_add(t_1_, t_9_);
+            let t_11_ = qd_1_.mul_add(t_8_, t_10_);
+            let t_12_ = (-c_1_).mul_add(t_6_, s_1_ * t_11_);
+            let t_13_ = c_1_.mul_add(t_11_, s_1_ * t_6_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_12, -t_13, real(0.0), real(0.0), real(0.0), t_4],
+                    [t_12_, -t_13_, real(0.0), real(0.0), real(0.0), t_4_],
                 ]),
             )
         })
@@ -2385,26 +2394,26 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::JacobianRate, 2> fo
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_2 = qd_2 + qd_1;
-            let t_3 = t_1 * t_2;
-            let t_4 = real(2.0) * c_1;
-            let t_5 = t_4.mul_add(qd_1, t_3);
-            let t_6 = c_1.mul_add(s_2, s_1 * c_2);
-            let t_7 = t_2 * t_6;
-            let t_8 = real(2.0) * s_1;
-            let t_9 = t_8.mul_add(qd_1, t_7);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_2_ = qd_2_ + qd_1_;
+            let t_3_ = t_1_ * t_2_;
+            let t_4_ = real(2.0) * c_1_;
+            let t_5_ = t_4_.mul_add(qd_1_, t_3_);
+            let t_6_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+            let t_7_ = t_2_ * t_6_;
+            let t_8_ = real(2.0) * s_1_;
+            let t_9_ = t_8_.mul_add(qd_1_, t_7_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_5, -t_9, real(0.0), real(0.0), real(0.0), real(0.0)],
-                    [-t_3, -t_7, real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [-t_5_, -t_9_, real(0.0), real(0.0), real(0.0), real(0.0)],
+                    [-t_3_, -t_7_, real(0.0), real(0.0), real(0.0), real(0.0)],
                 ]),
             )
         })
@@ -2430,21 +2439,21 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::LinkJacobians, 2> f
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(-2.0) * s_1;
-            let t_2 = real(2.0) * c_1;
-            let t_3 = c_1.mul_add(s_2, s_1 * c_2);
-            let t_4 = t_1 - t_3;
-            let t_5 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_6 = t_2 + t_5;
+            let t_1_ = real(-2.0) * s_1_;
+            let t_2_ = real(2.0) * c_1_;
+            let t_3_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+            let t_4_ = t_1_ - t_3_;
+            let t_5_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_6_ = t_2_ + t_5_;
             [
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_1, t_2, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [t_1_, t_2_, real(0.0), real(0.0), real(0.0), real(1.0)],
                         [
                             real(0.0),
                             real(0.0),
@@ -2457,8 +2466,8 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::LinkJacobians, 2> f
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_4, t_6, real(0.0), real(0.0), real(0.0), real(1.0)],
-                        [-t_3, t_5, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [t_4_, t_6_, real(0.0), real(0.0), real(0.0), real(1.0)],
+                        [-t_3_, t_5_, real(0.0), real(0.0), real(0.0), real(1.0)],
                     ]),
                 ),
             ]
@@ -2485,17 +2494,17 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::CenterOfMass, 2> fo
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(0.125).mul_add(c_2, real(1.25));
-            let t_2 = real(0.125) * s_2;
-            let t_3 = (-s_1).mul_add(t_2, c_1 * t_1);
-            let t_4 = s_1.mul_add(t_1, c_1 * t_2);
+            let t_1_ = real(0.125).mul_add(c_2_, real(1.25));
+            let t_2_ = real(0.125) * s_2_;
+            let t_3_ = (-s_1_).mul_add(t_2_, c_1_ * t_1_);
+            let t_4_ = s_1_.mul_add(t_1_, c_1_ * t_2_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4, real(0.0)]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_3_, t_4_, real(0.0)]]),
             )
         })
     }
@@ -2521,21 +2530,21 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-            let t_2 = real(0.125) * t_1;
-            let t_3 = real(1.25).mul_add(s_1, t_2);
-            let t_4 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_5 = real(0.125) * t_4;
-            let t_6 = real(1.25).mul_add(c_1, t_5);
+            let t_1_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+            let t_2_ = real(0.125) * t_1_;
+            let t_3_ = real(1.25).mul_add(s_1_, t_2_);
+            let t_4_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_5_ = real(0.125) * t_4_;
+            let t_6_ = real(1.25).mul_add(c_1_, t_5_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_3, t_6, real(0.0)],
-                    [-t_2, t_5, real(0.0)],
+                    [-t_3_, t_6_, real(0.0)],
+                    [-t_2_, t_5_, real(0.0)],
                 ]),
             )
         })
@@ -2562,34 +2571,34 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(0.5) * c_2;
-            let t_2 = real(5.0) + t_1;
-            let t_3 = real(0.5) * s_2;
-            let t_4 = c_1 * t_3;
-            let t_5 = s_1.mul_add(t_2, t_4);
-            let t_6 = s_1.mul_add(t_1, t_4);
-            let t_7 = s_1 * t_3;
-            let t_8 = c_1.mul_add(t_2, -t_7);
-            let t_9 = c_1.mul_add(t_1, -t_7);
-            let t_10 = c_2 + c_2;
-            let t_11 = real(0.25) * t_8;
-            let t_12 = real(0.25) * t_5;
-            let t_13 = real(8.333333333333334) + t_10;
-            let t_14 = (-t_8).mul_add(t_11, t_13);
-            let t_15 = (-t_5).mul_add(t_12, t_14);
-            let t_16 = real(-2.0).mul_add(c_1, t_11);
-            let t_17 = real(2.0).mul_add(s_1, -t_12);
-            let t_18 = (-t_9).mul_add(t_16, real(0.3333333333333333));
-            let t_19 = t_6.mul_add(t_17, t_18);
+            let t_1_ = real(0.5) * c_2_;
+            let t_2_ = real(5.0) + t_1_;
+            let t_3_ = real(0.5) * s_2_;
+            let t_4_ = c_1_ * t_3_;
+            let t_5_ = s_1_.mul_add(t_2_, t_4_);
+            let t_6_ = s_1_.mul_add(t_1_, t_4_);
+            let t_7_ = s_1_ * t_3_;
+            let t_8_ = c_1_.mul_add(t_2_, -t_7_);
+            let t_9_ = c_1_.mul_add(t_1_, -t_7_);
+            let t_10_ = c_2_ + c_2_;
+            let t_11_ = real(0.25) * t_8_;
+            let t_12_ = real(0.25) * t_5_;
+            let t_13_ = real(8.333333333333334) + t_10_;
+            let t_14_ = (-t_8_).mul_add(t_11_, t_13_);
+            let t_15_ = (-t_5_).mul_add(t_12_, t_14_);
+            let t_16_ = real(-2.0).mul_add(c_1_, t_11_);
+            let t_17_ = real(2.0).mul_add(s_1_, -t_12_);
+            let t_18_ = (-t_9_).mul_add(t_16_, real(0.3333333333333333));
+            let t_19_ = t_6_.mul_add(t_17_, t_18_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [-t_5, t_8, real(0.0), real(0.0), real(0.0), t_15],
-                    [-t_6, t_9, real(0.0), real(0.0), real(0.0), t_19],
+                    [-t_5_, t_8_, real(0.0), real(0.0), real(0.0), t_15_],
+                    [-t_6_, t_9_, real(0.0), real(0.0), real(0.0), t_19_],
                 ]),
             )
         })
@@ -2616,27 +2625,27 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 + qd_2;
-            let t_2 = t_1 * t_1;
-            let t_3 = real(0.5) * t_2;
-            let t_4 = qd_1 * qd_1;
-            let t_5 = c_2.mul_add(t_3, real(5.0) * t_4);
-            let t_6 = s_2 * t_3;
-            let t_7 = (-c_1).mul_add(t_5, s_1 * t_6);
-            let t_8 = s_1.mul_add(t_5, c_1 * t_6);
-            let t_9 = t_2 - t_4;
-            let t_10 = s_2 * t_9;
-            let t_11 = real(-0.375) * t_10;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ + qd_2_;
+            let t_2_ = t_1_ * t_1_;
+            let t_3_ = real(0.5) * t_2_;
+            let t_4_ = qd_1_ * qd_1_;
+            let t_5_ = c_2_.mul_add(t_3_, real(5.0) * t_4_);
+            let t_6_ = s_2_ * t_3_;
+            let t_7_ = (-c_1_).mul_add(t_5_, s_1_ * t_6_);
+            let t_8_ = s_1_.mul_add(t_5_, c_1_ * t_6_);
+            let t_9_ = t_2_ - t_4_;
+            let t_10_ = s_2_ * t_9_;
+            let t_11_ = real(-0.375) * t_10_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_7, -t_8, real(0.0), real(0.0), real(0.0), t_11],
+                    [t_7_, -t_8_, real(0.0), real(0.0), real(0.0), t_11_],
                 ]),
             )
         })
@@ -2664,50 +2673,50 @@ impl ::robot_dynamics::Function<
         Self::Error,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_2 = real(3.0) * t_1;
-        let t_3 = real(-2.0).mul_add(s_1, t_2 * c_2);
-        let t_4 = c_2 + c_2;
-        let t_5 = real(8.333333333333334) + t_4;
-        let t_6 = real(0.3333333333333333) + c_2;
-        let t_7 = real(3.0) * t_6;
-        let t_8 = (-t_6).mul_add(t_7, t_5);
-        let t_9 = real(1.0) / t_8;
-        let t_10 = t_9 * t_3;
-        let t_11 = t_3.mul_add(t_10, t_1 * t_2);
-        let t_12 = (-s_1).mul_add(s_2, c_1 * c_2);
-        let t_13 = real(2.0).mul_add(c_1, t_12);
-        let t_14 = t_7.mul_add(t_12, -t_13);
-        let t_15 = t_14.mul_add(t_10, t_12 * t_2);
-        let t_16 = t_7 - real(1.0);
-        let t_17 = t_16.mul_add(t_10, t_2);
-        let t_18 = t_9 * t_14;
-        let t_19 = real(3.0) * t_12;
-        let t_20 = t_14.mul_add(t_18, t_12 * t_19);
-        let t_21 = t_16.mul_add(t_18, t_19);
-        let t_22 = t_9 * t_16;
-        let t_23 = t_16.mul_add(t_22, real(3.0));
+        let t_1_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+        let t_2_ = real(3.0) * t_1_;
+        let t_3_ = real(-2.0).mul_add(s_1_, t_2_ * c_2_);
+        let t_4_ = c_2_ + c_2_;
+        let t_5_ = real(8.333333333333334) + t_4_;
+        let t_6_ = real(0.3333333333333333) + c_2_;
+        let t_7_ = real(3.0) * t_6_;
+        let t_8_ = (-t_6_).mul_add(t_7_, t_5_);
+        let t_9_ = real(1.0) / t_8_;
+        let t_10_ = t_9_ * t_3_;
+        let t_11_ = t_3_.mul_add(t_10_, t_1_ * t_2_);
+        let t_12_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+        let t_13_ = real(2.0).mul_add(c_1_, t_12_);
+        let t_14_ = t_7_.mul_add(t_12_, -t_13_);
+        let t_15_ = t_14_.mul_add(t_10_, t_12_ * t_2_);
+        let t_16_ = t_7_ - real(1.0);
+        let t_17_ = t_16_.mul_add(t_10_, t_2_);
+        let t_18_ = t_9_ * t_14_;
+        let t_19_ = real(3.0) * t_12_;
+        let t_20_ = t_14_.mul_add(t_18_, t_12_ * t_19_);
+        let t_21_ = t_16_.mul_add(t_18_, t_19_);
+        let t_22_ = t_9_ * t_16_;
+        let t_23_ = t_16_.mul_add(t_22_, real(3.0));
         ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
             "joint2",
             real(0.3333333333333333),
             real(0.3333333333333333),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_8, t_5)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "joint1", t_8_, t_5_)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [t_11, -t_15, real(0.0), real(0.0), real(0.0), -t_17],
-                    [-t_15, t_20, real(0.0), real(0.0), real(0.0), t_21],
+                    [t_11_, -t_15_, real(0.0), real(0.0), real(0.0), -t_17_],
+                    [-t_15_, t_20_, real(0.0), real(0.0), real(0.0), t_21_],
                     [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
                     [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
                     [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(0.0)],
-                    [-t_17, t_21, real(0.0), real(0.0), real(0.0), t_23],
+                    [-t_17_, t_21_, real(0.0), real(0.0), real(0.0), t_23_],
                 ]),
             ),
         )
@@ -2734,20 +2743,20 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 + qd_2;
-            let t_2 = qd_1.mul_add(c_2, real(0.3333333333333333) * t_1);
-            let t_3 = c_2.mul_add(t_1, real(8.0) * qd_1);
-            let t_4 = t_2 + t_3;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ + qd_2_;
+            let t_2_ = qd_1_.mul_add(c_2_, real(0.3333333333333333) * t_1_);
+            let t_3_ = c_2_.mul_add(t_1_, real(8.0) * qd_1_);
+            let t_4_ = t_2_ + t_3_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_4, t_2]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_4_, t_2_]]),
             )
         })
     }
@@ -2772,21 +2781,21 @@ impl ::robot_dynamics::Function<::robot_dynamics::functions::MomentumBias, 2> fo
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = (-s_1).mul_add(s_2, c_1 * c_2);
-            let t_2 = real(4.905) * t_1;
-            let t_3 = real(49.05).mul_add(c_1, t_2);
-            let t_4 = qd_1 + qd_2;
-            let t_5 = s_2 * t_4;
-            let t_6 = qd_1.mul_add(t_5, t_2);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = (-s_1_).mul_add(s_2_, c_1_ * c_2_);
+            let t_2_ = real(4.905) * t_1_;
+            let t_3_ = real(49.05).mul_add(c_1_, t_2_);
+            let t_4_ = qd_1_ + qd_2_;
+            let t_5_ = s_2_ * t_4_;
+            let t_6_ = qd_1_.mul_add(t_5_, t_2_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[-t_3, -t_6]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[-t_3_, -t_6_]]),
             )
         })
     }
@@ -2817,32 +2826,32 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qd_r_1 = qd_r.data.0[0][0];
-            let qd_r_2 = qd_r.data.0[0][1];
-            let qdd_r_1 = qdd_r.data.0[0][0];
-            let qdd_r_2 = qdd_r.data.0[0][1];
-            let t_1 = qdd_r_1 + qdd_r_2;
-            let t_2 = qd_1 + qd_2;
-            let t_3 = qd_r_1 + qd_r_2;
-            let t_4 = t_2 * t_3;
-            let t_5 = qd_1 * qd_r_1;
-            let t_6 = real(-0.2038735983690112).mul_add(t_5, s_1);
-            let t_7 = real(0.2038735983690112).mul_add(qdd_r_1, c_1);
-            let t_8 = (-c_2).mul_add(t_7, s_2 * t_6);
-            let t_9 = real(-4.905).mul_add(t_8, real(0.3333333333333333) * t_1);
-            let t_10 = c_2.mul_add(t_1, real(8.0) * qdd_r_1);
-            let t_11 = (-s_2).mul_add(t_4, real(49.05) * c_1);
-            let t_12 = t_10 + t_11;
-            let t_13 = t_12 + t_9;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qd_r_1_ = qd_r.data.0[0][0];
+            let qd_r_2_ = qd_r.data.0[0][1];
+            let qdd_r_1_ = qdd_r.data.0[0][0];
+            let qdd_r_2_ = qdd_r.data.0[0][1];
+            let t_1_ = qdd_r_1_ + qdd_r_2_;
+            let t_2_ = qd_1_ + qd_2_;
+            let t_3_ = qd_r_1_ + qd_r_2_;
+            let t_4_ = t_2_ * t_3_;
+            let t_5_ = qd_1_ * qd_r_1_;
+            let t_6_ = real(-0.2038735983690112).mul_add(t_5_, s_1_);
+            let t_7_ = real(0.2038735983690112).mul_add(qdd_r_1_, c_1_);
+            let t_8_ = (-c_2_).mul_add(t_7_, s_2_ * t_6_);
+            let t_9_ = real(-4.905).mul_add(t_8_, real(0.3333333333333333) * t_1_);
+            let t_10_ = c_2_.mul_add(t_1_, real(8.0) * qdd_r_1_);
+            let t_11_ = (-s_2_).mul_add(t_4_, real(49.05) * c_1_);
+            let t_12_ = t_10_ + t_11_;
+            let t_13_ = t_12_ + t_9_;
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_9]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_13_, t_9_]]),
             )
         })
     }
@@ -2873,40 +2882,40 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qd_r_1 = qd_r.data.0[0][0];
-            let qd_r_2 = qd_r.data.0[0][1];
-            let qdd_r_1 = qdd_r.data.0[0][0];
-            let qdd_r_2 = qdd_r.data.0[0][1];
-            let t_1 = real(9.81) * c_1;
-            let t_2 = real(-9.81) * s_1;
-            let t_3 = qdd_r_1 + qdd_r_2;
-            let t_4 = real(2.0).mul_add(qdd_r_1, t_1);
-            let t_5 = qd_1 * qd_r_1;
-            let t_6 = real(2.0).mul_add(t_5, t_2);
-            let t_7 = s_2.mul_add(t_6, c_2 * t_4);
-            let t_8 = qd_1 + qd_2;
-            let t_9 = qd_r_1 + qd_r_2;
-            let t_10 = t_8 * t_9;
-            let t_11 = (-s_2).mul_add(t_10, c_2 * t_3);
-            let t_12 = real(2.0).mul_add(t_11, t_7);
-            let t_13 = (-s_2).mul_add(t_4, c_2 * t_6);
-            let t_14 = s_2.mul_add(t_3, c_2 * t_10);
-            let t_15 = real(-2.0).mul_add(t_14, t_13);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qd_r_1_ = qd_r.data.0[0][0];
+            let qd_r_2_ = qd_r.data.0[0][1];
+            let qdd_r_1_ = qdd_r.data.0[0][0];
+            let qdd_r_2_ = qdd_r.data.0[0][1];
+            let t_1_ = real(9.81) * c_1_;
+            let t_2_ = real(-9.81) * s_1_;
+            let t_3_ = qdd_r_1_ + qdd_r_2_;
+            let t_4_ = real(2.0).mul_add(qdd_r_1_, t_1_);
+            let t_5_ = qd_1_ * qd_r_1_;
+            let t_6_ = real(2.0).mul_add(t_5_, t_2_);
+            let t_7_ = s_2_.mul_add(t_6_, c_2_ * t_4_);
+            let t_8_ = qd_1_ + qd_2_;
+            let t_9_ = qd_r_1_ + qd_r_2_;
+            let t_10_ = t_8_ * t_9_;
+            let t_11_ = (-s_2_).mul_add(t_10_, c_2_ * t_3_);
+            let t_12_ = real(2.0).mul_add(t_11_, t_7_);
+            let t_13_ = (-s_2_).mul_add(t_4_, c_2_ * t_6_);
+            let t_14_ = s_2_.mul_add(t_3_, c_2_ * t_10_);
+            let t_15_ = real(-2.0).mul_add(t_14_, t_13_);
             ::robot_dynamics::nalgebra::SMatrix::from_data(
                 ::robot_dynamics::nalgebra::ArrayStorage([
-                    [qdd_r_1, real(0.0)],
-                    [t_1, real(0.0)],
-                    [t_2, real(0.0)],
-                    [t_3, t_3],
-                    [t_12, t_7],
-                    [t_15, t_13],
+                    [qdd_r_1_, real(0.0)],
+                    [t_1_, real(0.0)],
+                    [t_2_, real(0.0)],
+                    [t_3_, t_3_],
+                    [t_12_, t_7_],
+                    [t_15_, t_13_],
                 ]),
             )
         })
@@ -2933,35 +2942,35 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 * qd_1;
-            let t_2 = real(0.5) * t_1;
-            let t_3 = qd_1 + qd_2;
-            let t_4 = t_3 * t_3;
-            let t_5 = real(0.5) * t_4;
-            let t_6 = real(2.0) * qd_1;
-            let t_7 = t_6 * t_3;
-            let t_8 = c_2 * t_7;
-            let t_9 = s_2 * t_7;
-            let t_10 = real(9.81) * s_1;
-            let t_11 = real(9.81) * c_1;
-            let t_12 = s_2.mul_add(t_11, c_2 * t_10);
-            let t_13 = (-s_2).mul_add(t_10, c_2 * t_11);
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ * qd_1_;
+            let t_2_ = real(0.5) * t_1_;
+            let t_3_ = qd_1_ + qd_2_;
+            let t_4_ = t_3_ * t_3_;
+            let t_5_ = real(0.5) * t_4_;
+            let t_6_ = real(2.0) * qd_1_;
+            let t_7_ = t_6_ * t_3_;
+            let t_8_ = c_2_ * t_7_;
+            let t_9_ = s_2_ * t_7_;
+            let t_10_ = real(9.81) * s_1_;
+            let t_11_ = real(9.81) * c_1_;
+            let t_12_ = s_2_.mul_add(t_11_, c_2_ * t_10_);
+            let t_13_ = (-s_2_).mul_add(t_10_, c_2_ * t_11_);
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [t_2, real(0.0), real(0.0), t_5, t_8, -t_9],
+                        [t_2_, real(0.0), real(0.0), t_5_, t_8_, -t_9_],
                     ]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
                     ::robot_dynamics::nalgebra::ArrayStorage([
-                        [real(0.0), t_10, t_11, real(0.0), t_12, t_13],
+                        [real(0.0), t_10_, t_11_, real(0.0), t_12_, t_13_],
                     ]),
                 ),
             )
@@ -3001,76 +3010,76 @@ for Arm {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qdd_1 = qdd.data.0[0][0];
-            let qdd_2 = qdd.data.0[0][1];
-            let jerk_1 = jerk.data.0[0][0];
-            let jerk_2 = jerk.data.0[0][1];
-            let snap_1 = snap.data.0[0][0];
-            let snap_2 = snap.data.0[0][1];
-            let t_1 = s_1 * qd_1;
-            let t_2 = real(0.2038735983690112).mul_add(jerk_1, -t_1);
-            let t_3 = s_2 * qd_2;
-            let t_4 = real(0.2038735983690112).mul_add(qdd_1, c_1);
-            let t_5 = c_1 * qd_1;
-            let t_6 = qd_1 * qdd_1;
-            let t_7 = real(-0.4077471967380224).mul_add(t_6, t_5);
-            let t_8 = c_2 * qd_2;
-            let t_9 = qd_1 * qd_1;
-            let t_10 = real(0.2038735983690112).mul_add(t_9, -s_1);
-            let t_11 = jerk_1 + jerk_2;
-            let t_12 = (-t_3).mul_add(t_4, real(0.06795786612300374) * t_11);
-            let t_13 = c_2.mul_add(t_2, t_8 * t_10);
-            let t_14 = (-s_2).mul_add(t_7, t_12);
-            let t_15 = t_13 + t_14;
-            let t_16 = real(4.905) * t_15;
-            let t_17 = qd_1 + qd_2;
-            let t_18 = t_17 * t_17;
-            let t_19 = qdd_1 + qdd_2;
-            let t_20 = t_17 * t_19;
-            let t_21 = real(2.0) * t_20;
-            let t_22 = (-s_2).mul_add(t_21, real(8.0) * jerk_1);
-            let t_23 = real(-49.05).mul_add(t_1, c_2 * t_11);
-            let t_24 = (-t_8).mul_add(t_18, t_22);
-            let t_25 = (-t_3).mul_add(t_19, t_23);
-            let t_26 = t_24 + t_25;
-            let t_27 = t_26 + t_16;
-            let t_28 = qd_1.mul_add(t_5, s_1 * qdd_1);
-            let t_29 = real(0.2038735983690112).mul_add(snap_1, -t_28);
-            let t_30 = qd_2.mul_add(t_8, s_2 * qdd_2);
-            let t_31 = qd_1.mul_add(jerk_1, qdd_1 * qdd_1);
-            let t_32 = (-c_1).mul_add(qdd_1, real(0.4077471967380224) * t_31);
-            let t_33 = qd_1.mul_add(t_1, t_32);
-            let t_34 = (-c_2).mul_add(qdd_2, qd_2 * t_3);
-            let t_35 = snap_1 + snap_2;
-            let t_36 = t_3.mul_add(t_2, t_8 * t_7);
-            let t_37 = (-t_4).mul_add(t_30, real(0.06795786612300374) * t_35);
-            let t_38 = (-t_10).mul_add(t_34, s_2 * t_33);
-            let t_39 = c_2.mul_add(t_29, t_37);
-            let t_40 = real(-2.0).mul_add(t_36, t_38);
-            let t_41 = t_39 + t_40;
-            let t_42 = real(4.905) * t_41;
-            let t_43 = t_17.mul_add(t_11, t_19 * t_19);
-            let t_44 = t_3.mul_add(t_11, s_2 * t_43);
-            let t_45 = t_8.mul_add(t_21, t_44);
-            let t_46 = c_2.mul_add(t_35, real(8.0) * snap_1);
-            let t_47 = real(-49.05).mul_add(t_28, t_46);
-            let t_48 = (-t_19).mul_add(t_30, t_18 * t_34);
-            let t_49 = real(-2.0).mul_add(t_45, t_47);
-            let t_50 = t_48 + t_49;
-            let t_51 = t_50 + t_42;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qdd_1_ = qdd.data.0[0][0];
+            let qdd_2_ = qdd.data.0[0][1];
+            let jerk_1_ = jerk.data.0[0][0];
+            let jerk_2_ = jerk.data.0[0][1];
+            let snap_1_ = snap.data.0[0][0];
+            let snap_2_ = snap.data.0[0][1];
+            let t_1_ = s_1_ * qd_1_;
+            let t_2_ = real(0.2038735983690112).mul_add(jerk_1_, -t_1_);
+            let t_3_ = s_2_ * qd_2_;
+            let t_4_ = real(0.2038735983690112).mul_add(qdd_1_, c_1_);
+            let t_5_ = c_1_ * qd_1_;
+            let t_6_ = qd_1_ * qdd_1_;
+            let t_7_ = real(-0.4077471967380224).mul_add(t_6_, t_5_);
+            let t_8_ = c_2_ * qd_2_;
+            let t_9_ = qd_1_ * qd_1_;
+            let t_10_ = real(0.2038735983690112).mul_add(t_9_, -s_1_);
+            let t_11_ = jerk_1_ + jerk_2_;
+            let t_12_ = (-t_3_).mul_add(t_4_, real(0.06795786612300374) * t_11_);
+            let t_13_ = c_2_.mul_add(t_2_, t_8_ * t_10_);
+            let t_14_ = (-s_2_).mul_add(t_7_, t_12_);
+            let t_15_ = t_13_ + t_14_;
+            let t_16_ = real(4.905) * t_15_;
+            let t_17_ = qd_1_ + qd_2_;
+            let t_18_ = t_17_ * t_17_;
+            let t_19_ = qdd_1_ + qdd_2_;
+            let t_20_ = t_17_ * t_19_;
+            let t_21_ = real(2.0) * t_20_;
+            let t_22_ = (-s_2_).mul_add(t_21_, real(8.0) * jerk_1_);
+            let t_23_ = real(-49.05).mul_add(t_1_, c_2_ * t_11_);
+            let t_24_ = (-t_8_).mul_add(t_18_, t_22_);
+            let t_25_ = (-t_3_).mul_add(t_19_, t_23_);
+            let t_26_ = t_24_ + t_25_;
+            let t_27_ = t_26_ + t_16_;
+            let t_28_ = qd_1_.mul_add(t_5_, s_1_ * qdd_1_);
+            let t_29_ = real(0.2038735983690112).mul_add(snap_1_, -t_28_);
+            let t_30_ = qd_2_.mul_add(t_8_, s_2_ * qdd_2_);
+            let t_31_ = qd_1_.mul_add(jerk_1_, qdd_1_ * qdd_1_);
+            let t_32_ = (-c_1_).mul_add(qdd_1_, real(0.4077471967380224) * t_31_);
+            let t_33_ = qd_1_.mul_add(t_1_, t_32_);
+            let t_34_ = (-c_2_).mul_add(qdd_2_, qd_2_ * t_3_);
+            let t_35_ = snap_1_ + snap_2_;
+            let t_36_ = t_3_.mul_add(t_2_, t_8_ * t_7_);
+            let t_37_ = (-t_4_).mul_add(t_30_, real(0.06795786612300374) * t_35_);
+            let t_38_ = (-t_10_).mul_add(t_34_, s_2_ * t_33_);
+            let t_39_ = c_2_.mul_add(t_29_, t_37_);
+            let t_40_ = real(-2.0).mul_add(t_36_, t_38_);
+            let t_41_ = t_39_ + t_40_;
+            let t_42_ = real(4.905) * t_41_;
+            let t_43_ = t_17_.mul_add(t_11_, t_19_ * t_19_);
+            let t_44_ = t_3_.mul_add(t_11_, s_2_ * t_43_);
+            let t_45_ = t_8_.mul_add(t_21_, t_44_);
+            let t_46_ = c_2_.mul_add(t_35_, real(8.0) * snap_1_);
+            let t_47_ = real(-49.05).mul_add(t_28_, t_46_);
+            let t_48_ = (-t_19_).mul_add(t_30_, t_18_ * t_34_);
+            let t_49_ = real(-2.0).mul_add(t_45_, t_47_);
+            let t_50_ = t_48_ + t_49_;
+            let t_51_ = t_50_ + t_42_;
             (
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[t_27, t_16]]),
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_27_, t_16_]]),
                 ),
                 ::robot_dynamics::nalgebra::SMatrix::from_data(
-                    ::robot_dynamics::nalgebra::ArrayStorage([[t_51, t_42]]),
+                    ::robot_dynamics::nalgebra::ArrayStorage([[t_51_, t_42_]]),
                 ),
             )
         })
@@ -3108,74 +3117,60 @@ impl ::robot_dynamics::Function<
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let qdd_1 = qdd.data.0[0][0];
-            let qdd_2 = qdd.data.0[0][1];
-            let t_1 = real(4.905) * c_1;
-            let t_2 = c_2 * t_1;
-            let t_3 = real(0.5) * s_2;
-            let t_4 = real(9.81) * s_1;
-            let t_5 = t_3.mul_add(t_4, -t_2);
-            let t_6 = real(-49.05).mul_add(c_1, t_5);
-            let t_7 = real(2.0) * qd_1;
-            let t_8 = (-qd_1).mul_add(t_7, t_4);
-            let t_9 = qdd_1.mul_add(c_2, t_2);
-            let t_10 = t_3.mul_add(t_8, -t_9);
-            let t_11 = qdd_1 + qdd_2;
-            let t_12 = qd_1 + qd_2;
-            let t_13 = t_12 * t_12;
-            let t_14 = (-c_2).mul_add(t_11, s_2 * t_13);
-            let t_15 = t_14 + t_10;
-            let t_16 = real(2.0) * s_2;
-            let t_17 = c_2 * t_7;
-            let t_18 = c_2 * t_12;
-            let t_19 = real(2.0) * t_18;
-            let t_20 = t_17 - t_19;
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let qdd_1_ = qdd.data.0[0][0];
+            let qdd_2_ = qdd.data.0[0][1];
+            let t_1_ = real(4.905) * c_1_;
+            let t_2_ = c_2_ * t_1_;
+            let t_3_ = real(0.5) * s_2_;
+            let t_4_ = real(9.81) * s_1_;
+            let t_5_ = t_3_.mul_add(t_4_, -t_2_);
+            let t_6_ = real(-49.05).mul_add(c_1_, t_5_);
+            let t_7_ = real(2.0) * qd_1_;
+            let t_8_ = (-qd_1_).mul_add(t_7_, t_4_);
+            let t_9_ = qdd_1_.mul_add(c_2_, t_2_);
+            let t_10_ = t_3_.mul_add(t_8_, -t_9_);
+            let t_11_ = qdd_1_ + qdd_2_;
+            let t_12_ = qd_1_ + qd_2_;
+            let t_13_ = t_12_ * t_12_;
+            let t_14_ = (-c_2_).mul_add(t_11_, s_2_ * t_13_);
+            let t_15_ = t_14_ + t_10_;
+            let t_16_ = real(2.0) * s_2_;
+            let t_17_ = c_2_ * t_7_;
+            let t_18_ = c_2_ * t_12_;
+            let t_19_ = real(2.0) * t_18_;
+            let t_20_ = t_17_ - t_19_;
             (
                 [
                     ::robot_dynamics::nalgebra::SMatrix::from_data(
                         ::robot_dynamics::nalgebra::ArrayStorage([
-                            [t_6, t_5],
-                            [t_5, t_15],
+                            [t_6_, t_5_],
+                            [t_5_, t_15_],
                         ]),
                     ),
                     ::robot_dynamics::nalgebra::SMatrix::from_data(
                         ::robot_dynamics::nalgebra::ArrayStorage([
-                            [t_5, t_5],
-                            [t_5, t_10],
-                        ]),
-                    ),
-                ],
-                [
-                    ::robot_dynamics::nalgebra::SMatrix::from_data(
-                        ::robot_dynamics::nalgebra::ArrayStorage([
-                            [real(0.0), -t_16],
-                            [-t_16, -t_16],
-                        ]),
-                    ),
-                    ::robot_dynamics::nalgebra::SMatrix::from_data(
-                        ::robot_dynamics::nalgebra::ArrayStorage([
-                            [t_16, real(0.0)],
-                            [real(0.0), real(0.0)],
+                            [t_5_, t_5_],
+                            [t_5_, t_10_],
                         ]),
                     ),
                 ],
                 [
                     ::robot_dynamics::nalgebra::SMatrix::from_data(
                         ::robot_dynamics::nalgebra::ArrayStorage([
-                            [real(0.0), t_20],
-                            [real(0.0), -t_19],
+                            [real(0.0), -t_16_],
+                            [-t_16_, -t_16_],
                         ]),
                     ),
                     ::robot_dynamics::nalgebra::SMatrix::from_data(
                         ::robot_dynamics::nalgebra::ArrayStorage([
-                            [real(0.0), t_17],
+                            [t_16_, real(0.0)],
                             [real(0.0), real(0.0)],
                         ]),
                     ),
@@ -3183,14 +3178,28 @@ impl ::robot_dynamics::Function<
                 [
                     ::robot_dynamics::nalgebra::SMatrix::from_data(
                         ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), t_20_],
+                            [real(0.0), -t_19_],
+                        ]),
+                    ),
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), t_17_],
                             [real(0.0), real(0.0)],
-                            [-t_16, -s_2],
+                        ]),
+                    ),
+                ],
+                [
+                    ::robot_dynamics::nalgebra::SMatrix::from_data(
+                        ::robot_dynamics::nalgebra::ArrayStorage([
+                            [real(0.0), real(0.0)],
+                            [-t_16_, -s_2_],
                         ]),
                     ),
                     ::robot_dynamics::nalgebra::SMatrix::from_data(
                         ::robot_dynamics::nalgebra::ArrayStorage([
                             [real(0.0), real(0.0)],
-                            [-s_2, real(0.0)],
+                            [-s_2_, real(0.0)],
                         ]),
                     ),
                 ],

@@ -4,7 +4,8 @@
 use dynamics_symbolic::emit::{
     c_source, casadi_requests, casadi_source, javascript_module, matlab_files, python_module,
 };
-use dynamics_symbolic::{Function, Request, proven_program};
+use dynamics_symbolic::robot::Frame;
+use dynamics_symbolic::{Function, Request, expand, proven_program};
 use expect_test::expect_file;
 
 use super::formulas::two_link_craig;
@@ -28,6 +29,38 @@ fn two_link_arm_in_other_languages() {
         .map(|(name, text)| format!("% {name}\n{text}"))
         .collect();
     expect_file!["../golden/two_link_craig.m"].assert_eq(&texts.join("\n"));
+}
+
+/// Characters that nobody sees, or that turn the direction of writing, stand in no comment: compilers refuse them there.
+#[test]
+fn names_cannot_hide_code_in_comments() {
+    let hidden = ['\u{202e}', '\u{200b}', '\u{feff}', '\u{7}'];
+    let name = format!("a*/b{} ??/ \\", String::from_iter(hidden));
+    let mut robot = two_link_craig();
+    robot.name.clone_from(&name);
+    robot.frames.push(Frame {
+        name: name.clone(),
+        on: Some(1),
+        places: Vec::new(),
+        body: None,
+    });
+    let request = Request::of_frame(Function::Jacobian, 0, &name);
+    let program = proven_program(&robot, &request).expect("proven");
+    let methods = expand(&robot, std::slice::from_ref(&request), &quote::quote!(runtime));
+    let method = methods.expect("proven").remove(0).tokens.to_string();
+    assert!(method.contains("a*/b") && !method.contains("202e"), "{method}");
+    let programs = [(request, program)];
+    let c = c_source(&robot, &programs);
+    let mut texts = vec![
+        c.header,
+        c.source,
+        javascript_module(&robot, &programs),
+        python_module(&robot, &programs),
+    ];
+    texts.extend(matlab_files(&robot, &programs).into_iter().map(|(_, text)| text));
+    for text in texts {
+        assert!(!text.contains(hidden), "{text}");
+    }
 }
 
 /// A pivot of M that failed is counted among all, those of a base that moves first, and has a name.

@@ -46,8 +46,8 @@ pub(super) fn entries<'a>(
         frames: Vec::new(),
         ends: BTreeSet::new(),
     };
-    assembly.report_names();
-    assembly.find()?;
+    let names = assembly.report_names();
+    assembly.find().and(names)?;
     assembly.walk();
     // A mistake in the rest of the rows is reported beside links without inertia.
     let is_readable = diagnostics.is_empty();
@@ -215,8 +215,9 @@ impl<'a> Assembly<'a> {
         self.error(links.last().map_or(START, Place::from), mistake);
     }
 
-    /// Names in `ignore` that no joint has, and `rest` where it means nothing.
-    fn report_names(&mut self) {
+    /// Names in `lock` and `ignore` that no joint has, and `rest` where it means nothing. Joints that a slip leaves out would
+    /// be reported where they matter: `None` where there is one.
+    fn report_names(&mut self) -> Option<()> {
         let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
         if let Some((name, position)) = self.rest_locked() {
             self.used.push(REST.to_owned());
@@ -234,13 +235,16 @@ impl<'a> Assembly<'a> {
             let (first, last) = self.tree.ends();
             self.error(name, mistake::rest_of_nothing(&first, &last));
         }
-        for name in &self.request.ignore {
+        let before = self.diagnostics.count();
+        let locked = self.request.lock.iter().map(|(name, _)| name);
+        for name in locked.chain(&self.request.ignore) {
             if !known.contains(&name.plain()) && name.plain() != REST {
                 let meant = words::nearest(name.plain(), &known);
                 let mistake = crate::mistake::unknown("joint", name.plain(), meant, &known);
                 self.error(name, mistake);
             }
         }
+        (self.diagnostics.count() == before).then_some(())
     }
 
     fn link(&self, name: &str) -> Option<&'a Link> {

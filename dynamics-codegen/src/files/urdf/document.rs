@@ -8,6 +8,7 @@ use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::Value;
 use roxmltree::{Attribute, Document, Error, Node};
 
+use super::loops;
 use super::prefixes::Declared;
 use super::rounding::Rounding;
 use crate::diagnose::{Diagnostics, Reported};
@@ -26,6 +27,8 @@ pub(super) struct Tree {
     pub(super) joints: Vec<Joint>,
     /// The numbers that were taken as others.
     pub(super) rounding: Rounding,
+    /// Warnings of loops that are left out.
+    pub(super) loops: Vec<String>,
 }
 
 impl Tree {
@@ -136,7 +139,9 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
     let joints: Vec<Read<Joint>> = elements("joint").map(|joint| reader.joint(joint)).collect();
     let links: Vec<Link> = links.into_iter().collect::<Read<_>>().ok()?;
     let joints: Vec<Joint> = joints.into_iter().collect::<Read<_>>().ok()?;
+    let loops = loops::warnings(root, &links, |node| reader.place(node));
     let tree = Tree {
+        loops,
         links,
         joints,
         rounding: reader.rounding,

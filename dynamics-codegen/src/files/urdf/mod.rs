@@ -3,6 +3,7 @@
 mod assembly;
 mod document;
 mod follow;
+mod loops;
 mod prefixes;
 mod rounding;
 mod span;
@@ -34,6 +35,7 @@ pub(super) fn read(
         entries,
         notes: tree.rounding.notes(),
         rounded: tree.rounding.rounded,
+        warnings: tree.loops,
         ..Table::default()
     })
 }

@@ -1,6 +1,7 @@
 //! The description of a function as a comment.
 
 use super::documentation::{self, formula_lines, short_formula_lines};
+use super::shown;
 use crate::formula::{Budget, Formulas, TooLong};
 use crate::function::Request;
 use crate::program::Proven;
@@ -88,7 +89,7 @@ pub(super) fn title_lines(robot: &Robot, conventions: [&str; 2]) -> [String; 4] 
 pub(super) fn comment(lines: &[String]) -> String {
     let mut text = "/**\n".to_owned();
     for line in lines {
-        let mut line = line.replace("*/", "* /").replace("/*", "/ *");
+        let mut line = shown(line).replace("*/", "* /").replace("/*", "/ *");
         while line.contains("??") {
             line = line.replace("??", "? ?");
         }

@@ -3,7 +3,7 @@
 use super::arrangement::Arrangement;
 use super::body::{Body, number};
 use super::comments::lines as documentation;
-use super::{Language, argument_names, argument_sizes, free_name, indented};
+use super::{Language, argument_names, argument_sizes, free_name, indented, shown};
 use crate::function::{Argument, Request};
 use crate::program::Proven;
 use crate::robot::Robot;
@@ -188,8 +188,8 @@ fn help(robot: &Robot, request: &Request, proven: &Proven, name: &str) -> String
         .chain(of_fields(robot))
         .chain(conventions)
     {
-        // A name with a line break would end the comment.
-        let line = line.replace(char::is_control, " ");
+        // A line break would end the comment.
+        let line = shown(&line).replace('\n', " ");
         text.push_str(format!("%   {line}").trim_end());
         text.push('\n');
     }

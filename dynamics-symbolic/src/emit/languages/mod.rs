@@ -24,7 +24,7 @@ pub use python::{python_module, python_module_name};
 
 use super::documentation;
 use super::inputs::{in_order, input_names};
-use super::names::line_names;
+use super::names::{line_names, shown};
 use super::pivots::pivots;
 use crate::function::{Argument, Request, Sizes, plain};
 use crate::robot::Robot;

@@ -5,7 +5,7 @@ use super::body::{Body, number};
 use super::comments::{lines as documentation, title_lines};
 use super::{
     Language, PIVOTS_OF_BASE, argument_names, argument_sizes, free_name, indented, plain,
-    snake_case, with_pivots_of_base,
+    shown, snake_case, with_pivots_of_base,
 };
 use crate::function::{Argument, Request};
 use crate::program::Proven;
@@ -239,7 +239,7 @@ fn string(text: &str) -> String {
 
 /// Lines as a string of documentation behind so many spaces.
 fn docstring(lines: &[String], spaces: usize) -> String {
-    let escaped = lines.iter().map(|line| line.replace('\\', "\\\\"));
+    let escaped = lines.iter().map(|line| shown(line).replace('\\', "\\\\"));
     let mut lines: Vec<String> = escaped
         .map(|line| line.replace("\"\"\"", "\\\"\\\"\\\""))
         .collect();

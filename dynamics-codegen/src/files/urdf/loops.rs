@@ -1,0 +1,45 @@
+//! Loops that a document tells in words that are not URDF's: `<loop_joint>`, and joints of `<gazebo>` between two links.
+
+use roxmltree::Node;
+
+use super::document::Link;
+use crate::place::Place;
+use crate::words::shortened;
+
+/// A warning for each loop. The robot is the tree of the joints, which is open there.
+pub(super) fn warnings(
+    root: Node,
+    links: &[Link],
+    place: impl Fn(Node) -> Place,
+) -> Vec<String> {
+    let loops = root.descendants().filter(|node| closes_loop(*node, links));
+    let warning = |node: Node| {
+        let (line, _) = place(node).position();
+        let element = node.tag_name().name();
+        let name = shortened(node.attribute("name").unwrap_or_default());
+        format!(
+            " Line {line} of the file closes a loop by `<{element} name=\"{name}\">`, which is left out: the robot is the \
+             tree of its `<joint>`s, and open there."
+        )
+    };
+    loops.map(warning).collect()
+}
+
+fn closes_loop(node: Node, links: &[Link]) -> bool {
+    let is_in_gazebo = || {
+        let mut around = node.ancestors().skip(1);
+        around.any(|element| element.tag_name().name() == "gazebo")
+    };
+    let is_link = |word: &str| {
+        let mut parts = node.children().filter(|part| part.tag_name().name() == word);
+        let link = parts.find_map(|part| part.text()).unwrap_or_default().trim();
+        // A link of a model in a model is named behind the model.
+        let link = link.rsplit("::").next().unwrap_or_default();
+        links.iter().any(|known| known.name == link)
+    };
+    match node.tag_name().name() {
+        "loop_joint" => true,
+        "joint" => is_in_gazebo() && is_link("parent") && is_link("child"),
+        _ => false,
+    }
+}

@@ -1,0 +1,1 @@
+robot_dynamics! { struct Formulas; file: "tests/mistakes/files/formulas.toml" }
