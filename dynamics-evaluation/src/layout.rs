@@ -100,7 +100,7 @@ fn by_columns(shape: &Shape, sizes: Sizes, places: &mut Vec<usize>) {
         }
         Shape::Tuple(parts) => parts
             .iter()
-            .for_each(|part| by_columns(part, sizes, places)),
+            .for_each(|(_, part)| by_columns(part, sizes, places)),
         // Not evaluated here.
         Shape::Series => {}
     }

@@ -37,7 +37,7 @@ impl Arrangement {
             }
             Shape::Each(count, one) => Arrangement::new(one, sizes).repeated(count.of(sizes)),
             Shape::Tuple(parts) => {
-                let parts = parts.iter().map(|part| Arrangement::new(part, sizes));
+                let parts = parts.iter().map(|(_, part)| Arrangement::new(part, sizes));
                 Arrangement::Tuple(parts.collect())
             }
             // Not evaluated here.

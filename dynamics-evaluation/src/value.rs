@@ -45,7 +45,7 @@ fn read(shape: &Shape, sizes: Sizes, entries: &mut impl Iterator<Item = f64>) ->
         Shape::Tuple(parts) => Value::Tuple(
             parts
                 .iter()
-                .map(|part| read(part, sizes, entries))
+                .map(|(_, part)| read(part, sizes, entries))
                 .collect(),
         ),
         // Not evaluated here.

@@ -123,7 +123,7 @@ fn dynamic_type(shape: &Shape) -> TokenStream {
             quote!(Vec<#one>)
         }
         Shape::Tuple(parts) => {
-            let parts = parts.iter().map(dynamic_type);
+            let parts = parts.iter().map(|(_, part)| dynamic_type(part));
             quote!((#(#parts),*))
         }
         Shape::Series => quote!(()),

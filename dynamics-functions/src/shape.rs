@@ -99,8 +99,8 @@ pub enum Shape {
     Matrix(Size, Size),
     /// An array with so many of them.
     Each(Size, &'static Shape),
-    /// One after the other.
-    Tuple(&'static [Shape]),
+    /// One after the other, each with its name.
+    Tuple(&'static [(&'static str, Shape)]),
     /// Taylor coefficients of the positions. The program's outputs are the joint forces of one order.
     Series,
 }
@@ -112,7 +112,7 @@ impl Shape {
             Shape::Number => 1,
             Shape::Matrix(rows, columns) => rows.of(sizes) * columns.of(sizes),
             Shape::Each(count, one) => count.of(sizes) * one.entries(sizes),
-            Shape::Tuple(parts) => parts.iter().map(|part| part.entries(sizes)).sum(),
+            Shape::Tuple(parts) => parts.iter().map(|(_, part)| part.entries(sizes)).sum(),
             Shape::Series => sizes.freedoms.joints,
         }
     }
@@ -128,7 +128,7 @@ impl Shape {
             Shape::Number | Shape::Series => false,
             Shape::Matrix(rows, columns) => [rows, columns].contains(&&Size::Parameters),
             Shape::Each(_, one) => one.has_parameters(),
-            Shape::Tuple(parts) => parts.iter().any(Shape::has_parameters),
+            Shape::Tuple(parts) => parts.iter().any(|(_, part)| part.has_parameters()),
         }
     }
 }

@@ -11,6 +11,8 @@ const VECTOR: Shape = Shape::Matrix(Freedoms, One);
 const SQUARE: Shape = Shape::Matrix(Freedoms, Freedoms);
 /// For each degree of freedom a square matrix.
 const SQUARES: Shape = Shape::Each(Freedoms, &SQUARE);
+/// A number for each base parameter.
+const PARAMETERS: Shape = Shape::Matrix(Parameters, One);
 /// A homogeneous transform.
 const POSE: Shape = Shape::Matrix(Fixed(4), Fixed(4));
 /// Velocities of the tip's origin and of its rotation, or their rates.
@@ -214,7 +216,7 @@ functions! {
     }
 
     /// d tau/dq and d tau/dqd.
-    InverseDynamicsDerivatives: inverse_dynamics_derivatives(Position, Velocity, Acceleration) -> Shape::Tuple(&[SQUARE, SQUARE]) => {
+    InverseDynamicsDerivatives: inverse_dynamics_derivatives(Position, Velocity, Acceleration) -> Shape::Tuple(&[("dtau_dq", SQUARE), ("dtau_dqd", SQUARE)]) => {
         "Derivatives of the inverse dynamics, exact: (d tau/dq, d tau/dqd), each N x N, entry (i, j) the derivative of \
             tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous \
             friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has \
@@ -223,7 +225,7 @@ functions! {
     }
 
     /// d qdd/dq, d qdd/dqd and M^-1.
-    ForwardDynamicsDerivatives: forward_dynamics_derivatives(Position, Velocity, Force) -> Shape::Tuple(&[SQUARE, SQUARE, SQUARE]) => {
+    ForwardDynamicsDerivatives: forward_dynamics_derivatives(Position, Velocity, Force) -> Shape::Tuple(&[("dqdd_dq", SQUARE), ("dqdd_dqd", SQUARE), ("dqdd_dtau", SQUARE)]) => {
         "Derivatives of the forward dynamics at qdd = forward_dynamics(q, qd, tau), exact: \
             (d qdd/dq, d qdd/dqd, d qdd/d tau), each N x N, entry (i, j) the derivative of qdd_i by joint j. \
             d qdd/d tau is the inverse of M(q). Coulomb friction counts as constant: its derivative is zero wherever \
@@ -241,7 +243,7 @@ functions! {
     }
 
     /// The base inertial parameters.
-    BaseParameters: base_parameters() -> Shape::Matrix(Parameters, One) => {
+    BaseParameters: base_parameters() -> PARAMETERS => {
         "The P base inertial parameters: the smallest set by which the joint forces of every motion are \
             determined, regressor * base_parameters = tau - K - F.",
         search: Search::None, compared_with: Some(Function::Regressor),
@@ -369,7 +371,7 @@ functions! {
     }
 
     /// The coefficients of the base inertial parameters in T and U.
-    EnergyRegressors: energy_regressors(Position, Velocity) -> Shape::Tuple(&[Shape::Matrix(Parameters, One), Shape::Matrix(Parameters, One)]) => {
+    EnergyRegressors: energy_regressors(Position, Velocity) -> Shape::Tuple(&[("kinetic_regressor", PARAMETERS), ("potential_regressor", PARAMETERS)]) => {
         "Regressors of the energies, two vectors of P numbers, J for a unit of each of the P base inertial parameters: \
             the kinetic energy is the first one times base_parameters, the potential energy of gravity the second one up to a \
             constant.",
@@ -377,14 +379,14 @@ functions! {
     }
 
     /// The first and the second derivative of tau by time.
-    InverseDynamicsRates: inverse_dynamics_rates(Position, Velocity, Acceleration, Jerk, Snap) -> Shape::Tuple(&[VECTOR, VECTOR]) => {
+    InverseDynamicsRates: inverse_dynamics_rates(Position, Velocity, Acceleration, Jerk, Snap) -> Shape::Tuple(&[("dtau_dt", VECTOR), ("d2tau_dt2", VECTOR)]) => {
         "First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and \
             N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.",
         second: OF_SMALL_ARMS,
     }
 
     /// The second derivatives of tau, and dM/dq.
-    InverseDynamicsSecondDerivatives: inverse_dynamics_second_derivatives(Position, Velocity, Acceleration) -> Shape::Tuple(&[SQUARES, SQUARES, SQUARES, SQUARES]) => {
+    InverseDynamicsSecondDerivatives: inverse_dynamics_second_derivatives(Position, Velocity, Acceleration) -> Shape::Tuple(&[("d2tau_dq_dq", SQUARES), ("d2tau_dqd_dqd", SQUARES), ("d2tau_dq_dqd", SQUARES), ("dM_dq", SQUARES)]) => {
         "Second derivatives of the inverse dynamics, exact: (d2 tau/dq dq, d2 tau/dqd dqd, d2 tau/dq dqd, dM/dq), each an \
             array of N matrices N x N. Entry `[i][(j, k)]` is that of tau_i by q_j and q_k, by qd_j and qd_k, by q_j (row) and qd_k \
             (column), and the derivative of M_ij by q_k, which is that of tau_i by qdd_j and q_k. The first two are symmetric in j and k, the \

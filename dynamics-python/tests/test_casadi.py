@@ -87,9 +87,10 @@ def test_second_derivatives(arm: rd.Robot, external: External) -> None:
             assert_near(block, other, 1e-13)
 
 
-def test_reverse_mode(arm: rd.Robot, external: External) -> None:
+@pytest.mark.parametrize(("name", "bound"), [("inverse_dynamics", 1e-13), ("forward_dynamics", 1e-11)])
+def test_reverse_mode(arm: rd.Robot, external: External, name: str, bound: float) -> None:
     """Gradients and Hessians are of one file, not of CasADi's products of matrices."""
-    found, expected = (function("inverse_dynamics").reverse(1) for function in (external, lambda name: graph(arm, name)))
+    found, expected = (function(name).reverse(1) for function in (external, lambda name: graph(arm, name)))
     for functions in (found, expected), (found.jacobian(), expected.jacobian()):
         assert functions[0].name() == functions[1].name() and functions[0].is_a("External")
         for names in ("name_in", "name_out"):
@@ -98,7 +99,7 @@ def test_reverse_mode(arm: rd.Robot, external: External) -> None:
         for weights, state in zip(np.random.default_rng(5).uniform(-1, 1, (20, arm.dof)), states(arm)):
             given = (*state, 0, weights, *places)
             for block, other in zip(functions[0](*given), functions[1](*given), strict=True):
-                assert_near(block, other, 1e-13)
+                assert_near(block, other, bound)
 
 
 def test_an_option_keeps_whole_jacobians(arm: rd.Robot, external: External) -> None:
@@ -118,17 +119,19 @@ def hessian(function: Any, dof: int) -> Any:
     return ca.Function("hessian", [x, weights], [ca.hessian(weighted, x)[0]])
 
 
-def test_hessian(arm: rd.Robot, external: External) -> None:
-    found = hessian(external("inverse_dynamics"), arm.dof)
-    expected = hessian(graph(arm, "inverse_dynamics"), arm.dof)
+@pytest.mark.parametrize(("name", "bound"), [("inverse_dynamics", 1e-13), ("forward_dynamics", 1e-11)])
+def test_hessian(arm: rd.Robot, external: External, name: str, bound: float) -> None:
+    found, expected = (hessian(function, arm.dof) for function in (external(name), graph(arm, name)))
     weights = np.linspace(-1, 1, arm.dof)
     for state in states(arm):
-        assert_near(found(state.ravel(), weights), expected(state.ravel(), weights), 1e-13)
+        assert_near(found(state.ravel(), weights), expected(state.ravel(), weights), bound)
 
 
-def test_forward_dynamics_has_no_second_derivatives(arm: rd.Robot, external: External) -> None:
+def test_bias_force_has_no_second_derivatives(arm: rd.Robot, tmp_path: Path) -> None:
+    bias = ca.external("bias_force", str(compiled(arm, ["bias_force"], tmp_path)))
+    q, qd = ca.MX.sym("q", arm.dof), ca.MX.sym("qd", arm.dof)
     with pytest.raises(RuntimeError, match="[Dd]erivatives cannot be calculated"):
-        hessian(external("forward_dynamics"), arm.dof)
+        ca.hessian(ca.sumsqr(bias(q, qd)), q)
 
 
 def test_fields_are_an_input(tmp_path: Path) -> None:
@@ -158,6 +161,27 @@ def test_ipopt_with_exact_hessians(arm: rd.Robot, external: External) -> None:
         optima.append(solver(x0=np.full(arm.dof, 0.5))["x"])
         assert solver.stats()["success"]
     assert_near(optima[0], optima[1], 1e-10)
+
+
+def test_a_motion_by_forward_dynamics(arm: rd.Robot, external: External) -> None:
+    """Collocation whose constraints have `forward_dynamics` in them takes the iterations of a graph, to the same optimum."""
+    nodes, target = 15, np.array([0.8, -0.5, 0.4, 1.0, -0.3, 0.6, 0.2])
+    step = 1.5 / (nodes - 1)
+    q, qd, tau = (ca.MX.sym(name, arm.dof, nodes) for name in ("q", "qd", "tau"))
+    before, after = slice(0, nodes - 1), slice(1, nodes)
+    options = {"ipopt.print_level": 0, "print_time": False, "ipopt.sb": "yes", "ipopt.tol": 1e-8}
+    optima, iterations = [], []
+    for function in external("forward_dynamics"), graph(arm, "forward_dynamics"):
+        qdd = function.map(nodes)(q, qd, 100 * tau)
+        fits = [x[:, after] - x[:, before] - step / 2 * (v[:, after] + v[:, before]) for x, v in ((q, qd), (qd, qdd))]
+        ends = [q[:, 0], qd[:, 0], q[:, -1] - target, qd[:, -1]]
+        problem = {"x": ca.veccat(q, qd, tau), "f": step * ca.sumsqr(tau), "g": ca.veccat(*fits, *ends)}
+        solver = ca.nlpsol("solver", "ipopt", problem, options)
+        optima.append(solver(x0=0, lbg=0, ubg=0)["f"])
+        assert solver.stats()["success"]
+        iterations.append(solver.stats()["iter_count"])
+    assert iterations[0] == iterations[1] < 60, iterations
+    assert_near(optima[0], optima[1], 1e-8)
 
 
 def test_the_chapter_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

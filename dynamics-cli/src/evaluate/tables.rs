@@ -108,9 +108,9 @@ impl Tables<'_> {
                 lines.collect()
             }
             (Value::Tuple(values), Shape::Tuple(shapes)) => {
-                let values = values.iter().zip(*shapes).enumerate();
-                let lines = values.flat_map(|(k, (value, shape))| {
-                    let title = format!("value {}:", k + 1);
+                let values = values.iter().zip(*shapes);
+                let lines = values.flat_map(|(value, (name, shape))| {
+                    let title = format!("{name}:");
                     [title].into_iter().chain(self.value(value, shape))
                 });
                 lines.collect()

@@ -114,8 +114,24 @@ static void call(const char *name, function f, number n_in, number n_out, name_o
 }
 "#;
 
-/// The weights of forces in reverse mode.
-const WEIGHTS: &str = "adj_tau";
+/// The functions with a reverse mode, the weights of their values there, and functions whose values are their derivatives.
+const REVERSED: [(&str, &str, &[&str]); 3] = [
+    (
+        "inverse_dynamics",
+        "adj_tau",
+        &["inverse_dynamics_derivatives", "mass_matrix"],
+    ),
+    (
+        "forward_dynamics",
+        "adj_qdd",
+        &["forward_dynamics_derivatives"],
+    ),
+    (
+        "forward_dynamics_aba",
+        "adj_qdd",
+        &["forward_dynamics_derivatives"],
+    ),
+];
 
 /// A matrix that was printed.
 struct Printed {
@@ -277,7 +293,7 @@ impl Called {
             let columns = block.rows / count;
             if one == "base" {
                 // Forces are linear in the pose; otherwise the order of two derivatives does not matter.
-                block.assert_entries(&|row, column| match other {
+                block.assert_entries(OF_VALUES, &|row, column| match other {
                     "base" => 0.0,
                     _ => {
                         let turned = format!("jac_jac_tau_{other}_base");
@@ -310,35 +326,67 @@ impl Called {
         blocks.find(|of| of.output == output).expect("a block")
     }
 
-    /// Reverse mode, and its derivatives, beside the blocks of first and second derivatives.
-    fn assert_adjoint_of_inverse_dynamics(&self) {
-        let weights = argument(WEIGHTS, self.values("inverse_dynamics", None).len());
-        let count = weights.len();
-        for found in &self.outputs["adj1_inverse_dynamics"] {
-            let input = &found.output["adj_".len()..];
-            let first = self.block("jac_inverse_dynamics", &format!("jac_tau_{input}"));
-            found.assert_entries(&|j, _| first.weighted(&weights, 0, j));
+    /// Reverse mode beside first derivatives, and its own derivatives beside differences of first ones of Rust.
+    fn assert_adjoint(&self, function: &str, weights: &str, derivatives: &[&str]) {
+        let outputs = weights.replace("adj_", "");
+        let values = argument(weights, self.values(function, None).len());
+        let count = values.len();
+        let first = |input: &str| {
+            self.block(
+                &format!("jac_{function}"),
+                &format!("jac_{outputs}_{input}"),
+            )
+        };
+        for found in &self.outputs[&format!("adj1_{function}")] {
+            let block = first(&found.output["adj_".len()..]);
+            found.assert_entries(OF_VALUES, &|j, _| block.weighted(&values, j));
         }
-        for found in &self.outputs["jac_adj1_inverse_dynamics"] {
+        let arguments = self.arguments(function);
+        let joints = arguments.iter().filter(|(name, _)| *name != "base");
+        let joints: Vec<&str> = joints.map(|(name, _)| *name).collect();
+        for found in &self.outputs[&format!("jac_adj1_{function}")] {
             let names = found.output["jac_adj_".len()..].split_once('_');
             let (one, other) = names.expect("two names");
-            let first = self.block("jac_inverse_dynamics", &format!("jac_tau_{one}"));
-            found.assert_entries(&|j, k| match other {
-                "out_tau" => 0.0,
-                WEIGHTS => first.entries[k * first.columns + j],
-                _ => {
-                    let block = format!("jac_jac_tau_{one}_{other}");
-                    let second = self.block("jac_jac_inverse_dynamics", &block);
-                    second.weighted(&weights, j * count, k)
-                }
-            });
+            if other == weights {
+                let block = first(one);
+                found.assert_entries(OF_VALUES, &|j, k| block.entries[k * block.columns + j]);
+            } else if other.starts_with("out_") {
+                found.assert_entries(0.0, &|_, _| 0.0);
+            } else if is_unknown(one) || is_unknown(other) {
+                assert!(found.entries.iter().all(|x| x.is_nan()), "{}", found.output);
+            } else if one == "base" {
+                // The order of two derivatives does not matter, and values are linear in the pose.
+                let block = self.block(
+                    &format!("jac_adj1_{function}"),
+                    &format!("jac_adj_{other}_base"),
+                );
+                found.assert_entries(OF_VALUES, &|j, k| match other {
+                    "base" => 0.0,
+                    _ => block.entries[k * block.columns + j],
+                });
+            } else {
+                let matrix = joints.iter().position(|name| *name == one).expect("known");
+                let columns = 0..found.columns;
+                let rates: Vec<_> = columns
+                    .map(|k| self.difference(derivatives, other, k))
+                    .collect();
+                found.assert_entries(OF_DIFFERENCES, &|j, k| {
+                    let column = count - found.rows + j;
+                    let entry = |i: usize| rates[k][(matrix * count + i) * count + column];
+                    values
+                        .iter()
+                        .enumerate()
+                        .map(|(i, weight)| weight * entry(i))
+                        .sum()
+                });
+            }
         }
     }
 }
 
 impl Printed {
     /// Each entry beside another value; unknown ones are so together.
-    fn assert_entries(&self, expected: &dyn Fn(usize, usize) -> f64) {
+    fn assert_entries(&self, bound: f64, expected: &dyn Fn(usize, usize) -> f64) {
         let places = (0..self.rows).flat_map(|i| (0..self.columns).map(move |j| (i, j)));
         let expected: Vec<f64> = places.map(|(i, j)| expected(i, j)).collect();
         if expected.iter().any(|x| x.is_nan()) {
@@ -346,12 +394,12 @@ impl Printed {
             assert!(all.all(|x| x.is_nan()), "{}", self.output);
             return;
         }
-        assert_near(&self.entries, &expected, OF_VALUES, &self.output);
+        assert_near(&self.entries, &expected, bound, &self.output);
     }
 
-    /// The weighted sum down a column, from some row on.
-    fn weighted(&self, weights: &[f64], row: usize, column: usize) -> f64 {
-        let entries = (row..).map(|row| self.entries[row * self.columns + column]);
+    /// The weighted sum down a column.
+    fn weighted(&self, weights: &[f64], column: usize) -> f64 {
+        let entries = (0..).map(|row| self.entries[row * self.columns + column]);
         entries
             .zip(weights)
             .map(|(entry, weight)| weight * entry)
@@ -372,7 +420,9 @@ fn is_unknown(input: &str) -> bool {
 fn main(arm: &RuntimeRobot, names: &[String]) -> String {
     let mut inputs: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     inputs.insert("arm", arm.fields().to_vec());
-    inputs.insert(WEIGHTS, argument(WEIGHTS, arm.dof()));
+    for (_, weights, _) in REVERSED {
+        inputs.insert(weights, argument(weights, arm.dof()));
+    }
     for name in arm.function_names() {
         for (input, count) in arm.arguments(name).expect("a function") {
             inputs.insert(input, argument(input, count));
@@ -445,11 +495,12 @@ fn assert_near(found: &[f64], expected: &[f64], bound: f64, label: &str) {
 }
 
 /// Functions with derivatives, and those that these are compared with.
-const DIFFERENTIATED: [Function; 7] = [
+const DIFFERENTIATED: [Function; 8] = [
     Function::InverseDynamics,
     Function::InverseDynamicsDerivatives,
     Function::MassMatrix,
     Function::ForwardDynamics,
+    Function::ForwardDynamicsDerivatives,
     Function::ForwardDynamicsAba,
     Function::BiasForce,
     Function::CenterOfMass,
@@ -473,7 +524,9 @@ fn assert_casadi(robot: Robot, fields: &[f64], functions: &[Function]) {
         called.assert_first(function);
     }
     called.assert_second_of_inverse_dynamics();
-    called.assert_adjoint_of_inverse_dynamics();
+    for (function, weights, derivatives) in REVERSED {
+        called.assert_adjoint(function, weights, derivatives);
+    }
 }
 
 #[test]

@@ -123,7 +123,7 @@ impl<R: Ring> Joints<R> {
             Shape::Tuple(parts) => {
                 let mut rest = of_all;
                 let mut picked = Vec::new();
-                for part in *parts {
+                for (_, part) in *parts {
                     let (values, others) = rest.split_at(part.entries(sizes));
                     picked.extend(self.of_shape(part, sizes, values));
                     rest = others;

@@ -58,7 +58,7 @@ impl Labels {
                 }
             }
             Shape::Tuple(parts) => {
-                for (index, part) in parts.iter().enumerate() {
+                for (index, (_, part)) in parts.iter().enumerate() {
                     self.label(part, &below(index), keys);
                 }
             }

@@ -262,7 +262,7 @@ impl<'p> Writer<'p> {
             Shape::Tuple(parts) => {
                 let values = parts
                     .iter()
-                    .map(|part| self.values(part, sizes, next, path));
+                    .map(|(_, part)| self.values(part, sizes, next, path));
                 quote!((#(#values),*))
             }
             // Written over series, in another file.

@@ -71,7 +71,7 @@ impl<'a> Types<'a> {
                 quote!([#one; #count])
             }
             Shape::Tuple(parts) => {
-                let parts = parts.iter().map(|part| self.values(part));
+                let parts = parts.iter().map(|(_, part)| self.values(part));
                 quote!((#(#parts),*))
             }
             Shape::Series => quote!(#path::TaylorCoefficients<T, #n>),
@@ -92,7 +92,7 @@ impl<'a> Types<'a> {
                 quote!([#one; #count])
             }
             Shape::Tuple(parts) => {
-                let parts = parts.iter().map(|part| self.arrangement(part));
+                let parts = parts.iter().map(|(_, part)| self.arrangement(part));
                 quote!((#(#parts,)*))
             }
             // It has a trait of its own.

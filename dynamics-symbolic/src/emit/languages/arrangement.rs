@@ -50,7 +50,9 @@ impl Arrangement {
                 (self.list)(&all.collect::<Vec<_>>())
             }
             Shape::Tuple(parts) => {
-                let all = parts.iter().map(|part| self.value(part, sizes, values));
+                let all = parts
+                    .iter()
+                    .map(|(_, part)| self.value(part, sizes, values));
                 (self.list)(&all.collect::<Vec<_>>())
             }
             // Never written: it is no program over numbers.

@@ -257,9 +257,9 @@ impl<'a> Writer<'a> {
             };
             let shapes: Vec<(String, &Shape)> = match part.function.shape() {
                 Shape::Tuple(shapes) => {
-                    let shapes = shapes.iter().enumerate();
+                    let shapes = shapes.iter();
                     shapes
-                        .map(|(k, shape)| (format!("{name}_{}", k + 1), shape))
+                        .map(|(name, shape)| ((*name).to_owned(), shape))
                         .collect()
                 }
                 shape => vec![(name, shape)],

@@ -4,6 +4,7 @@ use super::super::body::Body;
 use super::derivatives::second_derivative;
 use super::interface::{Input, Output, Size};
 use super::pose::OfPose;
+use super::solved::Solved;
 use super::{FIELDS, Of, argument_sizes, name};
 use crate::function::{Argument, Shape, Sizes};
 use crate::robot::Robot;
@@ -220,23 +221,59 @@ impl Blocks {
     /// The derivatives of these by each input y, the sums of adj_tau_i d^2 tau_i / (d x d y), by the places of outputs, and by the
     /// weights. `second` has the blocks of second derivatives.
     pub(super) fn derived_adjoint(&self, first: &[Output], second: &[Output]) -> Vec<Output> {
-        let mut second = second.iter();
+        let weighted: Vec<_> = second.iter().map(|block| self.weighted(block)).collect();
+        let blocks = self.inputs.len() + self.outputs.len();
+        self.derived_adjoint_of(first, |(one, other), (row, column)| {
+            weighted[one * blocks + other](column * self.inputs[one].entries + row)
+        })
+    }
+
+    /// The same of accelerations that solve the equation of inverse dynamics, and the statements behind which they stand.
+    /// `second` has the values of its second derivatives.
+    pub(super) fn solved(
+        &self,
+        first: &[Output],
+        second: &[Option<String>],
+    ) -> (Vec<String>, Vec<Output>) {
+        let blocks = self.inputs.iter().zip(first);
+        let blocks = blocks.filter_map(|(input, block)| {
+            let (argument, start) = self.of_freedom(input, 0)?;
+            Some((argument, start, block.places()))
+        });
+        let solved = Solved {
+            freedoms: self.freedoms,
+            first: blocks.collect(),
+            second,
+        };
+        let outputs = self.derived_adjoint_of(first, |(one, other), (row, column)| {
+            let one = self.of_freedom(&self.inputs[one], row)?;
+            solved.second(one, self.of_freedom(&self.inputs[other], column)?)
+        });
+        let (name, _) = &self.outputs[0];
+        (solved.statements(&weights_of(name)), outputs)
+    }
+
+    /// The derivatives of the reverse mode of which `second` gives an entry: that of two inputs, and of row and column.
+    fn derived_adjoint_of(
+        &self,
+        first: &[Output],
+        second: impl Fn((usize, usize), (usize, usize)) -> Option<String>,
+    ) -> Vec<Output> {
         let mut outputs = Vec::new();
-        for (input, block) in self.inputs.iter().zip(first) {
+        for (one, (input, block)) in self.inputs.iter().zip(first).enumerate() {
             let derivative = |by: &str| format!("jac_{}_{by}", weights_of(&input.name));
             let height = input.entries;
-            for (other, block) in self.inputs.iter().zip(&mut second) {
+            for (place, other) in self.inputs.iter().enumerate() {
                 let (name, size) = (derivative(&other.name), (height, other.entries));
-                outputs.push(if block.is_unknown() {
+                outputs.push(if input.argument.and(other.argument).is_none() {
                     Output::unknown(name, size)
                 } else {
-                    let weighted = self.weighted(block);
-                    Output::new(name, size, |row, column| weighted(column * height + row))
+                    let entry = |row, column| second((one, place), (row, column));
+                    Output::new(name, size, entry)
                 });
             }
             let places = block.places();
             for (output, (rows, columns)) in &self.outputs {
-                second.next();
                 let size = (height, rows * columns);
                 outputs.push(Output::new(
                     derivative(&format!("out_{output}")),
@@ -275,6 +312,12 @@ impl Blocks {
     fn freedom(&self, input: &Variable, entry: usize) -> usize {
         self.freedoms - input.entries + entry
     }
+
+    /// The argument and the degree of freedom of an entry, if it belongs to one: the pose of a base does not.
+    fn of_freedom(&self, input: &Variable, entry: usize) -> Option<(Argument, usize)> {
+        let argument = input.argument.filter(|one| *one != Argument::Base)?;
+        Some((argument, self.freedom(input, entry)))
+    }
 }
 
 /// The name of the weights of an output, and of the weighted derivatives by an input.
@@ -291,21 +334,20 @@ fn place_of(output: &str, size: Size) -> Input {
     }
 }
 
-/// The matrices of a value in order, those of lists and tuples by numbers.
+/// The matrices of a value in order, those of lists by numbers.
 fn matrices(name: String, shape: &Shape, sizes: Sizes) -> Vec<(String, Size)> {
-    let numbered =
-        |number: usize, shape: &Shape| matrices(format!("{name}_{}", number + 1), shape, sizes);
     match shape {
         Shape::Number => vec![(name, (1, 1))],
         Shape::Matrix(rows, columns) => vec![(name, (rows.of(sizes), columns.of(sizes)))],
         Shape::Each(count, one) => {
-            let all = 0..count.of(sizes);
-            all.flat_map(|number| numbered(number, one)).collect()
+            let all = 1..=count.of(sizes);
+            all.flat_map(|number| matrices(format!("{name}_{number}"), one, sizes))
+                .collect()
         }
         Shape::Tuple(parts) => {
-            let parts = parts.iter().enumerate();
+            let parts = parts.iter();
             parts
-                .flat_map(|(number, part)| numbered(number, part))
+                .flat_map(|(name, part)| matrices((*name).to_owned(), part, sizes))
                 .collect()
         }
         // Never written: it is no program over numbers.

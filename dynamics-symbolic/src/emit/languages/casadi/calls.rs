@@ -11,6 +11,12 @@ pub(super) struct Calls {
 }
 
 impl Calls {
+    /// Whether an array of that name is there.
+    pub(super) fn has(&self, name: &str) -> bool {
+        let start = format!("double *{name} = ");
+        self.statements.iter().any(|line| line.starts_with(&start))
+    }
+
     /// Adds the call of a function, whose inputs are the first ones of the caller. Each output is an array of its name.
     pub(super) fn add(mut self, function: &str, outputs: &[Output]) -> Self {
         let mut pointers = Vec::new();

@@ -9,33 +9,42 @@ pub(super) struct Derivatives {
     first: &'static [Function],
     /// Functions of which derivatives by the pose of a base are made besides.
     on_a_base: &'static [Function],
-    /// Whether second derivatives are those of the inverse dynamics.
-    has_second: bool,
+    /// How second derivatives follow from those of the inverse dynamics.
+    pub(super) second: Option<Second>,
+}
+
+/// How second derivatives follow from those of the inverse dynamics.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Second {
+    /// They are the same.
+    Same,
+    /// The function solves the equation of inverse dynamics (`solved`).
+    Solved,
 }
 
 const OF_INVERSE_DYNAMICS: Derivatives = Derivatives {
     first: &[Function::InverseDynamicsDerivatives, Function::MassMatrix],
     on_a_base: &[],
-    has_second: true,
+    second: Some(Second::Same),
 };
 
 /// Inverse dynamics without accelerations: their program reads zeros there.
 const OF_BIAS_FORCE: Derivatives = Derivatives {
     first: &[Function::InverseDynamicsDerivatives],
     on_a_base: &[Function::MassMatrix],
-    has_second: false,
+    second: None,
 };
 
 const OF_FORWARD_DYNAMICS: Derivatives = Derivatives {
     first: &[Function::ForwardDynamicsDerivatives],
     on_a_base: &[],
-    has_second: false,
+    second: Some(Second::Solved),
 };
 
 const OF_CENTER_OF_MASS: Derivatives = Derivatives {
     first: &[Function::CenterOfMassJacobian],
     on_a_base: &[],
-    has_second: false,
+    second: None,
 };
 
 /// The derivatives of a method, where programs have them.
@@ -68,8 +77,8 @@ impl Derivatives {
 
     /// The program of the second ones.
     pub(super) fn second(&self) -> Option<Request> {
-        self.has_second
-            .then(|| Request::from(Function::InverseDynamicsSecondDerivatives))
+        let second = self.second.as_ref();
+        second.map(|_| Request::from(Function::InverseDynamicsSecondDerivatives))
     }
 }
 

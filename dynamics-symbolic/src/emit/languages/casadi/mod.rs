@@ -15,6 +15,7 @@ mod calls;
 mod derivatives;
 mod interface;
 mod pose;
+mod solved;
 
 use super::body::Body;
 use super::c::precision::{CNumbers, Precision};
@@ -26,7 +27,7 @@ use crate::program::Proven;
 use crate::robot::Robot;
 use blocks::Blocks;
 use calls::Calls;
-use derivatives::derivatives;
+use derivatives::{Second, derivatives};
 use interface::{Input, Output, Patterns, Values, interface};
 
 /// The functions of a robot for CasADi.
@@ -166,7 +167,13 @@ impl File<'_> {
         let Some(second) = derivatives.second().as_ref().and_then(program) else {
             return Some(text);
         };
-        let of_second = blocks.second(&self.body(second).entries(&second.0));
+        let values = self.body(second).entries(&second.0);
+        if derivatives.second == Some(Second::Solved) {
+            text += &self.adjoint(&name, &blocks, &of_first);
+            text += &self.derived_adjoint_of_solved(&name, &blocks, &outputs, &of_first, second);
+            return Some(text);
+        }
+        let of_second = blocks.second(&values);
         let comment = [format!("Second derivatives of `{name}`.")];
         let jac = format!("jac_jac_{name}");
         text += &self.function(
@@ -176,29 +183,57 @@ impl File<'_> {
             &blocks.inputs_of_second(),
             &of_second,
         );
-        text += &self.adjoint(&name, &blocks, &of_first, &of_second);
+        text += &self.adjoint(&name, &blocks, &of_first);
+        text += &self.derived_adjoint(&name, &blocks, &of_first, &of_second);
         Some(text)
     }
 
-    /// The reverse mode of a function with these blocks of first and second derivatives, and its derivatives.
-    fn adjoint(
+    /// The reverse mode of a function with these blocks of first derivatives.
+    fn adjoint(&mut self, of: &str, blocks: &Blocks, first: &[Output]) -> String {
+        let calls = Calls::default().add(&format!("jac_{of}"), first);
+        let comment = format!("First derivatives of `{of}`, transposed, times `adj_..`.");
+        let (inputs, outputs) = (blocks.inputs_of_adjoint(), blocks.adjoint(first));
+        self.calling(&format!("adj1_{of}"), comment, calls, &inputs, &outputs)
+    }
+
+    /// Its derivatives, of blocks of second derivatives.
+    fn derived_adjoint(
         &mut self,
         of: &str,
         blocks: &Blocks,
         first: &[Output],
         second: &[Output],
     ) -> String {
-        let calls = || Calls::default().add(&format!("jac_{of}"), first);
-        let name = format!("adj1_{of}");
-        let comment = format!("First derivatives of `{of}`, transposed, times `adj_..`.");
-        let (inputs, outputs) = (blocks.inputs_of_adjoint(), blocks.adjoint(first));
-        let adjoint = self.calling(&name, comment, calls(), &inputs, &outputs);
-        let calls = calls().add(&format!("jac_jac_{of}"), second);
-        let comment = format!("First derivatives of `{name}`.");
+        let calls = Calls::default().add(&format!("jac_{of}"), first);
+        let calls = calls.add(&format!("jac_jac_{of}"), second);
+        let comment = format!("First derivatives of `adj1_{of}`.");
         let inputs = blocks.inputs_of_derived_adjoint();
         let outputs = blocks.derived_adjoint(first, second);
-        let name = format!("jac_{name}");
-        adjoint + &self.calling(&name, comment, calls, &inputs, &outputs)
+        self.calling(&format!("jac_adj1_{of}"), comment, calls, &inputs, &outputs)
+    }
+
+    /// The same of accelerations that solve the equation of inverse dynamics, whose second derivatives a program has.
+    fn derived_adjoint_of_solved(
+        &mut self,
+        of: &str,
+        blocks: &Blocks,
+        values: &[Output],
+        first: &[Output],
+        second: Of<'_>,
+    ) -> String {
+        let calls = Calls::default().add(of, values);
+        let calls = calls.add(&format!("jac_{of}"), first);
+        let body = self.body(second);
+        let mut statements = body.statements(&second.0);
+        let (sums, outputs) = blocks.solved(first, &body.entries(&second.0));
+        statements.extend(sums);
+        let inputs = blocks.inputs_of_derived_adjoint();
+        let mut lines = self.weights(&inputs);
+        lines.extend(self.reads(second, &inputs, &statements, &calls));
+        let lines = [calls.statements, lines, statements].concat();
+        let comment = [format!("First derivatives of `adj1_{of}`.")];
+        let name = format!("jac_adj1_{of}");
+        self.defined(&name, &comment, lines, &inputs, &outputs, calls.room)
     }
 
     /// A function of that name that calls others.
@@ -244,8 +279,8 @@ impl File<'_> {
         let (request, _) = program;
         let statements = self.body(program).statements(request);
         let values = outputs.iter().flat_map(Output::entries).flatten();
-        let texts: Vec<_> = statements.iter().chain(values).collect();
-        let mut lines = self.reads(program, inputs, &texts);
+        let texts: Vec<_> = statements.iter().chain(values).cloned().collect();
+        let mut lines = self.reads(program, inputs, &texts, &Calls::default());
         lines.extend(statements);
         self.defined(name, documentation, lines, inputs, outputs, 0)
     }
@@ -274,8 +309,15 @@ impl File<'_> {
         body + &interface(name, inputs, outputs, room, &mut self.patterns)
     }
 
-    /// The statements by which what texts of a program read is found among the inputs; zeros where an input is not there.
-    fn reads(&mut self, program: Of<'_>, inputs: &[Input], texts: &[&String]) -> Vec<String> {
+    /// The statements by which what texts of a program read is found among the inputs, unless calls give it; zeros where
+    /// an input is not there.
+    fn reads(
+        &mut self,
+        program: Of<'_>,
+        inputs: &[Input],
+        texts: &[String],
+        calls: &Calls,
+    ) -> Vec<String> {
         let (request, proven) = program;
         let sizes = proven.sizes(request, self.robot.freedoms());
         let arguments = argument_sizes(request, sizes);
@@ -300,7 +342,7 @@ impl File<'_> {
             lines.push(format!("const robot_dynamics_fields *{FIELDS} = &fields;"));
         }
         for (name, size) in arguments {
-            if is_read(&format!("{name}[")) {
+            if is_read(&format!("{name}[")) && !calls.has(name) {
                 self.longest = self.longest.max(size);
                 lines.push(format!("const double *{name} = {};", pointer(name)));
             }
