@@ -9,6 +9,8 @@ use crate::validate::{heaviest_of, in_kilograms, lightest_of};
 #[derive(Debug)]
 pub(super) struct Body {
     pub(super) name: String,
+    /// The place of its link.
+    pub(super) place: Place,
     pub(super) mass: (f64, Place),
     /// The centre of mass in the frame of the link, m.
     pub(super) com: (Point, Place),
@@ -29,6 +31,11 @@ impl Body {
         ((xx + yy + zz) / 2.0 / self.mass.0).sqrt()
     }
 
+    /// The half diagonal of its geometry, if that is known.
+    fn size(&self) -> Option<f64> {
+        Some(Bounds::of(&self.geometry)?.radius())
+    }
+
     /// The box around joints and geometry.
     fn bounds(&self) -> Option<Bounds> {
         let joints = self.joints.as_ref()?;
@@ -41,38 +48,71 @@ impl Body {
     }
 }
 
-/// Mass so many times further from its centre than the whole geometry reaches is not inside: the greatest ratio of a body
-/// that is, is 1, of one in a box 0.58 if it is uniform.
+/// Mass so many times further from its centre than the whole geometry reaches is not inside of it: a body that is has 1 at
+/// most, and a uniform box 0.58.
 const BEYOND_GEOMETRY: f64 = 2.0;
 
-/// A body in a geometry that is so many times larger is a point in it: a small heavy motor in a long thin cover has 10.
+/// A body so many times smaller than its geometry is a point in it: a motor at the end of a long thin cover has 5.
 const BELOW_GEOMETRY: f64 = 30.0;
 
-/// Mass may be so many times further from its centre than the longest part of the robot is long.
+/// Mass may be so many times further from its centre than the longest part of the robot is long. In published files it
+/// is up to 2, beside tensors of 1 kg m^2 that nobody measured.
 const BEYOND_ROBOT: f64 = 3.0;
 
-/// A centre of mass may be so many times further outside of its link than the longest part of the robot is long.
+/// A centre of mass may be so many times further outside of its link than the longest part of the robot is long. In
+/// published files it is up to 1.5, at the stand of a finger.
 const OUTSIDE: f64 = 2.0;
+
+/// Bodies of this share of the mass and of the inertia of the robot, or less, stand for nothing: programs that refuse a mass
+/// of 0 are given them.
+const NOTHING: f64 = 1e-4;
 
 /// The density of osmium, kg/m^3: nothing is denser.
 const DENSEST: f64 = 22_590.0;
 
-/// All that is doubtful about bodies of a robot whose longest way between joints is that long, m.
-pub(super) fn findings(bodies: &[Body], way: f64) -> Vec<Finding> {
-    let sizes = bodies.iter().filter_map(|body| Bounds::of(&body.geometry));
-    let longest = sizes.map(|size| size.radius()).fold(way, f64::max);
+/// A geometry that is so many times larger than the longest way between joints, and than 10 m, is in mm.
+const IN_MILLIMETRES: f64 = 100.0;
+
+/// The lengths of a robot, m.
+struct Lengths {
+    /// The longest way between joints, or half of the diagonal of a geometry.
+    longest: f64,
+    /// All ways together, and that to a centre of mass: nothing is further away.
+    all: f64,
+    /// Geometries of more are in mm.
+    most: f64,
+}
+
+/// All that is doubtful about bodies of a robot with these ways between joints, m.
+pub(super) fn findings(bodies: &[Body], ways: &[f64]) -> Vec<Finding> {
+    let greatest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(0.0, f64::max);
+    let way = greatest(&mut ways.iter().copied());
+    let most = if way > 0.0 {
+        (IN_MILLIMETRES * way).max(10.0)
+    } else {
+        f64::INFINITY
+    };
+    let sizes = bodies.iter().filter_map(Body::size);
+    let longest = greatest(&mut sizes.filter(|size| *size <= most)).max(way);
+    let com = greatest(&mut bodies.iter().map(|body| norm(body.com.0)));
+    let lengths = Lengths {
+        longest,
+        all: ways.iter().sum::<f64>() + longest.max(com),
+        most,
+    };
     let mut found = Vec::new();
     for body in bodies
         .iter()
         .filter(|body| !body.is_allowed && body.mass.0 > 0.0)
     {
-        let of_mass = mass(body, longest);
-        // What is found with a wrong mass says nothing of the tensor.
-        found.extend(of_mass.or_else(|| inertia(body, longest)));
+        let told = mass(body, longest).or_else(|| geometry(body, way, &lengths));
+        // A wrong mass says nothing of the tensor, nor does a geometry in mm.
+        let is_judged = told.is_none() && !is_nothing(body, bodies, longest);
+        found.extend(told);
+        found.extend(is_judged.then(|| inertia(body, longest)).flatten());
         found.extend(centre(body, longest));
-        found.extend(geometry(body, way));
     }
-    found.extend(total(bodies, longest));
+    found.extend(total(bodies, &lengths));
     found
 }
 
@@ -83,13 +123,18 @@ fn mass(body: &Body, longest: f64) -> Option<Finding> {
     is_odd.then(|| rule::mass_in_other_unit(place, &body.name, mass, longest, right, unit))
 }
 
+fn is_nothing(body: &Body, bodies: &[Body], longest: f64) -> bool {
+    let share = body.mass.0 / bodies.iter().map(|body| body.mass.0).sum::<f64>();
+    share < NOTHING && share * (body.radius() / longest).powi(2) < NOTHING
+}
+
 /// Compares the tensor with the geometry, or where that is not known with balls and the robot.
 fn inertia(body: &Body, longest: f64) -> Option<Finding> {
     let (radius, place) = (body.radius(), body.tensor.1);
     if radius == 0.0 || !radius.is_finite() {
         return None;
     }
-    if let Some(size) = Bounds::of(&body.geometry).map(|bounds| bounds.radius()) {
+    if let Some(size) = body.size() {
         let is_good =
             |radius: f64| (size / BELOW_GEOMETRY..=BEYOND_GEOMETRY * size).contains(&radius);
         let hint = other_unit(|factor| is_good(radius * f64::sqrt(factor)));
@@ -131,22 +176,21 @@ fn centre(body: &Body, longest: f64) -> Option<Finding> {
     is_odd.then(|| rule::centre_outside(place, &body.name, distance, longest, hint))
 }
 
-fn geometry(body: &Body, way: f64) -> Option<Finding> {
-    let size = Bounds::of(&body.geometry)?.radius();
-    let is_odd = way > 0.0 && size > 1e3 * way;
-    is_odd.then(|| rule::geometry_in_millimetres(body.mass.1, &body.name, size, way))
+fn geometry(body: &Body, way: f64, lengths: &Lengths) -> Option<Finding> {
+    let size = body.size().filter(|size| *size > lengths.most)?;
+    Some(rule::geometry_in_millimetres(
+        body.place, &body.name, size, way,
+    ))
 }
 
 /// The sum, where no body is told already.
-fn total(bodies: &[Body], longest: f64) -> Option<Finding> {
+fn total(bodies: &[Body], lengths: &Lengths) -> Option<Finding> {
     let total: f64 = bodies.iter().map(|body| body.mass.0).sum();
     let first = bodies.iter().find(|body| body.mass.0 > 0.0)?;
-    let most = bodies.len() as f64 * heaviest_of(longest);
-    let is_told = bodies
-        .iter()
-        .any(|body| body.mass.0 > heaviest_of(longest) || body.is_allowed);
-    let is_odd = longest > 0.0 && !is_told && !(lightest_of(longest)..=most).contains(&total);
-    is_odd.then(|| rule::total_mass(first.mass.1, total, longest))
+    let is_told = |body: &Body| body.is_allowed || body.mass.0 > heaviest_of(lengths.longest);
+    let good = lightest_of(lengths.longest)..=heaviest_of(lengths.all);
+    let is_odd = lengths.longest > 0.0 && !good.contains(&total) && !bodies.iter().any(is_told);
+    is_odd.then(|| rule::total_mass(first.mass.1, total, lengths.all))
 }
 
 /// The words behind a remedy if a thousandth or a millionth of a number would be good.

@@ -97,7 +97,7 @@ rules! {
         "the centre of mass of `{link}` is {distance} m beside its link, in a robot whose longest part is {extent} m",
         "write it in the frame of the link, in m{hint}";
     /// The mass of a link that would be plausible in g or in mg.
-    Warning mass_in_other_unit(link: &str => shortened, mass: f64 => number, longest: f64 => short, right: f64 => number, unit: &str)
+    Warning mass_in_other_unit(link: &str => shortened, mass: f64 => number, longest: f64 => short, right: f64 => short, unit: &str)
         "the link `{link}` has {mass} kg, in a robot whose longest part is {longest} m",
         "masses are in kg: {mass} {unit} are {right} kg";
     /// A geometry that is thousands of times larger than the robot.

@@ -24,8 +24,8 @@ pub(super) fn findings(table: &Table, robot: &Robot) -> Vec<Finding> {
     };
     let own = bodies(robot.convention);
     let ways = own.iter().filter_map(|body| body.joints.as_ref()).flatten();
-    let way = ways.map(|point| norm(*point)).fold(0.0, f64::max);
-    let mut found = body::findings(&own, way);
+    let ways: Vec<f64> = ways.map(|point| norm(*point)).collect();
+    let mut found = body::findings(&own, &ways);
     found.extend(sides::findings(&own));
     found.extend(gravity(table, robot));
     let other = match robot.convention {
@@ -86,6 +86,7 @@ fn body(
         .or(table.allow());
     Some(Body {
         name: row.name.clone(),
+        place: start,
         mass: (
             number(&row.mass)?,
             written.body.mass.value().map_or(start, |mass| mass.place),

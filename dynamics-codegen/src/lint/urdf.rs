@@ -61,12 +61,8 @@ pub(super) fn judged(declared: &Declared, document: &Document) -> Judged {
         .iter()
         .filter_map(|link| file.body(*link))
         .collect();
-    let way = file
-        .joints
-        .iter()
-        .map(|joint| norm(joint.xyz))
-        .fold(0.0, f64::max);
-    findings.extend(body::findings(&bodies, way));
+    let ways: Vec<f64> = file.joints.iter().map(|joint| norm(joint.xyz)).collect();
+    findings.extend(body::findings(&bodies, &ways));
     findings.extend(sides::findings(&bodies));
     let moving_base = file.moving_base();
     if let Some(first) = &moving_base {
@@ -181,6 +177,7 @@ impl File<'_> {
             ),
             geometry: shapes.concat(),
             is_allowed: false,
+            place: self.place(link),
             name,
         })
     }
