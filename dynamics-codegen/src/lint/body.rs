@@ -73,14 +73,16 @@ const DENSEST: f64 = 22_590.0;
 /// A geometry that is so many times larger than the longest way between joints, and than 10 m, is in mm.
 const IN_MILLIMETRES: f64 = 100.0;
 
-/// The lengths of a robot, m.
-struct Lengths {
+/// Lengths of a robot, m, and its mass.
+struct Whole {
     /// The longest way between joints, or half of the diagonal of a geometry.
     longest: f64,
     /// All ways together, and that to a centre of mass: nothing is further away.
     all: f64,
     /// Geometries of more are in mm.
     most: f64,
+    /// The mass of all links, kg.
+    mass: f64,
 }
 
 /// All that is doubtful about bodies of a robot with these ways between joints, m.
@@ -95,24 +97,25 @@ pub(super) fn findings(bodies: &[Body], ways: &[f64]) -> Vec<Finding> {
     let sizes = bodies.iter().filter_map(Body::size);
     let longest = greatest(&mut sizes.filter(|size| *size <= most)).max(way);
     let com = greatest(&mut bodies.iter().map(|body| norm(body.com.0)));
-    let lengths = Lengths {
+    let whole = Whole {
         longest,
         all: ways.iter().sum::<f64>() + longest.max(com),
         most,
+        mass: bodies.iter().map(|body| body.mass.0).sum(),
     };
     let mut found = Vec::new();
     for body in bodies
         .iter()
         .filter(|body| !body.is_allowed && body.mass.0 > 0.0)
     {
-        let told = mass(body, longest).or_else(|| geometry(body, way, &lengths));
+        let told = mass(body, longest).or_else(|| geometry(body, way, &whole));
         // A wrong mass says nothing of the tensor, nor does a geometry in mm.
-        let is_judged = told.is_none() && !is_nothing(body, bodies, longest);
+        let is_judged = told.is_none() && !is_nothing(body, &whole);
         found.extend(told);
         found.extend(is_judged.then(|| inertia(body, longest)).flatten());
         found.extend(centre(body, longest));
     }
-    found.extend(total(bodies, &lengths));
+    found.extend(total(bodies, &whole));
     found
 }
 
@@ -123,9 +126,9 @@ fn mass(body: &Body, longest: f64) -> Option<Finding> {
     is_odd.then(|| rule::mass_in_other_unit(place, &body.name, mass, longest, right, unit))
 }
 
-fn is_nothing(body: &Body, bodies: &[Body], longest: f64) -> bool {
-    let share = body.mass.0 / bodies.iter().map(|body| body.mass.0).sum::<f64>();
-    share < NOTHING && share * (body.radius() / longest).powi(2) < NOTHING
+fn is_nothing(body: &Body, whole: &Whole) -> bool {
+    let share = body.mass.0 / whole.mass;
+    share < NOTHING && share * (body.radius() / whole.longest).powi(2) < NOTHING
 }
 
 /// Compares the tensor with the geometry, or where that is not known with balls and the robot.
@@ -176,21 +179,20 @@ fn centre(body: &Body, longest: f64) -> Option<Finding> {
     is_odd.then(|| rule::centre_outside(place, &body.name, distance, longest, hint))
 }
 
-fn geometry(body: &Body, way: f64, lengths: &Lengths) -> Option<Finding> {
-    let size = body.size().filter(|size| *size > lengths.most)?;
+fn geometry(body: &Body, way: f64, whole: &Whole) -> Option<Finding> {
+    let size = body.size().filter(|size| *size > whole.most)?;
     Some(rule::geometry_in_millimetres(
         body.place, &body.name, size, way,
     ))
 }
 
 /// The sum, where no body is told already.
-fn total(bodies: &[Body], lengths: &Lengths) -> Option<Finding> {
-    let total: f64 = bodies.iter().map(|body| body.mass.0).sum();
+fn total(bodies: &[Body], whole: &Whole) -> Option<Finding> {
     let first = bodies.iter().find(|body| body.mass.0 > 0.0)?;
-    let is_told = |body: &Body| body.is_allowed || body.mass.0 > heaviest_of(lengths.longest);
-    let good = lightest_of(lengths.longest)..=heaviest_of(lengths.all);
-    let is_odd = lengths.longest > 0.0 && !good.contains(&total) && !bodies.iter().any(is_told);
-    is_odd.then(|| rule::total_mass(first.mass.1, total, lengths.all))
+    let is_told = |body: &Body| body.is_allowed || body.mass.0 > heaviest_of(whole.longest);
+    let good = lightest_of(whole.longest)..=heaviest_of(whole.all);
+    let is_odd = whole.longest > 0.0 && !good.contains(&whole.mass) && !bodies.iter().any(is_told);
+    is_odd.then(|| rule::total_mass(first.mass.1, whole.mass, whole.all))
 }
 
 /// The words behind a remedy if a thousandth or a millionth of a number would be good.

@@ -1,30 +1,57 @@
 //! Left and right sides that differ by one digit.
 
+use std::collections::BTreeMap;
+
 use super::body::Body;
 use super::rule::{self, Finding};
 
 /// So many numbers other than zero have to agree.
 const AGREE: usize = 3;
 
-/// Parts of names that differ between two sides, the letters that they share left out.
-const SIDES: [[&str; 2]; 3] = [["lef", "righ"], ["Lef", "Righ"], ["LEF", "RIGH"]];
+/// The words of both sides, in front of any others.
+const WORDS: [[&str; 2]; 3] = [["left", "right"], ["Left", "Right"], ["LEFT", "RIGHT"]];
+
+/// Letters of both sides, alone or beside one other letter, `l_arm` and `lf_foot`, or the first of a name, `larm`.
 const LETTERS: [[&str; 2]; 2] = [["l", "r"], ["L", "R"]];
 
 /// Pairs of links, each told at the second one.
 pub(super) fn findings(bodies: &[Body]) -> Vec<Finding> {
-    let mut found = Vec::new();
-    for (index, body) in bodies.iter().enumerate() {
-        let others = bodies[..index]
-            .iter()
-            .filter(|other| are_sides(&other.name, &body.name));
-        found.extend(others.filter_map(|other| differing(body, other)));
+    let named = bodies
+        .iter()
+        .enumerate()
+        .map(|(index, body)| (&*body.name, index));
+    let named: BTreeMap<&str, usize> = named.collect();
+    let pairs = bodies.iter().enumerate().flat_map(|(index, body)| {
+        let others = right_of(&body.name);
+        let others = others.into_iter().filter_map(|name| named.get(&*name));
+        others.map(move |other| [index.min(*other), index.max(*other)])
+    });
+    pairs
+        .filter_map(|[first, second]| differing(&bodies[second], &bodies[first]))
+        .collect()
+}
+
+/// The names that the right one of something may have whose left one has this name.
+fn right_of(name: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    for (at, _) in name.char_indices() {
+        let (before, rest) = name.split_at(at);
+        let replaced =
+            |[left, right]: &[&str; 2]| Some([before, right, rest.strip_prefix(left)?].concat());
+        names.extend(WORDS.iter().find_map(replaced));
+        let letters =
+            |word: &mut dyn Iterator<Item = char>| word.take_while(|c| c.is_alphabetic()).count();
+        let beside = letters(&mut before.chars().rev()) + letters(&mut rest.chars().skip(1));
+        if beside <= 1 || at == 0 {
+            names.extend(LETTERS.iter().find_map(replaced));
+        }
     }
-    found
+    names
 }
 
 /// The finding if all numbers but one agree up to their signs, and that one by all but a digit.
 fn differing(body: &Body, other: &Body) -> Option<Finding> {
-    const WORDS: [&str; 10] = [
+    const NUMBERS: [&str; 10] = [
         "the mass",
         "x of its centre",
         "y of its centre",
@@ -38,11 +65,11 @@ fn differing(body: &Body, other: &Body) -> Option<Finding> {
     ];
     let [ours, theirs] = [body, other].map(numbers);
     let agree = |i: &usize| (ours[*i] - theirs[*i]).abs() <= 1e-9 * ours[*i].max(theirs[*i]);
-    let mut differ = (0..WORDS.len()).filter(|i| !agree(i));
+    let mut differ = (0..NUMBERS.len()).filter(|i| !agree(i));
     let (only, None) = (differ.next()?, differ.next()) else {
         return None;
     };
-    let agreeing = (0..WORDS.len())
+    let agreeing = (0..NUMBERS.len())
         .filter(|i| agree(i) && ours[*i] > 0.0)
         .count();
     let digits = [ours[only], theirs[only]].map(|number| number.to_string());
@@ -59,7 +86,7 @@ fn differing(body: &Body, other: &Body) -> Option<Finding> {
             place_of(body),
             &body.name,
             &other.name,
-            WORDS[only],
+            NUMBERS[only],
             own,
             line,
             others,
@@ -75,42 +102,15 @@ fn numbers(body: &Body) -> [f64; 10] {
     numbers.map(f64::abs)
 }
 
-/// Whether two names are those of one thing on both sides: `left_arm` and `right_arm`, `l_arm`, `lf_foot`, `FL`.
-fn are_sides(one: &str, other: &str) -> bool {
-    let [a, b] = [one, other].map(|name| name.chars().collect::<Vec<char>>());
-    let before = a.iter().zip(&b).take_while(|(a, b)| a == b).count();
-    let shared = a.len().min(b.len()) - before;
-    let behind = a
-        .iter()
-        .rev()
-        .zip(b.iter().rev())
-        .take(shared)
-        .take_while(|(a, b)| a == b)
-        .count();
-    let [left, right] =
-        [&a, &b].map(|name| name[before..name.len() - behind].iter().collect::<String>());
-    let is_one_of = |sides: &[[&str; 2]]| {
-        sides
-            .iter()
-            .any(|[l, r]| (left == *l && right == *r) || (left == *r && right == *l))
-    };
-    // A letter alone, or one of two, `l_arm`, `lf_foot`, `FL`; or the first one of all, `larm`.
-    let word = |letters: &mut dyn Iterator<Item = &char>| {
-        letters.take_while(|c| c.is_alphabetic()).count()
-    };
-    let beside = word(&mut a[..before].iter().rev()) + word(&mut a[before..].iter().skip(1));
-    is_one_of(&SIDES) || (is_one_of(&LETTERS) && (beside <= 1 || before == 0))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::are_sides;
+    use super::right_of;
 
     #[test]
     fn names_of_both_sides_are_known() {
-        for [one, other] in [
+        for [left, right] in [
             ["left_arm", "right_arm"],
-            ["arm_right_2", "arm_left_2"],
+            ["arm_left_2", "arm_right_2"],
             ["LeftArm", "RightArm"],
             ["l_elbow", "r_elbow"],
             ["elbow_L", "elbow_R"],
@@ -119,17 +119,10 @@ mod tests {
             ["LElbow", "RElbow"],
             ["larm_link1", "rarm_link1"],
         ] {
-            assert!(are_sides(one, other), "{one}");
+            assert!(right_of(left).iter().any(|name| name == right), "{left}");
         }
-        for [one, other] in [
-            ["ball", "barl"],
-            ["left_arm", "left_arm"],
-            ["left_arm", "right_leg"],
-            ["link_1", "link_2"],
-            ["", ""],
-            ["l", "rr"],
-        ] {
-            assert!(!are_sides(one, other), "{one}");
+        for none in ["ball", "shoulder", "hull_2", "", "arm"] {
+            assert_eq!(right_of(none), [""; 0], "{none}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Links and joints of a URDF file, as far as no model needs them: geometry, effort, lengths of axes, names.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use dynamics_symbolic::robot::{Angle, Value};
 use roxmltree::{Document, Node};
@@ -20,6 +20,10 @@ struct File<'d> {
     declared: &'d Declared<'d>,
     links: Vec<Node<'d, 'd>>,
     joints: Vec<Joint<'d>>,
+    /// Where joints are on the link that carries them.
+    carried: BTreeMap<&'d str, Vec<Point>>,
+    /// The links that joints carry.
+    children: BTreeSet<&'d str>,
 }
 
 struct Joint<'d> {
@@ -42,10 +46,17 @@ impl Joint<'_> {
 pub(super) fn judged(declared: &Declared, document: &Document) -> Judged {
     let root = document.root_element();
     let named = |name: &'static str| elements(root).filter(move |node| is_named(*node, name));
+    let joints: Vec<Joint> = named("joint").map(joint).collect();
+    let mut carried = BTreeMap::<_, Vec<_>>::new();
+    for joint in &joints {
+        carried.entry(joint.parent).or_default().push(joint.xyz);
+    }
     let file = File {
         declared,
         links: named("link").collect(),
-        joints: named("joint").map(joint).collect(),
+        carried,
+        children: joints.iter().map(|joint| joint.child).collect(),
+        joints,
     };
     let mut findings: Vec<Finding> = file
         .joints
@@ -160,7 +171,7 @@ impl File<'_> {
             .try_into()
             .ok()?;
         let name = name(link).to_owned();
-        let carried = self.joints.iter().filter(|joint| joint.parent == name);
+        let carried = self.carried.get(&*name).into_iter().flatten();
         let shapes = ["visual", "collision"].map(|shape| corners(link, shape).unwrap_or_default());
         Some(Body {
             mass: (number(mass, "value")?, self.place(mass)),
@@ -169,12 +180,7 @@ impl File<'_> {
                 self.place(child(inertial, "origin").unwrap_or(inertial)),
             ),
             tensor: (tensor, self.place(inertia)),
-            joints: Some(
-                [[0.0; 3]]
-                    .into_iter()
-                    .chain(carried.map(|joint| joint.xyz))
-                    .collect(),
-            ),
+            joints: Some([[0.0; 3]].iter().chain(carried).copied().collect()),
             geometry: shapes.concat(),
             is_allowed: false,
             place: self.place(link),
@@ -185,7 +191,7 @@ impl File<'_> {
     /// A link without mass that has a geometry. A root that stands has none often.
     fn of_massless(&self, link: Node) -> Option<Finding> {
         let mass = child(child(link, "inertial")?, "mass")?;
-        let is_carried = self.joints.iter().any(|joint| joint.child == name(link));
+        let is_carried = self.children.contains(name(link));
         let has_geometry = child(link, "visual").or(child(link, "collision")).is_some();
         let is_odd = number(mass, "value")? == 0.0 && has_geometry && is_carried;
         is_odd.then(|| rule::no_mass_but_geometry(self.place(mass), name(link)))
@@ -255,11 +261,10 @@ impl File<'_> {
 
     /// The link at which a robot begins whose base moves; none of a whole file in which nothing else moves.
     fn moving_base(&self) -> Option<Option<String>> {
-        let children: BTreeSet<&str> = self.joints.iter().map(|joint| joint.child).collect();
         let mut roots = self
             .links
             .iter()
-            .filter(|link| !children.contains(name(**link)));
+            .filter(|link| !self.children.contains(name(**link)));
         let (root, None) = (name(*roots.next()?), roots.next()) else {
             return None;
         };

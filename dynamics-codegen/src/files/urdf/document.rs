@@ -201,7 +201,8 @@ fn report_unknown_links(tree: &Tree, diagnostics: &Diagnostics) {
     let known: Vec<&str> = tree.links.iter().map(|link| link.name.as_str()).collect();
     for joint in &tree.joints {
         for link in [&joint.parent, &joint.child] {
-            if !known.contains(&link.as_str()) {
+            // To look for what was meant takes long, and no more is shown.
+            if !known.contains(&link.as_str()) && !diagnostics.is_full() {
                 let meant = words::nearest(link, &known);
                 let mistake = mistake::unknown_link_of(&joint.name, link, meant);
                 diagnostics.error(joint.place, mistake);
