@@ -79,7 +79,8 @@ fn rules(file: &str) -> Vec<String> {
 
 #[test]
 fn each_defect_is_found_at_its_line() {
-    let cases: [(&str, &[(&str, &str, u64)]); 12] = [
+    type Expected<'e> = &'e [(&'e str, &'e str, u64)];
+    let cases: [(&str, Expected); 12] = [
         ("tensor_of_no_body", &[("error", "urdf::no_body", 5)]),
         (
             "limits_reversed",
