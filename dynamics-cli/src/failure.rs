@@ -32,6 +32,11 @@ impl Failure {
         }
     }
 
+    /// A failure that the output tells.
+    pub(crate) fn told_by(output: String) -> Self {
+        Failure::after(output, "")
+    }
+
     /// The failure with another output behind it.
     pub(crate) fn with_output(self, output: String) -> Self {
         Failure { output, ..self }

@@ -14,6 +14,7 @@ mod failure;
 mod generate;
 mod inverse;
 mod joints;
+mod lint;
 mod load;
 mod measure;
 mod page_file;
@@ -46,7 +47,10 @@ fn main() -> ExitCode {
     match failure {
         None => ExitCode::SUCCESS,
         Some(failure) => {
-            let _ = writeln!(std::io::stderr(), "{}", failure.report());
+            let report = failure.report();
+            if !report.is_empty() {
+                let _ = writeln!(std::io::stderr(), "{report}");
+            }
             ExitCode::from(failure.status)
         }
     }
@@ -66,6 +70,7 @@ fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
         "measure" => measure::run(given),
         "page" => page_file::run(given),
         "convert" => convert::run(given),
+        "lint" => return lint::run(given),
         _ => Ok(arguments::completions(given)),
     };
     match text {

@@ -16,8 +16,21 @@ use crate::place::Place;
 pub struct Error {
     /// Where.
     pub place: Place,
+    /// The rule that is broken: `urdf::no_body`.
+    pub rule: &'static str,
     /// The text: what is wrong, what was expected, and what to write instead where that is known.
     pub message: String,
+}
+
+impl Error {
+    /// A mistake in the words of an audience.
+    pub(crate) fn new(place: Place, mistake: &Mistake, audience: Audience) -> Error {
+        Error {
+            place,
+            rule: mistake.rule(),
+            message: mistake.text_for(audience).to_owned(),
+        }
+    }
 }
 
 /// Evidence that an error was reported: whoever receives it has nothing to add.
@@ -110,10 +123,7 @@ impl Diagnostics {
     /// The same, each in the words of that audience.
     pub(crate) fn shown_to(self, audience: Audience) -> Vec<Error> {
         let errors = self.into_errors().into_iter();
-        let error = |(place, mistake): (Place, Mistake)| Error {
-            place,
-            message: mistake.text_for(audience).to_owned(),
-        };
+        let error = |(place, mistake)| Error::new(place, &mistake, audience);
         errors.map(error).collect()
     }
 

@@ -15,7 +15,7 @@
 //!    still passes the type check.
 //!
 //! `diagnose` collects the errors of a call, which are reported together, each at its `place`. `mistake` has all their
-//! texts, each in the words of its `audience`. `words` finds the word that was meant; `limits` says how much a call may
+//! texts, each in the words of its `audience`; `lint` finds what is doubtful in files besides. `words` finds the word that was meant; `limits` says how much a call may
 //! need.
 #![forbid(unsafe_code)]
 
@@ -32,7 +32,10 @@ pub mod files;
 pub mod geometry;
 mod keys;
 mod limits;
+#[cfg(feature = "files")]
+pub mod lint;
 mod mistake;
+mod note;
 mod parse;
 mod place;
 mod read;
@@ -44,6 +47,7 @@ mod words;
 pub use audience::Audience;
 pub use degrees::{angle_in_degrees, positions_in_degrees};
 pub use diagnose::Error;
+pub use note::{Note, Severity};
 pub use validate::Model;
 pub use words::{nearest, visible};
 

@@ -207,6 +207,8 @@ impl Node {
 pub(crate) struct Lines<'t> {
     text: &'t str,
     starts: Vec<usize>,
+    /// Whether each letter is a byte: columns of a file that is one long line are not counted then.
+    is_ascii: bool,
 }
 
 #[cfg(feature = "files")]
@@ -216,6 +218,7 @@ impl<'t> Lines<'t> {
         Lines {
             text,
             starts: core::iter::once(0).chain(breaks).collect(),
+            is_ascii: text.is_ascii(),
         }
     }
 
@@ -226,8 +229,14 @@ impl<'t> Lines<'t> {
         let start = self.starts[line - 1];
         let before = self.text.as_bytes()[start..offset].iter();
         // A letter of several bytes is one column: the bytes behind its first one start with the bits 10.
-        let column = 1 + before.filter(|byte| *byte & 0xc0 != 0x80).count();
-        Place::File { line, column }
+        let letters = match self.is_ascii {
+            true => before.len(),
+            false => before.filter(|byte| *byte & 0xc0 != 0x80).count(),
+        };
+        Place::File {
+            line,
+            column: 1 + letters,
+        }
     }
 }
 
@@ -239,6 +248,10 @@ mod tests {
     fn letters_are_counted_in_their_line() {
         let lines = Lines::new("a\nbü = 1\n");
         for (offset, expected) in [(0, (1, 1)), (2, (2, 1)), (5, (2, 3)), (99, (3, 1))] {
+            assert_eq!(lines.place(offset).position(), expected, "{offset}");
+        }
+        let lines = Lines::new("a\nbu = 1\n");
+        for (offset, expected) in [(0, (1, 1)), (2, (2, 1)), (5, (2, 4)), (99, (3, 1))] {
             assert_eq!(lines.place(offset).position(), expected, "{offset}");
         }
     }

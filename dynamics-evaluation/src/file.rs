@@ -38,6 +38,8 @@ pub struct FileMistake {
     pub line: usize,
     /// The column of the first letter, counted from 1.
     pub column: usize,
+    /// The rule that is broken: `urdf::no_body`.
+    pub rule: &'static str,
     /// The mistake, and what was expected.
     pub message: String,
 }
@@ -49,6 +51,7 @@ impl fmt::Display for FileMistake {
             line,
             column,
             message,
+            ..
         } = self;
         match file {
             Some(file) => write!(f, "{}:{line}:{column}: {message}", file.display()),
@@ -57,23 +60,40 @@ impl fmt::Display for FileMistake {
     }
 }
 
+impl FileError {
+    /// All that is wrong, each with its place: of a file that is not read, its start.
+    #[doc(hidden)]
+    pub fn mistakes(&self) -> Vec<FileMistake> {
+        let whole = |file: &PathBuf, rule, message| {
+            vec![FileMistake {
+                file: Some(file.clone()),
+                line: 1,
+                column: 1,
+                rule,
+                message,
+            }]
+        };
+        match self {
+            FileError::Unreadable(file, reason, _) => whole(
+                file,
+                "file::unreadable",
+                format!("cannot be read: {reason}"),
+            ),
+            FileError::UnknownFormat(file) => {
+                let message = "the name tells no format: expected a file that ends in `.toml`, `.json` or `.urdf`";
+                whole(file, "file::unknown_format", message.to_owned())
+            }
+            FileError::Mistakes(mistakes) => mistakes.clone(),
+            FileError::Build(file, error) => whole(file, "not_proven", error.to_string()),
+        }
+    }
+}
+
 impl fmt::Display for FileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            FileError::Unreadable(file, reason, _) => {
-                write!(f, "{}:1:1: cannot be read: {reason}", file.display())
-            }
-            FileError::UnknownFormat(file) => write!(
-                f,
-                "{}:1:1: the name tells no format: expected a file that ends in `.toml`, `.json` or `.urdf`",
-                file.display()
-            ),
-            FileError::Mistakes(mistakes) => {
-                let lines: Vec<_> = mistakes.iter().map(FileMistake::to_string).collect();
-                f.write_str(&lines.join("\n"))
-            }
-            FileError::Build(file, error) => write!(f, "{}:1:1: {error}", file.display()),
-        }
+        let mistakes = self.mistakes();
+        let lines: Vec<_> = mistakes.iter().map(FileMistake::to_string).collect();
+        f.write_str(&lines.join("\n"))
     }
 }
 
@@ -330,6 +350,7 @@ fn text_named(path: &Path, file: &FileName) -> Result<(PathBuf, String), FileErr
     let refused = |message| {
         let error = Error {
             place: file.place,
+            rule: "file::named",
             message,
         };
         FileError::Mistakes(vec![mistake(&[(path, usize::MAX)], error)])
@@ -377,6 +398,7 @@ fn without_neglected(mut model: Model) -> Result<Model, Error> {
         let neglected = neglect(&model.robot, share.to_f64(&[]));
         model.robot = neglected.map_err(|refused| Error {
             place: *place,
+            rule: "neglected_too_much",
             message: refused.to_string(),
         })?;
     }
@@ -418,6 +440,7 @@ fn mistake(sources: &[(&Path, usize)], error: Error) -> FileMistake {
         file,
         line,
         column,
+        rule: error.rule,
         message: error.message,
     }
 }
@@ -464,6 +487,6 @@ impl RuntimeRobot {
         let arm = RuntimeRobot::new(model.robot, requests);
         let arm = arm.map_err(|error| FileError::Build(path.to_owned(), error))?;
         let warnings = model.warnings.iter();
-        Ok(arm.with_warnings(warnings.map(|told| told.trim().to_owned()).collect()))
+        Ok(arm.with_warnings(warnings.map(|told| told.text.trim().to_owned()).collect()))
     }
 }

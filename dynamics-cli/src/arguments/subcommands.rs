@@ -21,6 +21,7 @@ pub(super) fn all() -> Vec<Command> {
         measure(),
         convert(),
         page(),
+        lint(),
     ]
 }
 
@@ -306,4 +307,28 @@ fn page() -> Command {
              robot-dynamics page puma560.toml --out puma560.html\n  \
              robot-dynamics page two_link.toml --field m1=3 --field l1=0.5 --out two_link.html",
         )
+}
+
+fn lint() -> Command {
+    Command::new("lint")
+        .about("Find what is wrong or doubtful in robot files, by rules with names")
+        .long_about(
+            "Find what is wrong or doubtful in robot files: all that other commands refuse, and rules of files alone, \
+             such as an effort of 0, an inertia far from the geometry of its link, or two sides that differ by a digit. \
+             Each line has a place, `error`, `warning` or `note`, and the name of the rule in brackets, behind which the \
+             remedy stands. With --format json they are a list of objects. The exit status is 1 if there is an error.\n\n\
+             `.pre-commit-hooks.yaml` of the project has a hook for pre-commit. Meshes are not read.",
+        )
+        .arg(
+            path("file", "The robots: files in TOML, JSON or URDF")
+                .value_name("FILE")
+                .num_args(1..)
+                .required(true),
+        )
+        .arg(
+            choice("format", "FORMAT", ["text", "json"])
+                .default_value("text")
+                .help("Lines of text, or a list in JSON"),
+        )
+        .after_help("Example:\n  robot-dynamics lint arm.urdf puma560.toml --format json")
 }

@@ -35,6 +35,7 @@ use arm::Arm;
 use document::{Allowed, Document, frame_names};
 use number::DIGITS;
 use read_back::{refusals, refused_words};
+pub(crate) use string::quoted;
 use table::Table;
 
 /// The parts of joints that URDF has no words for, as the option `--without` names them.
@@ -87,8 +88,7 @@ fn remarks(path: &Path, is_rounded: bool, model: &Model) -> Vec<String> {
         format!("Converted from {name} by `robot-dynamics convert`. SI units, radians."),
         numbers,
     ];
-    let notes = model.notes.iter().chain(&model.warnings);
-    remarks.extend(notes.map(|note| for_command(note)));
+    remarks.extend(model.remarks().map(|note| for_command(note)));
     if is_rounded {
         remarks.extend(kept(path, &model.robot));
     }

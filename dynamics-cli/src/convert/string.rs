@@ -1,7 +1,7 @@
 //! Strings, as TOML and JSON both write them.
 
 /// A string in quotes, on one line.
-pub(super) fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut quoted = "\"".to_owned();
     for letter in text.chars() {
         match letter {

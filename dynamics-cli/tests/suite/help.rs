@@ -2,7 +2,7 @@
 
 use super::calls::{errors, output};
 
-const SUBCOMMANDS: [&str; 11] = [
+const SUBCOMMANDS: [&str; 12] = [
     "show",
     "check",
     "generate",
@@ -12,6 +12,7 @@ const SUBCOMMANDS: [&str; 11] = [
     "reach",
     "measure",
     "convert",
+    "lint",
     "page",
     "completions",
 ];

@@ -9,6 +9,7 @@ mod evaluate;
 mod fields;
 mod formulas;
 mod help;
+mod lint;
 mod long_arms;
 mod moving_base;
 mod named_file;

@@ -19,8 +19,7 @@ pub(super) fn lines(model: &Model) -> Vec<String> {
     lines.extend(carried(robot));
     lines.extend(frames(model));
     lines.extend(locked(robot));
-    let notes = model.notes.iter().chain(&model.warnings);
-    lines.extend(notes.cloned().flat_map(paragraph));
+    lines.extend(model.remarks().cloned().flat_map(paragraph));
     lines.extend(coupled(robot));
     lines.extend(
         robot

@@ -20,7 +20,7 @@ mod request;
 #[cfg(feature = "files")]
 mod toml;
 #[cfg(feature = "files")]
-mod urdf;
+pub(crate) mod urdf;
 
 use crate::call::Call;
 use crate::description::Entry;

@@ -8,11 +8,12 @@ use dynamics_symbolic::exact::Rational;
 
 use super::request::{Format, MovingBase, Request};
 use super::{beside, fields, json, toml, urdf};
+use crate::audience::Audience;
 use crate::description::{Entry, Expr, FileName, Masses, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
 use crate::mistake::{Mistake, file as mistake};
 use crate::tree::Language;
-use crate::validate::{Model, constant, named::read_masses};
+use crate::validate::{self, Model, constant, named::read_masses};
 
 /// The bytes of a file that has at most so many.
 ///
@@ -59,10 +60,7 @@ fn unread(reason: String) -> std::io::Error {
 ///
 /// The first of them that is none of a text in UTF-8.
 pub fn text(bytes: Vec<u8>) -> Result<String, Error> {
-    decoded(bytes).map_err(|(place, mistake)| Error {
-        place,
-        message: mistake.to_string(),
-    })
+    decoded(bytes).map_err(|(place, mistake)| Error::new(place, &mistake, Audience::default()))
 }
 
 pub(super) fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
@@ -135,7 +133,7 @@ pub fn model_beside(
     let start = beside.name.as_ref().map_or(START, Place::from);
     let mut table = put_beside(text, format, beside, &diagnostics);
     put_name(name, start, &mut table);
-    let model = crate::validate::model(&table, &diagnostics);
+    let model = validate::model(&table, &diagnostics);
     let errors = diagnostics.shown_to(table.audience);
     model.ok_or(errors)
 }
@@ -349,6 +347,17 @@ pub fn file_named(text: &str, format: Format) -> Option<FileName> {
 /// The names in the values of the text of a table.
 pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
     unjudged(text, format).map_or(BTreeSet::new(), |table| table.mentions)
+}
+
+/// The table of a text and its model, if it is a robot by itself: names without a value are fields, and masses may be
+/// missing. A file that names another one is none.
+pub(crate) fn alone(text: &str, format: Format) -> Option<(Table, Model)> {
+    let mut table = unjudged(text, format)?;
+    put_name("robot", START, &mut table);
+    table.masses = Masses::IfAny;
+    fields::complete(&mut table, true);
+    let model = Diagnostics::without(|diagnostics| validate::model(&table, diagnostics))?;
+    Some((table, model))
 }
 
 /// The entries of a text, whatever mistakes are in it.

@@ -49,10 +49,10 @@ mistakes! {
     in_millimetres(length: f64 => number, right: f64 => rounded, place: &str) [allow: allow("odd_length", place)]
         "a length of {length} m: lengths are in m, and {length} mm are `{right}`; correct all lengths alike ({allow} \
          accepts them)";
-    /// The mass of a body, kg, what it is if it was meant in g, and the longest part of the arm, m.
-    in_grams(mass: f64 => number, right: f64 => rounded, longest: f64 => rounded, place: &str)
+    /// The mass of a body, kg, what it is if it was meant in that unit, g or mg, and the longest part of the arm, m.
+    in_grams(mass: f64 => number, unit: &str, right: f64 => rounded, longest: f64 => rounded, place: &str)
         [allow: allow("odd_mass", place)]
-        "a mass of {mass} kg in an arm whose longest part is {longest} m: masses are in kg, and {mass} g are \
+        "a mass of {mass} kg in an arm whose longest part is {longest} m: masses are in kg, and {mass} {unit} are \
          `{right}`; correct all masses alike ({allow} accepts it)";
     /// A centre of mass and no mass.
     com_without_mass(place: &str) [allow: allow("odd_mass", &format!("on the {place}"))]

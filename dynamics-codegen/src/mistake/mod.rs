@@ -3,6 +3,13 @@
 //!
 //! A [`Mistake`] can be made in this module alone, and nothing else can be reported.
 
+/// The rule that a mistake of this module breaks, by the path of its function.
+macro_rules! rule {
+    ($name:ident) => {
+        concat!(module_path!(), "::", stringify!($name))
+    };
+}
+
 /// Makes a function of each mistake, of its name, its arguments (`=> shown` shows one by that function) and the text.
 /// In braces stand values that follow from the arguments, in brackets the advice in words of the audience. With `if`
 /// there are two texts, and the first is taken if that is true.
@@ -18,7 +25,7 @@ macro_rules! mistakes {
         pub(crate) fn $name($($given: $type),*) -> Mistake {
             $($(let $given = $shown($given);)?)*
             $($(let $part = $value;)*)?
-            Mistake::advice(|_audience| {
+            Mistake::advice(rule!($name), |_audience| {
                 $($(let $advice = _audience.$say($($word),*);)*)?
                 $(if !$is_first {
                     return format!($other);
@@ -55,21 +62,28 @@ use crate::words::{either, shortened, visible};
 /// A mistake, as it is shown to each [`Audience`].
 #[derive(Clone, Debug)]
 pub(crate) struct Mistake {
+    rule: &'static str,
     texts: [String; Audience::ALL.len()],
 }
 
 impl Mistake {
     /// The same text for all.
-    fn new(text: impl Into<String>) -> Mistake {
+    fn new(rule: &'static str, text: impl Into<String>) -> Mistake {
         let text = text.into();
-        Mistake::advice(|_| text.clone())
+        Mistake::advice(rule, |_| text.clone())
     }
 
     /// A text with words of the audience in it. It is one line, and nothing in it acts on a terminal, whatever words of
     /// a file it has.
-    fn advice(text: impl Fn(Audience) -> String) -> Mistake {
+    fn advice(rule: &'static str, text: impl Fn(Audience) -> String) -> Mistake {
         let texts = Audience::ALL.map(|audience| text(audience).chars().map(visible).collect());
-        Mistake { texts }
+        Mistake { rule, texts }
+    }
+
+    /// The rule that it breaks, by the module and the name of its function: `urdf::no_body`.
+    pub(crate) fn rule(&self) -> &'static str {
+        const HERE: &str = concat!(module_path!(), "::");
+        self.rule.strip_prefix(HERE).unwrap_or(self.rule)
     }
 
     /// The last mistake that is shown.
@@ -77,7 +91,7 @@ impl Mistake {
         let texts = self
             .texts
             .map(|text| text + " (more errors than are shown)");
-        Mistake { texts }
+        Mistake { texts, ..self }
     }
 
     /// The text for an audience.
@@ -115,10 +129,11 @@ mistakes! {
 
 /// Something else stands where `what` was expected; nothing does where the tokens end.
 pub(crate) fn instead(what: &expected::Expected, found: Option<&str>) -> Mistake {
-    Mistake::new(match found {
+    let text = match found {
         Some(found) => format!("expected {what}, found {found}"),
         None => format!("expected {what}"),
-    })
+    };
+    Mistake::new(rule!(instead), text)
 }
 
 /// The advice: the word that was probably meant, or those that are known.

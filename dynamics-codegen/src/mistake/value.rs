@@ -96,7 +96,7 @@ pub(crate) fn unknown_name(
         format!(" (the joint's own variable is not written: it is added to `{cell}`)")
     });
     let name = shortened(name);
-    Mistake::advice(|audience| {
+    Mistake::advice(rule!(unknown_name), |audience| {
         let hint = match audience {
             Audience::Command if meant.is_none() && is_free(&name) => {
                 format!(

@@ -5,7 +5,8 @@ use super::model;
 const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/");
 
 fn warnings(rest: &str) -> Vec<String> {
-    model(&format!("struct Arm; {rest}")).warnings
+    let warnings = model(&format!("struct Arm; {rest}")).warnings;
+    warnings.into_iter().map(|note| note.text).collect()
 }
 
 fn of_file(name: &str, rest: &str) -> Vec<String> {

@@ -422,10 +422,17 @@ fn loops_of_a_file_are_told() {
     let model = crate::files::model_beside("Bars", &text, Format::Urdf, table);
     let warnings = model.unwrap_or_else(|errors| panic!("{errors:?}")).warnings;
     assert_eq!(warnings.len(), 2, "{warnings:#?}");
-    for (warning, start) in warnings.iter().zip([
-        " Line 7 of the file closes a loop by `<loop_joint name=\"four\">`, which is left out",
-        " Line 8 of the file closes a loop by `<joint name=\"closed\">`, which is left out",
+    for (warning, (line, start)) in warnings.iter().zip([
+        (
+            7,
+            " Line 7 of the file closes a loop by `<loop_joint name=\"four\">`, which is left out",
+        ),
+        (
+            8,
+            " Line 8 of the file closes a loop by `<joint name=\"closed\">`, which is left out",
+        ),
     ]) {
-        assert!(warning.starts_with(start), "{warning}");
+        assert!(warning.text.starts_with(start), "{}", warning.text);
+        assert_eq!((warning.rule, warning.position.0), ("open_loop", line));
     }
 }

@@ -85,6 +85,13 @@ fn masses_in_grams_are_reported_once() {
             "a mass of 750 kg in an arm whose longest part is 0.4 m: ",
             "tool",
         ),
+        // 654 kg are implausible too.
+        (
+            "r: revolute { a: 0.4, mass: 654498, com: [-0.2, 0, 0] }",
+            "",
+            "a mass of 654498 kg in an arm whose longest part is 0.4 m: masses are in kg, and 654498 mg are `0.654498`",
+            "row",
+        ),
     ] {
         let message = message(&call(rows, entries));
         assert!(message.starts_with(told), "{message}");

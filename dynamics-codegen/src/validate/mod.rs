@@ -37,6 +37,7 @@ use crate::description::{Allow, Expr};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_JOINTS;
 use crate::mistake::{Mistake, base as base_mistake, entry, file, joint, size, structure};
+use crate::note::Note;
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use angle::is_in_whole_degrees;
@@ -45,6 +46,8 @@ pub(crate) use body::refusal;
 use couple::Couple;
 use lock::Lock;
 use scope::Scope;
+#[cfg(feature = "files")]
+pub(crate) use units::{heaviest_of, in_kilograms, lightest_of};
 
 /// A robot and the code that is to be generated for it.
 #[derive(Debug)]
@@ -62,7 +65,15 @@ pub struct Model {
     /// Further lines of the struct's documentation.
     pub notes: Vec<String>,
     /// Notes on values that its user may not expect. Whoever reads a file is told them.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Note>,
+}
+
+impl Model {
+    /// All that is noted of it: the lines of the documentation and the warnings.
+    pub fn remarks(&self) -> impl Iterator<Item = &String> {
+        let warnings = self.warnings.iter().map(|note| &note.text);
+        self.notes.iter().chain(warnings)
+    }
 }
 
 /// The model that the call describes, or `None` where an error was reported.

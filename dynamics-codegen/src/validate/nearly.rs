@@ -14,10 +14,11 @@ use dynamics_symbolic::robot::{Angle, Quantity, Robot, Value};
 use super::Model;
 use crate::description::Table;
 use crate::limits::MOST_LISTED;
+use crate::note::{Note, Severity};
 use crate::rounded::{NEARLY, Rounded};
 
 /// The notes on a model.
-pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
+pub(super) fn notes(model: &Model, table: &Table) -> Vec<Note> {
     let robot = &model.robot;
     let remedy = |is_of_urdf: bool, within: f64| match is_of_urdf {
         // The power of ten above it.
@@ -36,7 +37,9 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
     });
     let is_of_file = table.rounded != Rounded::default();
     let meant = format!("{} says that this is meant.", remedy(is_of_file, 1e-9));
-    let mut notes: Vec<String> = rounded.note(&meant).into_iter().collect();
+    let rounded = rounded.note(&meant);
+    let rounded = rounded.map(|text| Note::new("digits_of_quarter_turns", Severity::Note, text));
+    let mut notes: Vec<Note> = rounded.into_iter().collect();
     let requests = model.requests.iter().map(|(request, _)| request);
     let is_asked = requests.into_iter().any(|of| of.is_about_base_parameters())
         || table.needed.iter().any(|of| of.is_about_base_parameters());
@@ -45,7 +48,8 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<String> {
             let within = angles.iter().map(|near| near.apart);
             let is_of_urdf = robot.rows.iter().any(|row| row.mount.is_some());
             let remedy = remedy(is_of_urdf, within.fold(0.0, f64::max));
-            told(counts, &angles, &remedy)
+            let text = told(counts, &angles, &remedy);
+            Note::new("parameters_hardly_apart", Severity::Warning, text)
         }));
     }
     notes

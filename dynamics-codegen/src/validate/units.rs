@@ -72,17 +72,35 @@ fn is_beside(length: f64, bodies: &[Judged]) -> bool {
     (extent > 0.0 && length > BESIDE_BODIES * extent) || (mass > 0.0 && mass < LIGHTEST * length)
 }
 
-/// Reports the heaviest body whose mass is in g. An arm without any length is not judged.
+/// Reports the heaviest body whose mass is in g or mg. An arm without any length is not judged.
 fn report_grams(bodies: &[Judged], longest: f64, scope: &Scope) {
     let longest = greatest(bodies, |body| body.extent).max(longest);
-    let most = HEAVY.max(DENSEST * longest.powi(3));
+    let most = heaviest_of(longest);
     let odd = bodies.iter().rev().filter(|body| body.mass > most);
     let judged = odd.filter_map(|body| Some((body.mass, body.mass_at?)));
     let heaviest = judged.max_by(|(a, _), (b, _)| a.total_cmp(b));
     if let Some((mass, (place, place_of_allow))) = heaviest.filter(|_| longest > 0.0) {
-        let mistake = mistake::in_grams(mass, mass / 1000.0, longest, place_of_allow);
+        let (right, unit) = in_kilograms(mass, most).unwrap_or((mass / 1e3, "g"));
+        let mistake = mistake::in_grams(mass, unit, right, longest, place_of_allow);
         scope.error(place, mistake);
     }
+}
+
+/// The greatest mass of a body in an arm whose longest part is so long, kg.
+pub(crate) fn heaviest_of(longest: f64) -> f64 {
+    HEAVY.max(DENSEST * longest.powi(3))
+}
+
+/// The least mass of the heaviest body of such an arm, kg.
+#[cfg(feature = "files")]
+pub(crate) fn lightest_of(longest: f64) -> f64 {
+    LIGHTEST * longest
+}
+
+/// A mass that is too large, in kg, if it is no more than `most` as one in g or in mg; and that unit.
+pub(crate) fn in_kilograms(mass: f64, most: f64) -> Option<(f64, &'static str)> {
+    let units = [(mass / 1e3, "g"), (mass / 1e6, "mg")];
+    units.into_iter().find(|(mass, _)| *mass <= most)
 }
 
 fn greatest(bodies: &[Judged], of: impl Fn(&Judged) -> f64) -> f64 {

@@ -251,7 +251,7 @@ impl<'a> Assembly<'a> {
         self.tree.links.iter().find(|link| link.name == name)
     }
 
-    fn place_of(&self, link: &str) -> Place {
+    pub(super) fn place_of(&self, link: &str) -> Place {
         self.link(link).map_or(START, |link| link.place)
     }
 

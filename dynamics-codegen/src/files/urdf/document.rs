@@ -16,6 +16,7 @@ use crate::files::Request;
 use crate::geometry::{Transform, Vector, direction};
 use crate::limits::MOST_LETTERS;
 use crate::mistake::{Mistake, file as text, size, urdf as mistake};
+use crate::note::Note;
 use crate::parse::number::in_file;
 use crate::place::Place;
 use crate::validate::is_in_whole_degrees;
@@ -28,7 +29,7 @@ pub(super) struct Tree {
     /// The numbers that were taken as others.
     pub(super) rounding: Rounding,
     /// Warnings of loops that are left out.
-    pub(super) loops: Vec<String>,
+    pub(super) loops: Vec<Note>,
 }
 
 impl Tree {
@@ -111,6 +112,17 @@ type Read<T> = Result<T, Reported>;
 
 /// Reads a document; what is wrong in it is reported.
 pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -> Option<Tree> {
+    parsed(source, diagnostics, |declared, document| {
+        tree(declared, document, request, diagnostics)
+    })?
+}
+
+/// Takes what is needed from a document and the places in it; a text that is none is reported.
+pub(crate) fn parsed<T>(
+    source: &str,
+    diagnostics: &Diagnostics,
+    take: impl FnOnce(&Declared, &Document) -> T,
+) -> Option<T> {
     let source = &*with_declaration_in_front(source);
     let mut declared = Declared::as_written(source);
     let mut document = Document::parse(source);
@@ -122,11 +134,20 @@ pub(super) fn read(source: &str, request: &Request, diagnostics: &Diagnostics) -
         let place = declared.place_of(error.pos());
         diagnostics.error(place, text::syntax("XML", &reason(&error)))
     });
-    let document = document.ok()?;
+    Some(take(&declared, &document.ok()?))
+}
+
+/// The links and joints.
+fn tree(
+    declared: &Declared,
+    document: &Document,
+    request: &Request,
+    diagnostics: &Diagnostics,
+) -> Option<Tree> {
     let root = document.root_element();
     let within = request.round_angles.as_ref();
     let mut reader = Reader {
-        text: &declared,
+        text: declared,
         diagnostics,
         request,
         rounding: Rounding::new(within.map_or(0.0, |within| within.to_f64().value())),
@@ -186,7 +207,8 @@ fn report_unknown_links(tree: &Tree, diagnostics: &Diagnostics) {
     let known: Vec<&str> = tree.links.iter().map(|link| link.name.as_str()).collect();
     for joint in &tree.joints {
         for link in [&joint.parent, &joint.child] {
-            if !known.contains(&link.as_str()) {
+            // To look for what was meant takes long, and no more is shown.
+            if !known.contains(&link.as_str()) && !diagnostics.is_full() {
                 let meant = words::nearest(link, &known);
                 let mistake = mistake::unknown_link_of(&joint.name, link, meant);
                 diagnostics.error(joint.place, mistake);
@@ -212,19 +234,19 @@ struct Reader<'a> {
 }
 
 /// The elements in another one that a reader of URDF knows. A prefix marks those of other programs.
-fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
+pub(crate) fn elements<'a, 'i>(node: Node<'a, 'i>) -> impl Iterator<Item = Node<'a, 'i>> {
     let space = |node: Node<'a, 'i>| node.tag_name().namespace();
     let own = space(node.document().root_element());
     let elements = node.children().filter(Node::is_element);
     elements.filter(move |element| space(*element) == own)
 }
 
-fn is_named(element: Node, name: &str) -> bool {
+pub(crate) fn is_named(element: Node, name: &str) -> bool {
     element.tag_name().name() == name
 }
 
 /// The element of that name in another one.
-fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
+pub(crate) fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
     elements(node).find(|element| is_named(*element, name))
 }
 

@@ -1,10 +1,10 @@
 //! URDF: the whole tree of links, or a part of it.
 
 mod assembly;
-mod document;
+pub(crate) mod document;
 mod follow;
 mod loops;
-mod prefixes;
+pub(crate) mod prefixes;
 mod rounding;
 mod span;
 

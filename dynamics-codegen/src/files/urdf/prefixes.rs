@@ -15,7 +15,7 @@ use crate::tree::Lines;
 const MOST: usize = 64;
 
 /// A document, perhaps with declarations of the prefixes that it does not declare itself.
-pub(super) struct Declared<'t> {
+pub(crate) struct Declared<'t> {
     lines: Lines<'t>,
     text: Cow<'t, str>,
     /// Where the declarations begin, and how many bytes they are.
@@ -53,7 +53,7 @@ impl<'t> Declared<'t> {
     }
 
     /// The place in the document of the letter behind so many bytes of the text.
-    pub(super) fn place(&self, offset: usize) -> Place {
+    pub(crate) fn place(&self, offset: usize) -> Place {
         let behind = offset.saturating_sub(self.start);
         self.lines.place(offset - behind.min(self.length))
     }

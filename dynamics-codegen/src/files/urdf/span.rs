@@ -63,8 +63,10 @@ impl<'a> Assembly<'a> {
             [root] => Some(root),
             _ => {
                 let joints_of = |root: &&&str| self.carried(root, |_| true).len();
-                let largest = roots.iter().max_by_key(joints_of).copied();
-                self.error(START, mistake::several_trees(&roots, largest?));
+                let largest = roots.iter().max_by_key(joints_of).copied()?;
+                let beside = roots.iter().copied().find(|root| *root != largest);
+                let place = beside.map_or(START, |root| self.place_of(root));
+                self.error(place, mistake::several_trees(&roots, largest));
                 return None;
             }
         };
