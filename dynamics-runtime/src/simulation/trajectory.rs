@@ -168,21 +168,23 @@ impl<K: Stand> SizedTrajectory<K> {
                 "{count} times in `t`, and {found} entries in `{list}`"
             ));
         }
-        if let Some(k) = (1..count).find(|k| !(self.t[k - 1] < self.t[*k])) {
-            let [before, after] = [self.t[k - 1], self.t[k]];
-            return Err(format!(
-                "times must grow from sample to sample: {after:?} s stands behind {before:?} s"
-            ));
-        }
         let is_finite = |k: &usize| {
             let states = [self.q[*k].entries(), self.qd[*k].entries()];
             self.t[*k].is_finite() && states.concat().iter().all(|x| x.is_finite())
         };
-        match (0..count).find(|k| !is_finite(k)) {
-            Some(k) => Err(format!(
+        if let Some(k) = (0..count).find(|k| !is_finite(k)) {
+            return Err(format!(
                 "the time, a position or a velocity of sample {} is not finite",
                 k + 1
-            )),
+            ));
+        }
+        match (1..count).find(|k| self.t[k - 1] >= self.t[*k]) {
+            Some(k) => {
+                let [before, after] = [self.t[k - 1], self.t[k]];
+                Err(format!(
+                    "times must grow from sample to sample: {after:?} s stands behind {before:?} s"
+                ))
+            }
             None => Ok(()),
         }
     }
