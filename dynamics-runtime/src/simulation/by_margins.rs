@@ -5,7 +5,6 @@ use super::error::Cause;
 use super::events::{Finder, Start, here};
 use super::friction::Contact;
 use super::motion::{Held, Motion};
-use super::torque::TorqueLaw;
 use crate::integrate::Stepper;
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
@@ -13,14 +12,13 @@ use crate::size::Size;
 /// Margins at the ends of steps, and a step that is taken again.
 pub(super) struct ByMargins;
 
-impl<S, R, L, K: ?Sized, D: Size> Finder<S, R, L, K, D> for ByMargins
+impl<S, R, K: ?Sized, D: Size> Finder<S, R, K, D> for ByMargins
 where
     R: EquationsOfMotion<D>,
-    L: TorqueLaw<D>,
     K: Stepper<S, Cause, D>,
 {
     fn first_event(
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         system: &S,
         stepper: &mut K,
         start: &Start<D>,
@@ -39,16 +37,15 @@ where
     }
 }
 
-struct Search<'a, 'm, S, R, L, K: ?Sized, D: Size> {
-    motion: &'a Motion<'m, R, L, D>,
+struct Search<'a, 'm, S, R, K: ?Sized, D: Size> {
+    motion: &'a Motion<'m, R, D>,
     system: &'a S,
     stepper: &'a mut K,
 }
 
-impl<S, R, L, K: ?Sized, D: Size> Search<'_, '_, S, R, L, K, D>
+impl<S, R, K: ?Sized, D: Size> Search<'_, '_, S, R, K, D>
 where
     R: EquationsOfMotion<D>,
-    L: TorqueLaw<D>,
     K: Stepper<S, Cause, D>,
 {
     /// Whether a velocity, or the way to a limit, dips below zero within a step that ends well; the

@@ -22,16 +22,16 @@ pub(super) struct BySeries;
 /// A force on a stop that is less than so many roundings of its greatest term is none.
 const ROUNDINGS_OF_FORCE: f64 = 16.0;
 
-impl<'m, R, A, L, const N: usize>
-    Finder<Motion<'m, R, L, Const<N>>, R, L, SeriesStepper<A, N>, Const<N>> for BySeries
+impl<'m, R, A, const N: usize> Finder<Motion<'m, R, Const<N>>, R, SeriesStepper<A, N>, Const<N>>
+    for BySeries
 where
     R: EquationsOfMotion<Const<N>>,
     A: TaylorDynamics<N>,
-    Motion<'m, R, L, Const<N>>: Steady<N, Arm = A>,
+    Motion<'m, R, Const<N>>: Steady<N, Arm = A>,
 {
     fn first_event(
-        motion: &Motion<'_, R, L, Const<N>>,
-        system: &Motion<'m, R, L, Const<N>>,
+        motion: &Motion<'_, R, Const<N>>,
+        system: &Motion<'m, R, Const<N>>,
         stepper: &mut SeriesStepper<A, N>,
         start: &Start<Const<N>>,
     ) -> Result<Option<Held<Const<N>>>, Cause> {

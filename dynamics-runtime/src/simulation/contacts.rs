@@ -6,7 +6,6 @@ use super::friction::Contact;
 use super::joint_set::JointSet;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
-use super::torque::TorqueLaw;
 use crate::integrate::Phase;
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
@@ -18,7 +17,7 @@ impl<D: Size> Held<D> {
     }
 }
 
-impl<R, L, D: Size> Motion<'_, R, L, D> {
+impl<R, D: Size> Motion<'_, R, D> {
     /// The contacts of joints in a phase, as far as they hold.
     pub(super) fn classified(&self, phase: &Phase<D>) -> D::Each<Contact> {
         self.each(|i| {
@@ -82,7 +81,7 @@ impl<R, L, D: Size> Motion<'_, R, L, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     /// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
     /// pass a stop.
     pub(super) fn settle(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {

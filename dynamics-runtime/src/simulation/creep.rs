@@ -6,7 +6,6 @@
 
 use super::motion::Motion;
 use super::recorder::Recorder;
-use super::torque::TorqueLaw;
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
@@ -38,9 +37,9 @@ impl<D: Size> Creep<D> {
     }
 
     /// Notes the joints that creep, after a step to where the recorder is.
-    pub(super) fn after_step<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
+    pub(super) fn after_step<R: EquationsOfMotion<D>>(
         &mut self,
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         recorder: &mut Recorder<D>,
     ) {
         let (t, qd) = (recorder.t, recorder.phase.qd.clone());

@@ -7,7 +7,6 @@ use super::progress::Progress;
 use super::recorder::Recorder;
 use super::sampling::Instants;
 use super::settings::ErrorControl;
-use super::torque::TorqueLaw;
 use crate::integrate::{Failure, Stepper};
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
@@ -16,20 +15,20 @@ use crate::size::Size;
 ///
 /// Steppers of [`Simulation`](crate::Simulation) are trait objects, so that this is compiled once for all of its
 /// methods: a call is nothing beside a step.
-pub(super) fn drive<F, S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, K, D: Size>(
-    motion: &Motion<R, L, D>,
+pub(super) fn drive<F, S, R: EquationsOfMotion<D>, K, D: Size>(
+    motion: &Motion<R, D>,
     system: &S,
     stepper: &mut K,
     recorder: &mut Recorder<D>,
     control: Option<ErrorControl>,
 ) -> Result<(), Cause>
 where
-    F: Finder<S, R, L, K, D>,
+    F: Finder<S, R, K, D>,
     K: Stepper<S, Cause, D> + ?Sized,
 {
     if motion.has_events() {
         let duration = recorder.duration;
-        let run = Eventful::<_, _, _, _, F, D>::start(motion, system, stepper, duration, control)?;
+        let run = Eventful::<_, _, _, F, D>::start(motion, system, stepper, duration, control)?;
         return run.drive(recorder);
     }
     let mut instants = Instants::new(motion.torque.period(), recorder.duration);
@@ -162,7 +161,7 @@ mod tests {
             recorder.plan(&plan).unwrap();
             recorder.push(motion.sample_at(0.0, plan.initial.clone()));
             let mut clock = Clock(0.0, plan.initial.clone());
-            drive::<ByMargins, _, _, _, _, _>(
+            drive::<ByMargins, _, _, _, _>(
                 &motion,
                 &(),
                 &mut clock,

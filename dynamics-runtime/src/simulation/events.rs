@@ -11,7 +11,6 @@ use super::progress::Progress;
 use super::recorder::Recorder;
 use super::sampling::Instants;
 use super::settings::ErrorControl;
-use super::torque::TorqueLaw;
 use crate::integrate::{Phase, Stepper};
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
@@ -24,11 +23,11 @@ pub(super) struct Start<D: Size> {
 }
 
 /// How the first event within a step is found.
-pub(super) trait Finder<S, R, L, K: ?Sized, D: Size> {
+pub(super) trait Finder<S, R, K: ?Sized, D: Size> {
     /// Has the last step of the stepper end at the first event in it. Where there is none, the
     /// forces at its end.
     fn first_event(
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         system: &S,
         stepper: &mut K,
         start: &Start<D>,
@@ -36,8 +35,8 @@ pub(super) trait Finder<S, R, L, K: ?Sized, D: Size> {
 }
 
 /// The least margin where a stepper is, and the forces there.
-pub(super) fn here<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
+pub(super) fn here<S, R: EquationsOfMotion<D>, D: Size>(
+    motion: &Motion<R, D>,
     stepper: &(impl Stepper<S, Cause, D> + ?Sized),
 ) -> Result<(f64, Held<D>), Cause> {
     let phase = stepper.phase();
@@ -46,8 +45,8 @@ pub(super) fn here<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
 }
 
 /// An integration whose steps end at the events that `F` finds.
-pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, D: Size> {
-    motion: &'a Motion<'a, R, L, D>,
+pub(super) struct Eventful<'a, S, R, K: ?Sized, F, D: Size> {
+    motion: &'a Motion<'a, R, D>,
     system: &'a S,
     stepper: &'a mut K,
     instants: Instants,
@@ -56,16 +55,15 @@ pub(super) struct Eventful<'a, S, R, L, K: ?Sized, F, D: Size> {
     finder: PhantomData<F>,
 }
 
-impl<'a, S, R, L, K: ?Sized, F, D: Size> Eventful<'a, S, R, L, K, F, D>
+impl<'a, S, R, K: ?Sized, F, D: Size> Eventful<'a, S, R, K, F, D>
 where
     R: EquationsOfMotion<D>,
-    L: TorqueLaw<D>,
     K: Stepper<S, Cause, D>,
-    F: Finder<S, R, L, K, D>,
+    F: Finder<S, R, K, D>,
 {
     /// From where the stepper is.
     pub(super) fn start(
-        motion: &'a Motion<'a, R, L, D>,
+        motion: &'a Motion<'a, R, D>,
         system: &'a S,
         stepper: &'a mut K,
         duration: f64,

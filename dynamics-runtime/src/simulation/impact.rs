@@ -26,7 +26,6 @@ use super::error::Cause;
 use super::joint_set::JointSet;
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
-use super::torque::TorqueLaw;
 use crate::integrate::Phase;
 use crate::simulation::EquationsOfMotion;
 use crate::size::{JointMatrix as _, JointVector as _, Size};
@@ -40,7 +39,7 @@ pub(super) struct Impact<D: Size> {
     pub(super) joints: JointSet,
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
     /// held. Returns the phase after that.
     pub(super) fn settle_at_start(&self, phase: &Phase<D>) -> Result<Phase<D>, Cause> {

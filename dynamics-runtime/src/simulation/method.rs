@@ -8,7 +8,6 @@ use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step
 use super::error::{Cause, InvalidSetting};
 use super::plan::Plan;
 use super::recorder::Recorder;
-use super::torque::TorqueLaw;
 use crate::integrate::{
     Adaptive, Dop853Method, DormandPrince54, Euler, FixedStep, GaussLegendre, OneStep, Phase,
     Radau, Rk4, StepRange, Stepper, Tolerance,
@@ -133,9 +132,9 @@ macro_rules! from_settings {
 from_settings! { DormandPrince Dop853 Radau5 }
 
 /// A method, and its settings, as a run needs them.
-pub(super) trait Integrator<R, L, D: Size>: Clone {
+pub(super) trait Integrator<R, D: Size>: Clone {
     /// Whether the settings make sense for a run.
-    fn validate(&self, motion: &Motion<R, L, D>, plan: &Plan<D>) -> Result<(), InvalidSetting>;
+    fn validate(&self, motion: &Motion<R, D>, plan: &Plan<D>) -> Result<(), InvalidSetting>;
 
     /// The step of a method whose positions are straight lines within a step; 0 of the others.
     fn straight_step(&self) -> f64 {
@@ -143,11 +142,11 @@ pub(super) trait Integrator<R, L, D: Size>: Clone {
     }
 
     /// Makes the run from where it begins.
-    fn integrate(&self, motion: &Motion<R, L, D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
+    fn integrate(&self, motion: &Motion<R, D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for Method {
-    fn integrate(&self, motion: &Motion<R, L, D>, recorder: &mut Recorder<D>) -> Result<(), Cause> {
+impl<R: EquationsOfMotion<D>, D: Size> Integrator<R, D> for Method {
+    fn integrate(&self, motion: &Motion<R, D>, recorder: &mut Recorder<D>) -> Result<(), Cause> {
         match *self {
             Method::ExplicitEuler { step } => {
                 fixed(Euler::Explicit, step, motion, motion, recorder)
@@ -187,7 +186,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for 
         }
     }
 
-    fn validate(&self, motion: &Motion<R, L, D>, plan: &Plan<D>) -> Result<(), InvalidSetting> {
+    fn validate(&self, motion: &Motion<R, D>, plan: &Plan<D>) -> Result<(), InvalidSetting> {
         if motion.robot.charts().is_some() && !self.is_explicit() {
             return Err(InvalidSetting::MovingBase);
         }
@@ -209,10 +208,10 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Integrator<R, L, D> for 
     }
 }
 
-fn fixed<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+fn fixed<S, R: EquationsOfMotion<D>, D: Size>(
     method: impl OneStep<S, Cause, D>,
     step: f64,
-    motion: &Motion<R, L, D>,
+    motion: &Motion<R, D>,
     system: &S,
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
@@ -220,10 +219,10 @@ fn fixed<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
     follow(motion, system, &mut run, recorder, None)
 }
 
-fn canonical<R: EquationsOfMotion<D>, L: TorqueLaw<D>, const STAGES: usize, D: Size>(
+fn canonical<R: EquationsOfMotion<D>, const STAGES: usize, D: Size>(
     method: GaussLegendre<STAGES, D>,
     step: f64,
-    motion: &Motion<R, L, D>,
+    motion: &Motion<R, D>,
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
@@ -231,14 +230,14 @@ fn canonical<R: EquationsOfMotion<D>, L: TorqueLaw<D>, const STAGES: usize, D: S
 }
 
 /// A run under error control, by the stepper that `start` makes.
-fn controlled<'m, K, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
+fn controlled<'m, K, R: EquationsOfMotion<D>, D: Size>(
     control: ErrorControl,
-    motion: &Motion<'m, R, L, D>,
+    motion: &Motion<'m, R, D>,
     recorder: &mut Recorder<D>,
-    start: impl FnOnce(&Motion<'m, R, L, D>, Phase<D>, Tolerance, StepRange) -> Result<K, Cause>,
+    start: impl FnOnce(&Motion<'m, R, D>, Phase<D>, Tolerance, StepRange) -> Result<K, Cause>,
 ) -> Result<(), Cause>
 where
-    K: Stepper<Motion<'m, R, L, D>, Cause, D>,
+    K: Stepper<Motion<'m, R, D>, Cause, D>,
 {
     let (range, phase) = (control.range(recorder.duration), recorder.phase.clone());
     let mut run = start(motion, phase, control.tolerance, range)?;
@@ -246,12 +245,12 @@ where
 }
 
 /// Follows a motion by a stepper that is known at run time alone.
-fn follow<S, R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size>(
-    motion: &Motion<R, L, D>,
+fn follow<S, R: EquationsOfMotion<D>, D: Size>(
+    motion: &Motion<R, D>,
     system: &S,
     stepper: &mut dyn Stepper<S, Cause, D>,
     recorder: &mut Recorder<D>,
     control: Option<ErrorControl>,
 ) -> Result<(), Cause> {
-    drive::<ByMargins, _, _, _, _, _>(motion, system, stepper, recorder, control)
+    drive::<ByMargins, _, _, _, _>(motion, system, stepper, recorder, control)
 }

@@ -559,9 +559,9 @@ struct Setting<D: Size, M = Method> {
 }
 
 impl<D: Size, M> Setting<D, M> {
-    fn run<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(&self, robot: &R, laws: &L) -> Outcome<D>
+    fn run<R: EquationsOfMotion<D>>(&self, robot: &R, laws: &dyn TorqueLaw<D>) -> Outcome<D>
     where
-        M: Integrator<R, L, D>,
+        M: Integrator<R, D>,
     {
         let mut recorder = Recorder::new(self.plan.initial.clone());
         let mut limits = self.limits.clone();
@@ -572,13 +572,13 @@ impl<D: Size, M> Setting<D, M> {
         recorder.finished(end, motion.evaluations.get())
     }
 
-    fn record<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
+    fn record<R: EquationsOfMotion<D>>(
         &self,
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         recorder: &mut Recorder<D>,
     ) -> Result<(), Cause>
     where
-        M: Integrator<R, L, D>,
+        M: Integrator<R, D>,
     {
         if motion
             .robot

@@ -16,10 +16,11 @@ use crate::integrate::{Canonical, Equations, Phase, Point, Stepper, first_non_fi
 use crate::size::{JointVector, Size};
 use crate::{Scalar, SingularMassMatrix, SizedMomenta, simulation::EquationsOfMotion};
 
-pub(super) struct Motion<'a, R, L, D: Size> {
+pub(super) struct Motion<'a, R, D: Size> {
     size: D,
     pub(super) robot: &'a R,
-    pub(super) torque: &'a L,
+    /// The laws are values: each method of integration is compiled once for all laws of a robot.
+    pub(super) torque: &'a dyn TorqueLaw<D>,
     pub(super) friction: Law<D>,
     pub(super) limits: Limits<D>,
     /// The contact of each joint; without meaning in a motion without events.
@@ -37,8 +38,13 @@ pub(super) struct Held<D: Size> {
     pub(super) forces: D::Vector,
 }
 
-impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
-    pub(super) fn new(robot: &'a R, torque: &'a L, friction: Law<D>, limits: Limits<D>) -> Self {
+impl<'a, R, D: Size> Motion<'a, R, D> {
+    pub(super) fn new(
+        robot: &'a R,
+        torque: &'a dyn TorqueLaw<D>,
+        friction: Law<D>,
+        limits: Limits<D>,
+    ) -> Self {
         let size = D::from_usize(limits.ranges.as_ref().len());
         Motion {
             size,
@@ -114,7 +120,7 @@ impl<'a, R, L, D: Size> Motion<'a, R, L, D> {
     }
 }
 
-impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+impl<R, D: Size> Motion<'_, R, D> {
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
     pub(super) fn torques(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
@@ -151,7 +157,7 @@ impl<R, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     /// The accelerations, and the forces that keep those of the joints that are held at zero.
     pub(super) fn held(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {
         self.held_under(phase, &self.torques(t, phase)?)
@@ -219,7 +225,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     /// A sample. Its accelerations are NaN where the laws or the equations refuse, which ends no run.
     pub(super) fn sample_at(&self, t: f64, phase: Phase<D>) -> Sample<D> {
         if let Some(charts) = self.robot.charts() {
@@ -268,7 +274,7 @@ impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, L, D: Size> Motion<'_, R, L, D> {
+impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     /// Goes on in a chart around the phase reached, where there are charts.
     pub(super) fn recentre<S>(
         &self,
@@ -291,10 +297,9 @@ fn finite<V: JointVector>(qdd: V) -> Result<V, Cause> {
     }
 }
 
-impl<R, L, D: Size> Equations<D> for Motion<'_, R, L, D>
+impl<R, D: Size> Equations<D> for Motion<'_, R, D>
 where
     R: EquationsOfMotion<D>,
-    L: TorqueLaw<D>,
 {
     type Refusal = Cause;
 
@@ -324,14 +329,14 @@ where
 }
 
 /// A motion in positions and momenta.
-pub(super) struct InMomenta<'a, R, L, D: Size> {
-    motion: &'a Motion<'a, R, L, D>,
+pub(super) struct InMomenta<'a, R, D: Size> {
+    motion: &'a Motion<'a, R, D>,
     arm: &'a dyn SizedMomenta<D>,
 }
 
-impl<'a, R: EquationsOfMotion<D>, L, D: Size> InMomenta<'a, R, L, D> {
+impl<'a, R: EquationsOfMotion<D>, D: Size> InMomenta<'a, R, D> {
     /// `None` where the arm is not known in momenta.
-    pub(super) fn new(motion: &'a Motion<'a, R, L, D>) -> Option<Self> {
+    pub(super) fn new(motion: &'a Motion<'a, R, D>) -> Option<Self> {
         let arm = motion.robot.in_momenta()?;
         Some(InMomenta { motion, arm })
     }
@@ -369,10 +374,9 @@ impl<'a, R: EquationsOfMotion<D>, L, D: Size> InMomenta<'a, R, L, D> {
     }
 }
 
-impl<R, L, D: Size> Canonical<D> for InMomenta<'_, R, L, D>
+impl<R, D: Size> Canonical<D> for InMomenta<'_, R, D>
 where
     R: EquationsOfMotion<D>,
-    L: TorqueLaw<D>,
 {
     type Refusal = Cause;
 

@@ -19,7 +19,6 @@ use super::joint_set::JointSet;
 use super::motion::Motion;
 use super::recorder::Recorder;
 use super::settings::ErrorControl;
-use super::torque::TorqueLaw;
 use crate::integrate::Phase;
 use crate::simulation::EquationsOfMotion;
 use crate::size::{JointVector as _, Size};
@@ -113,9 +112,9 @@ impl<D: Size> Progress<D> {
     }
 
     /// The end of a run that makes no progress, after a step to where the recorder is.
-    pub(super) fn after_step<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
+    pub(super) fn after_step<R: EquationsOfMotion<D>>(
         &mut self,
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
         if self.control.is_none() {
@@ -145,10 +144,10 @@ impl<D: Size> Progress<D> {
     }
 
     /// Ends a run if its rest would take too much work. Bounces below the tolerance come to rest first.
-    fn judge<R, L>(
+    fn judge<R>(
         &self,
         cause: Cause,
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         recorder: &Recorder<D>,
         work: u64,
     ) -> Result<(), Cause> {
@@ -176,10 +175,10 @@ impl<D: Size> Progress<D> {
     }
 
     /// The cause where a run that fails ends, for no better reason of the method.
-    pub(super) fn blamed<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
+    pub(super) fn blamed<R: EquationsOfMotion<D>>(
         &mut self,
         cause: Cause,
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         t: f64,
         phase: &Phase<D>,
     ) -> Cause {
@@ -196,9 +195,9 @@ impl<D: Size> Progress<D> {
     }
 
     /// Why there is no progress: a joint that chatters about rest, or events.
-    fn cause<R: EquationsOfMotion<D>, L: TorqueLaw<D>>(
+    fn cause<R: EquationsOfMotion<D>>(
         &mut self,
-        motion: &Motion<R, L, D>,
+        motion: &Motion<R, D>,
         t: f64,
         phase: &Phase<D>,
     ) -> Option<Cause> {
@@ -232,7 +231,7 @@ fn runs_away<D: Size>(cause: Cause, phase: &Phase<D>) -> Cause {
     }
 }
 
-impl<R: EquationsOfMotion<D>, L: TorqueLaw<D>, D: Size> Motion<'_, R, L, D> {
+impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     /// The speed below which a joint would stop within a few steps of that length, if it is that slow, and driven back to
     /// rest whichever way it moves.
     pub(super) fn near_rest(

@@ -189,22 +189,22 @@ impl<const N: usize> Setting<Const<N>, Taylor> {
     {
         let mut no_wrench = NoToolWrench;
         let greatest = self.greatest.as_ref();
-        let laws = SampledLaws::new(Const, (robot, &()), period, law, &mut no_wrench, greatest);
+        let laws = SampledLaws::<_, _, _, Const<N>>::new(
+            Const,
+            (robot, &()),
+            period,
+            law,
+            &mut no_wrench,
+            greatest,
+        );
         self.run(&BySteps(robot), &laws)
     }
 }
 
-/// The laws of a run by series.
-type Laws<'a, R, L, const N: usize> = SampledLaws<'a, R, L, NoToolWrench, Const<N>>;
-
-impl<'a, R, L, const N: usize> Integrator<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>> for Taylor
-where
-    R: TaylorDynamics<N>,
-    L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-{
+impl<'a, R: TaylorDynamics<N>, const N: usize> Integrator<BySteps<'a, R>, Const<N>> for Taylor {
     fn validate(
         &self,
-        motion: &Motion<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>>,
+        motion: &Motion<BySteps<'a, R>, Const<N>>,
         plan: &Plan<Const<N>>,
     ) -> Result<(), InvalidSetting> {
         self.control().validate(plan.duration)?;
@@ -221,15 +221,14 @@ where
 
     fn integrate(
         &self,
-        motion: &Motion<BySteps<'a, R>, Laws<'a, R, L, N>, Const<N>>,
+        motion: &Motion<BySteps<'a, R>, Const<N>>,
         recorder: &mut Recorder<Const<N>>,
     ) -> Result<(), Cause> {
         let control = self.control();
         let range = control.range(recorder.duration);
         let (start, order) = (recorder.phase.clone(), self.series_order());
         let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        let end =
-            drive::<BySeries, _, _, _, _, _>(motion, motion, &mut run, recorder, Some(control));
+        let end = drive::<BySeries, _, _, _, _>(motion, motion, &mut run, recorder, Some(control));
         // One series for each step; impacts evaluate the equations besides.
         motion.count(recorder.work.steps);
         end.map_err(Cause::of_long_steps)
@@ -274,18 +273,15 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySte
     }
 }
 
-impl<R, L, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Laws<'_, R, L, N>, Const<N>>
-where
-    R: TaylorDynamics<N>,
-{
+impl<R: TaylorDynamics<N>, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Const<N>> {
     type Arm = R;
 
     fn arm(&self) -> &R {
         self.robot.0
     }
 
-    fn torque(&self) -> SVector<f64, N> {
-        self.torque.held()
+    fn torque(&self, t: f64, phase: &Phase<Const<N>>) -> SVector<f64, N> {
+        self.torque.motors(t, phase)
     }
 
     fn held(&self) -> Option<[bool; N]> {

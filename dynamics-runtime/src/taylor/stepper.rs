@@ -19,8 +19,8 @@ pub(crate) trait Steady<const N: usize> {
 
     fn arm(&self) -> &Self::Arm;
 
-    /// The torques, N m or N.
-    fn torque(&self) -> SVector<f64, N>;
+    /// The torques at a time in a phase, N m or N, which last over a series.
+    fn torque(&self, t: f64, phase: &Phase<Const<N>>) -> SVector<f64, N>;
 
     /// The joints that are held, where any is.
     fn held(&self) -> Option<[bool; N]>;
@@ -176,7 +176,9 @@ impl<R: TaylorDynamics<N>, const N: usize> SeriesStepper<R, N> {
             return Err(Refusal::State { joint });
         }
         self.series.hold(motion.held());
-        let begun = self.series.begin(motion.arm(), phase, &motion.torque());
+        let begun = self
+            .series
+            .begin(motion.arm(), phase, &motion.torque(self.t, phase));
         begun.map_err(Refusal::Singular)?;
         match first_non_finite(self.series.acceleration().as_slice()) {
             Some(joint) => Err(Refusal::Acceleration { joint }),
@@ -310,7 +312,7 @@ mod tests {
             &Swing
         }
 
-        fn torque(&self) -> Vector1<f64> {
+        fn torque(&self, _: f64, _: &Phase<Const<1>>) -> Vector1<f64> {
             Vector1::new(0.25)
         }
 
