@@ -29,7 +29,10 @@ pub fn batch_methods(item: TokenStream) -> TokenStream {
     } else {
         Receiver::Each
     };
-    let place = tokens.iter().rev().find(|token| matches!(token, TokenTree::Ident(_)));
+    let place = tokens
+        .iter()
+        .rev()
+        .find(|token| matches!(token, TokenTree::Ident(_)));
     let place = place.map_or_else(Span::call_site, TokenTree::span);
     if let Some(TokenTree::Group(items)) = tokens.pop() {
         let mut items = items.stream();

@@ -26,11 +26,7 @@ fn told(derived: &str) -> String {
 }
 
 /// Runs something, and hands on what it says last if it has not ended within that time. The thread that waits ends with it.
-fn watched<T>(
-    within: Duration,
-    tell: impl FnOnce(&str) + Send,
-    run: impl FnOnce(Say) -> T,
-) -> T {
+fn watched<T>(within: Duration, tell: impl FnOnce(&str) + Send, run: impl FnOnce(Say) -> T) -> T {
     let said = Arc::new(Mutex::new("the table".to_owned()));
     scope(|scope| {
         let (running, end) = channel::<()>();
@@ -82,7 +78,10 @@ mod tests {
     #[test]
     fn the_lines_of_a_profile_are_those_of_the_documents() {
         let readme = include_str!("../../README.md");
-        for line in told("`jacobian`").lines().filter(|line| line.starts_with('[')) {
+        for line in told("`jacobian`")
+            .lines()
+            .filter(|line| line.starts_with('['))
+        {
             assert!(readme.contains(line), "{line}");
         }
     }

@@ -30,8 +30,8 @@ pub mod spatial;
 
 pub use dynamics_functions as function;
 pub use emit::{
-    Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub, stub_of_function,
-    stub_of_inverse, stub_of_trait,
+    Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub,
+    stub_of_function, stub_of_inverse, stub_of_trait,
 };
 pub use function::{Function, Request};
 pub use methods::{

@@ -80,7 +80,10 @@ fn power(cursor: &mut Cursor, left: &Expr) -> Reported {
         ExprKind::Name(name) => name,
         _ => "x",
     };
-    cursor.error(start.to(cursor.last), mistake::power("**", &format!("{base} * {base}")))
+    cursor.error(
+        start.to(cursor.last),
+        mistake::power("**", &format!("{base} * {base}")),
+    )
 }
 
 /// Reads an operand with its signs.

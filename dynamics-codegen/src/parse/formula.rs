@@ -73,7 +73,11 @@ fn side_by_side(before: Piece, piece: Piece) -> Option<Mistake> {
 
 fn power(base: Option<Piece>, exponent: Option<Piece>) -> Mistake {
     let base = match base {
-        Some(Piece { kind: Kind::Word | Kind::Number, text, .. }) => text,
+        Some(Piece {
+            kind: Kind::Word | Kind::Number,
+            text,
+            ..
+        }) => text,
         _ => "x",
     };
     let factors = exponent.and_then(|exponent| exponent.text.parse().ok());
@@ -89,7 +93,10 @@ fn pieces(text: &str) -> Vec<Piece<'_>> {
             '(' => (Kind::Open, 1),
             ')' => (Kind::Close, 1),
             '0'..='9' => (Kind::Number, length_of_number(rest)),
-            c if is_of_word(c) => (Kind::Word, rest.find(|c| !is_of_word(c)).unwrap_or(rest.len())),
+            c if is_of_word(c) => (
+                Kind::Word,
+                rest.find(|c| !is_of_word(c)).unwrap_or(rest.len()),
+            ),
             c => (Kind::Sign, c.len_utf8()),
         };
         let (text, behind) = rest.split_at(length);
@@ -112,8 +119,8 @@ fn length_of_number(text: &str) -> usize {
     let digits = text.find(|c| !is_digit(c)).unwrap_or(text.len());
     let word = text[digits..].find(|c| !is_of_word(c));
     let word = &text[digits..word.map_or(text.len(), |length| digits + length)];
-    let is_exponent = word.strip_prefix(['e', 'E']).is_some_and(|exponent| {
-        exponent.chars().all(|c| c.is_ascii_digit())
-    });
+    let is_exponent = word
+        .strip_prefix(['e', 'E'])
+        .is_some_and(|exponent| exponent.chars().all(|c| c.is_ascii_digit()));
     digits + if is_exponent { word.len() } else { 0 }
 }

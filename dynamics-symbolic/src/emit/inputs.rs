@@ -159,7 +159,10 @@ pub(super) fn constant_inputs(robot: &Robot, program: &Program, path: &TokenStre
     let cells = Cells::constant(robot, path);
     let sines = sines(&cells, false, &angles, program);
     let fields = program.inputs.iter().filter_map(|symbol| match symbol {
-        Symbol::Field(i) => Some((variable(&input_name(robot, symbol, &angles)), cells.field(*i))),
+        Symbol::Field(i) => Some((
+            variable(&input_name(robot, symbol, &angles)),
+            cells.field(*i),
+        )),
         _ => None,
     });
     let (names, values): (Vec<_>, Vec<_>) = fields.unzip();

@@ -46,9 +46,16 @@ fn names_cannot_hide_code_in_comments() {
     });
     let request = Request::of_frame(Function::Jacobian, 0, &name);
     let program = proven_program(&robot, &request).expect("proven");
-    let methods = expand(&robot, std::slice::from_ref(&request), &quote::quote!(runtime));
+    let methods = expand(
+        &robot,
+        std::slice::from_ref(&request),
+        &quote::quote!(runtime),
+    );
     let method = methods.expect("proven").remove(0).tokens.to_string();
-    assert!(method.contains("a*/b") && !method.contains("202e"), "{method}");
+    assert!(
+        method.contains("a*/b") && !method.contains("202e"),
+        "{method}"
+    );
     let programs = [(request, program)];
     let c = c_source(&robot, &programs);
     let mut texts = vec![
@@ -57,7 +64,11 @@ fn names_cannot_hide_code_in_comments() {
         javascript_module(&robot, &programs),
         python_module(&robot, &programs),
     ];
-    texts.extend(matlab_files(&robot, &programs).into_iter().map(|(_, text)| text));
+    texts.extend(
+        matlab_files(&robot, &programs)
+            .into_iter()
+            .map(|(_, text)| text),
+    );
     for text in texts {
         assert!(!text.contains(hidden), "{text}");
     }

@@ -7,11 +7,7 @@ use crate::place::Place;
 use crate::words::shortened;
 
 /// A warning for each loop. The robot is the tree of the joints, which is open there.
-pub(super) fn warnings(
-    root: Node,
-    links: &[Link],
-    place: impl Fn(Node) -> Place,
-) -> Vec<String> {
+pub(super) fn warnings(root: Node, links: &[Link], place: impl Fn(Node) -> Place) -> Vec<String> {
     let loops = root.descendants().filter(|node| closes_loop(*node, links));
     let warning = |node: Node| {
         let (line, _) = place(node).position();
@@ -31,8 +27,13 @@ fn closes_loop(node: Node, links: &[Link]) -> bool {
         around.any(|element| element.tag_name().name() == "gazebo")
     };
     let is_link = |word: &str| {
-        let mut parts = node.children().filter(|part| part.tag_name().name() == word);
-        let link = parts.find_map(|part| part.text()).unwrap_or_default().trim();
+        let mut parts = node
+            .children()
+            .filter(|part| part.tag_name().name() == word);
+        let link = parts
+            .find_map(|part| part.text())
+            .unwrap_or_default()
+            .trim();
         // A link of a model in a model is named behind the model.
         let link = link.rsplit("::").next().unwrap_or_default();
         links.iter().any(|known| known.name == link)

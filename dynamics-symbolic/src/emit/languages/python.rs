@@ -4,8 +4,8 @@ use super::arrangement::Arrangement;
 use super::body::{Body, number};
 use super::comments::{lines as documentation, title_lines};
 use super::{
-    Language, PIVOTS_OF_BASE, argument_names, argument_sizes, free_name, indented, plain,
-    shown, snake_case, with_pivots_of_base,
+    Language, PIVOTS_OF_BASE, argument_names, argument_sizes, free_name, indented, plain, shown,
+    snake_case, with_pivots_of_base,
 };
 use crate::function::{Argument, Request};
 use crate::program::Proven;
