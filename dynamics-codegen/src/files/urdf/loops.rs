@@ -2,12 +2,11 @@
 
 use roxmltree::Node;
 
-use super::document::Link;
 use crate::place::Place;
 use crate::words::shortened;
 
 /// A warning for each loop. The robot is the tree of the joints, which is open there.
-pub(super) fn warnings(root: Node, links: &[Link], place: impl Fn(Node) -> Place) -> Vec<String> {
+pub(super) fn warnings(root: Node, links: &[&str], place: impl Fn(Node) -> Place) -> Vec<String> {
     let loops = root.descendants().filter(|node| closes_loop(*node, links));
     let warning = |node: Node| {
         let (line, _) = place(node).position();
@@ -21,7 +20,7 @@ pub(super) fn warnings(root: Node, links: &[Link], place: impl Fn(Node) -> Place
     loops.map(warning).collect()
 }
 
-fn closes_loop(node: Node, links: &[Link]) -> bool {
+fn closes_loop(node: Node, links: &[&str]) -> bool {
     let is_in_gazebo = || {
         let mut around = node.ancestors().skip(1);
         around.any(|element| element.tag_name().name() == "gazebo")
@@ -36,7 +35,7 @@ fn closes_loop(node: Node, links: &[Link]) -> bool {
             .trim();
         // A link of a model in a model is named behind the model.
         let link = link.rsplit("::").next().unwrap_or_default();
-        links.iter().any(|known| known.name == link)
+        links.contains(&link)
     };
     match node.tag_name().name() {
         "loop_joint" => true,
