@@ -32,6 +32,7 @@ impl_operators! {
     Neg neg |a| Dual::new(-a.value, -a.slope);
 }
 
+#[diagnostic::do_not_recommend]
 impl Scalar for Dual {
     scalar_methods! {
         from_f64(x) => Dual::new(x, 0.0);

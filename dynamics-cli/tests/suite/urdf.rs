@@ -175,11 +175,15 @@ fn joints_off_the_chain_are_left_out_or_locked() {
     // The camera is above a point 0.3 m from the axis, or a quarter turn leans it outwards to 0.8 m.
     assert!(output(&call(&["--lock", "mast=0"])).contains("M11 = 0.24\n"));
     assert!(output(&call(&["--lock", "mast=PI/2"])).contains("M11 = 0.79\n"));
-    let message = errors(&call(&["--ignore", "mst"]), 1);
-    assert!(
-        message.contains("`mst`") && message.contains("mast"),
-        "{message}"
-    );
+    // A slip is told alone, without the joint that it leaves.
+    for slip in [["--ignore", "mst"], ["--lock", "mst=0"]] {
+        let message = errors(&call(&slip), 2);
+        assert!(
+            message.contains("unknown joint `mst`: did you mean `mast`?")
+                && !message.contains("mast.urdf"),
+            "{message}"
+        );
+    }
 }
 
 #[test]

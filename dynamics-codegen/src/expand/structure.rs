@@ -72,13 +72,15 @@ fn item(
         quote!(#attributes #visibility #(#name:)* #written)
     });
     let documentation = documentation.iter().map(|line| shown(line));
-    // The compiler shows the line of the struct in place of the whole call.
+    // The compiler shows the line of the struct in place of the whole call. It takes the struct for one without a macro, in
+    // which it minds more.
+    let allowed = (!structure.is_alone).then(|| quote!(#[allow(unreachable_pub)]));
     let item = match (name.span(), structure.shape) {
         (line, Shape::Unit) => quote_spanned!(line=> struct #name;),
         (line, Shape::Named) => quote_spanned!(line=> struct #name { #(#fields),* }),
         (line, Shape::Tuple) => quote_spanned!(line=> struct #name( #(#fields),* );),
     };
-    quote!(#derive #attributes #(#[doc = #documentation])* #visibility #item)
+    quote!(#derive #allowed #attributes #(#[doc = #documentation])* #visibility #item)
 }
 
 /// The fields, without one whose name stands twice.

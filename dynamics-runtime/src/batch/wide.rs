@@ -70,6 +70,7 @@ impl<S: Simd, E: Precision> fmt::Debug for Wide<S, E> {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl<S: Simd, E: Precision> Scalar for Wide<S, E> {
     /// Generated functions do not come here: they make their constants by
     /// [`constant`](Scalar::constant), which need not ask the processor.

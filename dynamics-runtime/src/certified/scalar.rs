@@ -10,6 +10,7 @@ use super::rounded::Magnitude;
 use super::{Certified, Rounded};
 use crate::Scalar;
 
+#[diagnostic::do_not_recommend]
 impl<F: Rounded> Scalar for Certified<F> {
     /// A constant: an exact number that was rounded to the double `x`, which is rounded to the precision.
     fn from_f64(x: f64) -> Self {

@@ -86,6 +86,7 @@ impl From<f64> for DoubleDouble {
     }
 }
 
+#[diagnostic::do_not_recommend]
 impl Scalar for DoubleDouble {
     scalar_methods! {
         from_f64(x) => DoubleDouble::from(x);

@@ -29,6 +29,10 @@ use crate::sine::{Part, Sines, level};
 /// assert_eq!(height(2.0_f64, 0.0), 0.0);
 /// assert_eq!(height(2.0_f32, 0.0), 0.0);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no number that functions of a robot take",
+    note = "numbers are `f64`, for example: an integer is written with a point, `1.0` in place of `1`"
+)]
 pub trait Scalar:
     nalgebra::Scalar
     + Copy
@@ -145,6 +149,7 @@ pub trait Scalar:
 
 macro_rules! impl_scalar {
     ($float:ident, $exp:path, $($own:item)*) => {
+        #[diagnostic::do_not_recommend]
         impl Scalar for $float {
             $(#[inline] $own)*
 

@@ -139,11 +139,13 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
     /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of order, and in
     /// steps that are thrown away. Therefore it must be a function of its arguments alone, an `Fn`. A controller with a
     /// memory is an `FnMut` and needs [`control_period`](Simulation::control_period):
-    /// `.control_period(1e-3).torque(law)`.
-    pub fn torque<F: Fn(f64, &D::Vector, &D::Vector) -> D::Vector>(
-        self,
-        law: F,
-    ) -> Simulation<'a, R, F, D, W> {
+    /// `.control_period(1e-3).torque(law)`. Without it the compiler says that something is captured "in a `Fn` closure"
+    /// (E0594, E0596).
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, D, W>
+    where
+        // The compiler shows this line to who gives it another law.
+        F: Fn(f64, &D::Vector, &D::Vector) -> D::Vector, // with a memory: `.control_period(1e-3).torque(law)`
+    {
         self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
     }
 }

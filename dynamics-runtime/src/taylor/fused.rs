@@ -30,6 +30,7 @@ impl_operators! {
     Neg neg |a| Fused(-a.0);
 }
 
+#[diagnostic::do_not_recommend]
 impl Scalar for Fused {
     scalar_methods! {
         from_f64(x) => Fused(x);

@@ -248,35 +248,35 @@ impl ::robot_dynamics::MassMatrix<2> for NamedRods {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 1, self.l1, q.data.0[0][0]);
-        let p_m1 = ::robot_dynamics::Inputs::field(sines, 2, self.m1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 4, self.m2, q.data.0[0][0]);
-        let p_load = ::robot_dynamics::Inputs::field(
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 1, self.l1, q.data.0[0][0]);
+        let p_m1_ = ::robot_dynamics::Inputs::field(sines, 2, self.m1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 4, self.m2, q.data.0[0][0]);
+        let p_load_ = ::robot_dynamics::Inputs::field(
             sines,
             5,
             self.load,
             q.data.0[0][0],
         );
-        let t_1 = real(0.5) * p_l2;
-        let t_2 = p_m2 + p_load;
-        let t_3 = t_1 * t_2;
-        let t_4 = c_2 * t_3;
-        let t_5 = p_l1 * t_4;
-        let t_6 = p_m1 + t_2;
-        let t_7 = p_l1 * t_6;
-        let t_8 = t_1 * t_3;
-        let t_9 = t_8 + t_5;
-        let t_10 = p_l1.mul_add(t_7, t_5);
-        let t_11 = t_9 + t_10;
+        let t_1_ = real(0.5) * p_l2_;
+        let t_2_ = p_m2_ + p_load_;
+        let t_3_ = t_1_ * t_2_;
+        let t_4_ = c_2_ * t_3_;
+        let t_5_ = p_l1_ * t_4_;
+        let t_6_ = p_m1_ + t_2_;
+        let t_7_ = p_l1_ * t_6_;
+        let t_8_ = t_1_ * t_3_;
+        let t_9_ = t_8_ + t_5_;
+        let t_10_ = p_l1_.mul_add(t_7_, t_5_);
+        let t_11_ = t_9_ + t_10_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_11, t_9], [t_9, t_8]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_11_, t_9_], [t_9_, t_8_]]),
         )
     }
 }
@@ -301,34 +301,34 @@ impl ::robot_dynamics::GravityVector<2> for NamedRods {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let p_g = ::robot_dynamics::Inputs::field(sines, 0, self.g, q.data.0[0][0]);
-        let p_l1 = ::robot_dynamics::Inputs::field(sines, 1, self.l1, q.data.0[0][0]);
-        let p_m1 = ::robot_dynamics::Inputs::field(sines, 2, self.m1, q.data.0[0][0]);
-        let p_l2 = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
-        let p_m2 = ::robot_dynamics::Inputs::field(sines, 4, self.m2, q.data.0[0][0]);
-        let p_load = ::robot_dynamics::Inputs::field(
+        let p_g_ = ::robot_dynamics::Inputs::field(sines, 0, self.g, q.data.0[0][0]);
+        let p_l1_ = ::robot_dynamics::Inputs::field(sines, 1, self.l1, q.data.0[0][0]);
+        let p_m1_ = ::robot_dynamics::Inputs::field(sines, 2, self.m1, q.data.0[0][0]);
+        let p_l2_ = ::robot_dynamics::Inputs::field(sines, 3, self.l2, q.data.0[0][0]);
+        let p_m2_ = ::robot_dynamics::Inputs::field(sines, 4, self.m2, q.data.0[0][0]);
+        let p_load_ = ::robot_dynamics::Inputs::field(
             sines,
             5,
             self.load,
             q.data.0[0][0],
         );
-        let t_1 = p_m2 + p_load;
-        let t_2 = p_m1 + t_1;
-        let t_3 = p_l1 * t_2;
-        let t_4 = real(0.5) * p_l2;
-        let t_5 = t_4 * t_1;
-        let t_6 = (-c_1).mul_add(c_2, s_1 * s_2);
-        let t_7 = t_5 * t_6;
-        let t_8 = (-c_1).mul_add(t_3, t_7);
-        let t_9 = p_g * t_8;
-        let t_10 = p_g * t_7;
+        let t_1_ = p_m2_ + p_load_;
+        let t_2_ = p_m1_ + t_1_;
+        let t_3_ = p_l1_ * t_2_;
+        let t_4_ = real(0.5) * p_l2_;
+        let t_5_ = t_4_ * t_1_;
+        let t_6_ = (-c_1_).mul_add(c_2_, s_1_ * s_2_);
+        let t_7_ = t_5_ * t_6_;
+        let t_8_ = (-c_1_).mul_add(t_3_, t_7_);
+        let t_9_ = p_g_ * t_8_;
+        let t_10_ = p_g_ * t_7_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[-t_9, -t_10]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[-t_9_, -t_10_]]),
         )
     }
 }

@@ -505,18 +505,21 @@ impl ::robot_dynamics::MassMatrix<2> for TwoRods {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
-        let t_1 = real(0.25) * c_2;
-        let t_2 = t_1 + t_1;
-        let t_3 = real(1.5625) + t_2;
-        let t_4 = real(0.0625) + t_1;
+        let t_1_ = real(0.25) * c_2_;
+        let t_2_ = t_1_ + t_1_;
+        let t_3_ = real(1.5625) + t_2_;
+        let t_4_ = real(0.0625) + t_1_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4], [t_4, real(0.0625)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [t_3_, t_4_],
+                [t_4_, real(0.0625)],
+            ]),
         )
     }
 }
@@ -543,22 +546,22 @@ impl ::robot_dynamics::CoriolisVector<2> for TwoRods {
         qd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_2, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(s_2_, _)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Sine],
             [q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let t_1 = real(0.25) * s_2;
-        let t_2 = qd_1 * qd_1;
-        let t_3 = t_1 * t_2;
-        let t_4 = qd_1 + qd_2;
-        let t_5 = t_4 * t_4;
-        let t_6 = (-t_1).mul_add(t_5, t_3);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let t_1_ = real(0.25) * s_2_;
+        let t_2_ = qd_1_ * qd_1_;
+        let t_3_ = t_1_ * t_2_;
+        let t_4_ = qd_1_ + qd_2_;
+        let t_5_ = t_4_ * t_4_;
+        let t_6_ = (-t_1_).mul_add(t_5_, t_3_);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_6, t_3]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_6_, t_3_]]),
         )
     }
 }
@@ -583,16 +586,16 @@ impl ::robot_dynamics::GravityVector<2> for TwoRods {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let t_1 = c_1.mul_add(s_2, s_1 * c_2);
-        let t_2 = real(2.4525) * t_1;
-        let t_3 = real(19.62).mul_add(s_1, t_2);
+        let t_1_ = c_1_.mul_add(s_2_, s_1_ * c_2_);
+        let t_2_ = real(2.4525) * t_1_;
+        let t_3_ = real(19.62).mul_add(s_1_, t_2_);
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_2]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_3_, t_2_]]),
         )
     }
 }
@@ -621,30 +624,30 @@ impl ::robot_dynamics::InverseDynamics<2> for TwoRods {
         qdd: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SVector<T, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let qdd_1 = qdd.data.0[0][0];
-        let qdd_2 = qdd.data.0[0][1];
-        let t_1 = qdd_1 + qdd_2;
-        let t_2 = real(0.25) * c_2;
-        let t_3 = real(9.81).mul_add(s_1, qdd_1);
-        let t_4 = real(0.25) * s_2;
-        let t_5 = real(9.81).mul_add(c_1, qd_1 * qd_1);
-        let t_6 = t_2.mul_add(t_3, real(0.0625) * t_1);
-        let t_7 = t_4.mul_add(t_5, t_6);
-        let t_8 = qd_1 + qd_2;
-        let t_9 = t_8 * t_8;
-        let t_10 = real(19.62).mul_add(s_1, real(1.5) * qdd_1);
-        let t_11 = (-t_4).mul_add(t_9, t_10);
-        let t_12 = t_2.mul_add(t_1, t_11);
-        let t_13 = t_7 + t_12;
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let qdd_1_ = qdd.data.0[0][0];
+        let qdd_2_ = qdd.data.0[0][1];
+        let t_1_ = qdd_1_ + qdd_2_;
+        let t_2_ = real(0.25) * c_2_;
+        let t_3_ = real(9.81).mul_add(s_1_, qdd_1_);
+        let t_4_ = real(0.25) * s_2_;
+        let t_5_ = real(9.81).mul_add(c_1_, qd_1_ * qd_1_);
+        let t_6_ = t_2_.mul_add(t_3_, real(0.0625) * t_1_);
+        let t_7_ = t_4_.mul_add(t_5_, t_6_);
+        let t_8_ = qd_1_ + qd_2_;
+        let t_9_ = t_8_ * t_8_;
+        let t_10_ = real(19.62).mul_add(s_1_, real(1.5) * qdd_1_);
+        let t_11_ = (-t_4_).mul_add(t_9_, t_10_);
+        let t_12_ = t_2_.mul_add(t_1_, t_11_);
+        let t_13_ = t_7_ + t_12_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_13, t_7]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([[t_13_, t_7_]]),
         )
     }
 }
@@ -679,45 +682,45 @@ impl ::robot_dynamics::ForwardDynamics<2> for TwoRods {
         ::robot_dynamics::SingularMassMatrix,
     > {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+        let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
             sines,
             [0, 1],
             [q.data.0[0][0], q.data.0[0][1]],
         );
-        let qd_1 = qd.data.0[0][0];
-        let qd_2 = qd.data.0[0][1];
-        let tau_1 = tau.data.0[0][0];
-        let tau_2 = tau.data.0[0][1];
-        let t_1 = real(0.25) * c_2;
-        let t_2 = real(9.81) * s_1;
-        let t_3 = real(0.25) * s_2;
-        let t_4 = real(9.81).mul_add(c_1, qd_1 * qd_1);
-        let t_5 = t_3.mul_add(t_4, t_1 * t_2);
-        let t_6 = qd_1 + qd_2;
-        let t_7 = t_6 * t_6;
-        let t_8 = t_5 - tau_2;
-        let t_9 = real(0.0625) + t_1;
-        let t_10 = real(16.0) * t_9;
-        let t_11 = real(-19.62).mul_add(s_1, tau_1);
-        let t_12 = t_3.mul_add(t_7, t_11);
-        let t_13 = t_12 - t_5;
-        let t_14 = t_8.mul_add(t_10, t_13);
-        let t_15 = t_1 + t_1;
-        let t_16 = real(1.5625) + t_15;
-        let t_17 = (-t_9).mul_add(t_10, t_16);
-        let t_18 = real(1.0) / t_17;
-        let t_19 = t_14 * t_18;
-        let t_20 = t_10.mul_add(t_19, real(16.0) * t_8);
+        let qd_1_ = qd.data.0[0][0];
+        let qd_2_ = qd.data.0[0][1];
+        let tau_1_ = tau.data.0[0][0];
+        let tau_2_ = tau.data.0[0][1];
+        let t_1_ = real(0.25) * c_2_;
+        let t_2_ = real(9.81) * s_1_;
+        let t_3_ = real(0.25) * s_2_;
+        let t_4_ = real(9.81).mul_add(c_1_, qd_1_ * qd_1_);
+        let t_5_ = t_3_.mul_add(t_4_, t_1_ * t_2_);
+        let t_6_ = qd_1_ + qd_2_;
+        let t_7_ = t_6_ * t_6_;
+        let t_8_ = t_5_ - tau_2_;
+        let t_9_ = real(0.0625) + t_1_;
+        let t_10_ = real(16.0) * t_9_;
+        let t_11_ = real(-19.62).mul_add(s_1_, tau_1_);
+        let t_12_ = t_3_.mul_add(t_7_, t_11_);
+        let t_13_ = t_12_ - t_5_;
+        let t_14_ = t_8_.mul_add(t_10_, t_13_);
+        let t_15_ = t_1_ + t_1_;
+        let t_16_ = real(1.5625) + t_15_;
+        let t_17_ = (-t_9_).mul_add(t_10_, t_16_);
+        let t_18_ = real(1.0) / t_17_;
+        let t_19_ = t_14_ * t_18_;
+        let t_20_ = t_10_.mul_add(t_19_, real(16.0) * t_8_);
         ::robot_dynamics::SingularMassMatrix::test_joint(
             1,
             "knee",
             real(0.0625),
             real(0.0625),
         )?;
-        ::robot_dynamics::SingularMassMatrix::test_joint(0, "pivot", t_17, t_16)?;
+        ::robot_dynamics::SingularMassMatrix::test_joint(0, "pivot", t_17_, t_16_)?;
         ::core::result::Result::Ok(
             ::robot_dynamics::nalgebra::SMatrix::from_data(
-                ::robot_dynamics::nalgebra::ArrayStorage([[t_19, -t_20]]),
+                ::robot_dynamics::nalgebra::ArrayStorage([[t_19_, -t_20_]]),
             ),
         )
     }
@@ -747,44 +750,44 @@ impl ::robot_dynamics::TaylorDynamics<2> for TwoRods {
             let a_number = ::robot_dynamics::SeriesTerm::like(term);
             move |x: f64| ::robot_dynamics::Scalar::constant(a_number, x)
         };
-        let s_1 = ::robot_dynamics::SeriesTerm::sine(term, 0);
-        let c_1 = ::robot_dynamics::SeriesTerm::cosine(term, 0);
-        let c_2 = ::robot_dynamics::SeriesTerm::cosine(term, 1);
-        let s_2 = ::robot_dynamics::SeriesTerm::sine(term, 1);
-        let qd_1 = ::robot_dynamics::SeriesTerm::velocity(term, 0);
-        let qd_2 = ::robot_dynamics::SeriesTerm::velocity(term, 1);
+        let s_1_ = ::robot_dynamics::SeriesTerm::sine(term, 0);
+        let c_1_ = ::robot_dynamics::SeriesTerm::cosine(term, 0);
+        let c_2_ = ::robot_dynamics::SeriesTerm::cosine(term, 1);
+        let s_2_ = ::robot_dynamics::SeriesTerm::sine(term, 1);
+        let qd_1_ = ::robot_dynamics::SeriesTerm::velocity(term, 0);
+        let qd_2_ = ::robot_dynamics::SeriesTerm::velocity(term, 1);
         ::robot_dynamics::SeriesTerm::turn(term, 0, 6);
         ::robot_dynamics::SeriesTerm::turn(term, 1, 8);
-        let t_2 = real(0.25) * c_2;
-        let t_5 = real(0.25) * s_2;
-        let t_6 = ::robot_dynamics::SeriesTerm::product(term, 0, qd_1, qd_1);
-        let t_8 = real(9.81).mul_add(c_1, t_6);
-        let t_12 = ::robot_dynamics::SeriesTerm::product(term, 2, t_5, t_8);
-        let t_14 = qd_1 + qd_2;
-        let t_15 = ::robot_dynamics::SeriesTerm::product(term, 3, t_14, t_14);
-        let t_19 = ::robot_dynamics::SeriesTerm::product(term, 4, t_5, t_15);
+        let t_2_ = real(0.25) * c_2_;
+        let t_5_ = real(0.25) * s_2_;
+        let t_6_ = ::robot_dynamics::SeriesTerm::product(term, 0, qd_1_, qd_1_);
+        let t_8_ = real(9.81).mul_add(c_1_, t_6_);
+        let t_12_ = ::robot_dynamics::SeriesTerm::product(term, 2, t_5_, t_8_);
+        let t_14_ = qd_1_ + qd_2_;
+        let t_15_ = ::robot_dynamics::SeriesTerm::product(term, 3, t_14_, t_14_);
+        let t_19_ = ::robot_dynamics::SeriesTerm::product(term, 4, t_5_, t_15_);
         let forces = {
-            let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
-            let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
-            let t_1 = qdd_1 + qdd_2;
-            let t_4 = real(9.81).mul_add(s_1, qdd_1);
-            let t_10 = ::robot_dynamics::SeriesTerm::trial(term, 1, t_2, t_4);
-            let t_11 = real(0.0625).mul_add(t_1, t_10);
-            let t_13 = t_12 + t_11;
-            let t_18 = real(19.62).mul_add(s_1, real(1.5) * qdd_1);
-            let t_20 = t_18 - t_19;
-            let t_21 = ::robot_dynamics::SeriesTerm::trial(term, 5, t_2, t_1);
-            let t_22 = t_21 + t_20;
-            let t_23 = t_13 + t_22;
-            [t_23, t_13]
+            let qdd_1_ = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+            let qdd_2_ = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
+            let t_1_ = qdd_1_ + qdd_2_;
+            let t_4_ = real(9.81).mul_add(s_1_, qdd_1_);
+            let t_10_ = ::robot_dynamics::SeriesTerm::trial(term, 1, t_2_, t_4_);
+            let t_11_ = real(0.0625).mul_add(t_1_, t_10_);
+            let t_13_ = t_12_ + t_11_;
+            let t_18_ = real(19.62).mul_add(s_1_, real(1.5) * qdd_1_);
+            let t_20_ = t_18_ - t_19_;
+            let t_21_ = ::robot_dynamics::SeriesTerm::trial(term, 5, t_2_, t_1_);
+            let t_22_ = t_21_ + t_20_;
+            let t_23_ = t_13_ + t_22_;
+            [t_23_, t_13_]
         };
         ::robot_dynamics::SeriesTerm::solve(term, forces);
-        let qdd_1 = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
-        let qdd_2 = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
-        let t_1 = qdd_1 + qdd_2;
-        let t_4 = real(9.81).mul_add(s_1, qdd_1);
-        let t_10 = ::robot_dynamics::SeriesTerm::product(term, 1, t_2, t_4);
-        let t_21 = ::robot_dynamics::SeriesTerm::product(term, 5, t_2, t_1);
+        let qdd_1_ = ::robot_dynamics::SeriesTerm::acceleration(term, 0);
+        let qdd_2_ = ::robot_dynamics::SeriesTerm::acceleration(term, 1);
+        let t_1_ = qdd_1_ + qdd_2_;
+        let t_4_ = real(9.81).mul_add(s_1_, qdd_1_);
+        let t_10_ = ::robot_dynamics::SeriesTerm::product(term, 1, t_2_, t_4_);
+        let t_21_ = ::robot_dynamics::SeriesTerm::product(term, 5, t_2_, t_1_);
     }
 
     #[inline(always)]
@@ -794,18 +797,21 @@ impl ::robot_dynamics::TaylorDynamics<2> for TwoRods {
         q: &::robot_dynamics::nalgebra::SVector<T, 2>,
     ) -> ::robot_dynamics::nalgebra::SMatrix<T, 2, 2> {
         let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-        let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+        let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
             sines,
             [1],
             [::robot_dynamics::Part::Cosine],
             [q.data.0[0][1]],
         );
-        let t_1 = real(0.25) * c_2;
-        let t_2 = t_1 + t_1;
-        let t_3 = real(1.5625) + t_2;
-        let t_4 = real(0.0625) + t_1;
+        let t_1_ = real(0.25) * c_2_;
+        let t_2_ = t_1_ + t_1_;
+        let t_3_ = real(1.5625) + t_2_;
+        let t_4_ = real(0.0625) + t_1_;
         ::robot_dynamics::nalgebra::SMatrix::from_data(
-            ::robot_dynamics::nalgebra::ArrayStorage([[t_3, t_4], [t_4, real(0.0625)]]),
+            ::robot_dynamics::nalgebra::ArrayStorage([
+                [t_3_, t_4_],
+                [t_4_, real(0.0625)],
+            ]),
         )
     }
 }
@@ -834,21 +840,21 @@ for TwoRods {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(_, c_2)] = ::robot_dynamics::Inputs::sin_cos_parts(
+            let [(_, c_2_)] = ::robot_dynamics::Inputs::sin_cos_parts(
                 sines,
                 [1],
                 [::robot_dynamics::Part::Cosine],
                 [q.data.0[0][1]],
             );
-            let qd_1 = qd.data.0[0][0];
-            let qd_2 = qd.data.0[0][1];
-            let t_1 = qd_1 * c_2;
-            let t_2 = qd_1 + qd_2;
-            let t_3 = t_2 * t_2;
-            let t_4 = real(0.041666666666666664).mul_add(t_3, qd_1 * qd_1);
-            let t_5 = t_1.mul_add(t_2, real(3.0) * t_4);
-            let t_6 = real(0.25) * t_5;
-            t_6
+            let qd_1_ = qd.data.0[0][0];
+            let qd_2_ = qd.data.0[0][1];
+            let t_1_ = qd_1_ * c_2_;
+            let t_2_ = qd_1_ + qd_2_;
+            let t_3_ = t_2_ * t_2_;
+            let t_4_ = real(0.041666666666666664).mul_add(t_3_, qd_1_ * qd_1_);
+            let t_5_ = t_1_.mul_add(t_2_, real(3.0) * t_4_);
+            let t_6_ = real(0.25) * t_5_;
+            t_6_
         })
     }
 }
@@ -877,15 +883,15 @@ for TwoRods {
     > {
         ::core::result::Result::Ok({
             let real = |x: f64| ::robot_dynamics::Scalar::constant(q.data.0[0][0], x);
-            let [(s_1, c_1), (s_2, c_2)] = ::robot_dynamics::Inputs::sin_cos(
+            let [(s_1_, c_1_), (s_2_, c_2_)] = ::robot_dynamics::Inputs::sin_cos(
                 sines,
                 [0, 1],
                 [q.data.0[0][0], q.data.0[0][1]],
             );
-            let t_1 = real(8.0) + c_2;
-            let t_2 = (-c_1).mul_add(t_1, s_1 * s_2);
-            let t_3 = real(2.4525) * t_2;
-            t_3
+            let t_1_ = real(8.0) + c_2_;
+            let t_2_ = (-c_1_).mul_add(t_1_, s_1_ * s_2_);
+            let t_3_ = real(2.4525) * t_2_;
+            t_3_
         })
     }
 }

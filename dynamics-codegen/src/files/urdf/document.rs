@@ -160,7 +160,8 @@ fn tree(
     let joints: Vec<Read<Joint>> = elements("joint").map(|joint| reader.joint(joint)).collect();
     let links: Vec<Link> = links.into_iter().collect::<Read<_>>().ok()?;
     let joints: Vec<Joint> = joints.into_iter().collect::<Read<_>>().ok()?;
-    let loops = loops::warnings(root, &links, |node| reader.place(node));
+    let names: Vec<&str> = links.iter().map(|link| link.name.as_str()).collect();
+    let loops = loops::warnings(root, &names, |node| reader.place(node));
     let tree = Tree {
         loops,
         links,

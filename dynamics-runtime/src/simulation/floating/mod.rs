@@ -100,10 +100,10 @@ impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W> {
     ///
     /// As for a base that stands, the law must be a function of its arguments alone, unless it is given after
     /// [`control_period`](Simulation::control_period).
-    pub fn torque<F: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector>(
-        self,
-        law: F,
-    ) -> Simulation<'a, R, F, OnBase<D, V>, W> {
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, OnBase<D, V>, W>
+    where
+        F: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector, // with a memory: `.control_period(1e-3).torque(law)`
+    {
         self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
     }
 }
