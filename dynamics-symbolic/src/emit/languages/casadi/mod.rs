@@ -2,7 +2,8 @@
 //!
 //! CasADi differentiates an external function `f` by `jac_f`, whose inputs are those of `f` and a place for each output,
 //! and whose outputs are a block for each output and input. Second derivatives are `jac_jac_f` by the same rule. Where there
-//! are some, `adj1_f` is the reverse mode and `jac_adj1_f` its derivatives, of which CasADi makes Hessians.
+//! are some, `adj1_f` is the reverse mode and `jac_adj1_f` its derivatives, of which CasADi makes Hessians. Forward dynamics
+//! has these two alone (`solved`).
 //!
 //! `derivatives` says which programs have the derivatives of a function, `blocks` puts their values where CasADi
 //! expects them and sums them with weights, `calls` says where these sums read them, `interface` has names, patterns of entries in compressed columns, and room. Outputs that are the
