@@ -27,6 +27,7 @@ pub mod description;
 mod diagnose;
 mod expand;
 pub mod files;
+mod finding;
 #[cfg(feature = "files")]
 pub mod geometry;
 mod keys;
@@ -34,7 +35,6 @@ mod limits;
 #[cfg(feature = "files")]
 pub mod lint;
 mod mistake;
-mod note;
 mod parse;
 mod place;
 mod read;
@@ -45,7 +45,7 @@ mod words;
 
 pub use audience::Audience;
 pub use diagnose::Error;
-pub use note::{Note, Severity};
+pub use finding::{Finding, Severity};
 pub use validate::Model;
 pub use words::{nearest, visible};
 

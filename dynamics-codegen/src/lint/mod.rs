@@ -10,11 +10,12 @@ mod space;
 mod table;
 mod urdf;
 
-pub use rule::{Finding, RULES, Rule};
+pub use rule::{RULES, Rule};
 
 use crate::diagnose::Diagnostics;
 use crate::files::urdf::document::parsed;
 use crate::files::{Format, alone};
+use crate::finding::Finding;
 
 /// What rules of files find in a text.
 #[derive(Debug, Default)]
