@@ -1,4 +1,4 @@
-//! What is wrong or doubtful in robot files.
+//! Mistakes and doubtful things in robot files.
 
 use std::path::{Path, PathBuf};
 
@@ -82,7 +82,10 @@ fn options(format: Format, moving_base: Option<Option<String>>) -> ReadOptions {
         .entries("gravity = [0, 0, -9.81]")
         .for_command(Vec::new());
     if let Some(first) = moving_base {
-        options = options.entries("base = \"floating\"").chain(first);
+        options = options.entries("base = \"floating\"");
+        if let Some(first) = first {
+            options = options.chain([first]);
+        }
     }
     options
 }

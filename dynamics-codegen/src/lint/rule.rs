@@ -12,7 +12,7 @@ pub struct Rule {
     pub name: &'static str,
     /// The weight of what breaks it.
     pub severity: Severity,
-    /// What breaks it.
+    /// The kind of thing that breaks it.
     pub about: &'static str,
 }
 
