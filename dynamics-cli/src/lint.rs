@@ -1,12 +1,12 @@
-//! What is wrong or doubtful in robot files.
+//! Mistakes and doubtful things in robot files.
 
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use dynamics_codegen::description::Masses;
 use dynamics_codegen::files::Format;
-use dynamics_codegen::lint::{Finding, judged};
-use dynamics_codegen::{Note, Severity};
+use dynamics_codegen::lint::judged;
+use dynamics_codegen::{Finding, Severity};
 use dynamics_evaluation::{FileError, FileMistake, ReadOptions, read_source, read_text};
 
 use crate::convert::quoted;
@@ -17,13 +17,7 @@ use crate::load::for_command;
 /// A line of the output.
 struct Row {
     file: PathBuf,
-    line: usize,
-    column: usize,
-    rule: &'static str,
-    severity: Severity,
-    message: String,
-    /// How to mend it; none if the message says that.
-    remedy: Option<String>,
+    found: Finding,
 }
 
 /// The text of `lint`.
@@ -38,7 +32,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     } else {
         text(&rows, files.count())
     };
-    match rows.iter().any(|row| row.severity == Severity::Error) {
+    match rows.iter().any(|row| row.found.severity == Severity::Error) {
         true => Err(Failure::told_by(output)),
         false => Ok(output),
     }
@@ -46,37 +40,34 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 
 /// All that is found in a file, from its top to its end.
 fn rows(path: &Path) -> Vec<Row> {
-    let mut rows = rows_of_text(path).unwrap_or_else(|error| {
-        let mistakes = error.mistakes().into_iter();
-        mistakes.map(|mistake| mistaken(path, mistake)).collect()
-    });
-    rows.sort_by_key(|row| (row.file != path, row.line, row.column));
+    let mut rows = rows_of_text(path).unwrap_or_else(|error| mistaken(path, &error));
+    rows.sort_by_key(|row| (row.file != path, row.found.line, row.found.column));
     rows
 }
 
 fn rows_of_text(path: &Path) -> Result<Vec<Row>, FileError> {
     let text = read_text(path)?;
     let format = Format::of(path).ok_or_else(|| FileError::UnknownFormat(path.to_owned()))?;
-    let judged = judged(&text, format);
+    let mut judged = judged(&text, format);
     let read = read_source(path, &text, &options(format, judged.moving_base));
-    let mut rows: Vec<Row> = match read {
-        Ok(model) => model
-            .warnings
-            .into_iter()
-            .map(|note| noted(path, &note))
-            .collect(),
-        Err(error) => error
-            .mistakes()
-            .into_iter()
-            .map(|mistake| mistaken(path, mistake))
-            .collect(),
-    };
-    rows.extend(
-        judged
-            .findings
-            .into_iter()
-            .map(|finding| found(path, finding)),
-    );
+    let mut rows = Vec::new();
+    match read {
+        Ok(model) => judged.findings.extend(model.warnings),
+        Err(error) => {
+            rows.extend(mistaken(path, &error));
+            // Notes are of robots.
+            judged
+                .findings
+                .retain(|found| found.severity != Severity::Note);
+        }
+    }
+    rows.extend(judged.findings.into_iter().map(|found| Row {
+        file: path.to_owned(),
+        found: Finding {
+            message: for_command(&found.message),
+            ..found
+        },
+    }));
     Ok(rows)
 }
 
@@ -91,76 +82,55 @@ fn options(format: Format, moving_base: Option<Option<String>>) -> ReadOptions {
         .entries("gravity = [0, 0, -9.81]")
         .for_command(Vec::new());
     if let Some(first) = moving_base {
-        options = options.entries("base = \"floating\"").chain(first);
+        options = options.entries("base = \"floating\"");
+        if let Some(first) = first {
+            options = options.chain([first]);
+        }
     }
     options
 }
 
-/// A mistake for which the file is refused. Limits of this program are no mistakes of the file.
-fn mistaken(path: &Path, mistake: FileMistake) -> Row {
-    Row {
-        file: mistake.file.unwrap_or_else(|| path.to_owned()),
-        line: mistake.line,
-        column: mistake.column,
-        rule: mistake.rule,
-        severity: if mistake.rule.starts_with("size::") {
-            Severity::Note
-        } else {
-            Severity::Error
-        },
-        message: mistake.message,
-        remedy: None,
-    }
-}
-
-fn noted(path: &Path, note: &Note) -> Row {
-    let (line, column) = note.position;
-    Row {
-        file: path.to_owned(),
-        line,
-        column,
-        rule: note.rule,
-        severity: note.severity,
-        message: for_command(&note.text),
-        remedy: None,
-    }
-}
-
-fn found(path: &Path, finding: Finding) -> Row {
-    Row {
-        file: path.to_owned(),
-        line: finding.line,
-        column: finding.column,
-        rule: finding.rule,
-        severity: finding.severity,
-        message: finding.message,
-        remedy: Some(finding.remedy),
-    }
+/// The mistakes for which a file is refused. Limits of this program are no mistakes of the file, and mistakes in options are
+/// those of the whole file.
+fn mistaken(path: &Path, error: &FileError) -> Vec<Row> {
+    let row = |mistake: FileMistake| {
+        let is_limit = mistake.rule.starts_with("size::");
+        let place = mistake
+            .file
+            .as_ref()
+            .map(|_| (mistake.line, mistake.column));
+        let (line, column) = place.unwrap_or((1, 1));
+        Row {
+            file: mistake.file.unwrap_or_else(|| path.to_owned()),
+            found: Finding {
+                line,
+                column,
+                rule: mistake.rule,
+                severity: if is_limit {
+                    Severity::Note
+                } else {
+                    Severity::Error
+                },
+                message: mistake.message,
+                remedy: None,
+            },
+        }
+    };
+    error.mistakes().into_iter().map(row).collect()
 }
 
 /// A line for each row, and a last one that counts them.
 fn text(rows: &[Row], files: usize) -> String {
-    let mut text = String::new();
-    for Row {
-        file,
-        line,
-        column,
-        rule,
-        severity,
-        message,
-        remedy,
-    } in rows
-    {
-        let remedy = remedy
-            .as_ref()
-            .map_or(String::new(), |remedy| format!(": {remedy}"));
-        let file = file.display();
-        text += &without_controls(&format!(
-            "{file}:{line}:{column}: {severity}: {message} [{rule}]{remedy}"
-        ));
-        text.push('\n');
-    }
-    let count = |severity| rows.iter().filter(|row| row.severity == severity).count();
+    let line = |Row { file, found }: &Row| {
+        let line = format!("{}:{found}", file.display());
+        without_controls(&line) + "\n"
+    };
+    let text: String = rows.iter().map(line).collect();
+    let count = |severity| {
+        rows.iter()
+            .filter(|row| row.found.severity == severity)
+            .count()
+    };
     let [errors, warnings, notes] = [Severity::Error, Severity::Warning, Severity::Note].map(count);
     let files = counted(files, "file");
     text + &match rows {
@@ -181,17 +151,19 @@ fn counted(count: usize, what: &str) -> String {
 
 /// A list of objects, each on a line.
 fn json(rows: &[Row]) -> String {
-    let object = |row: &Row| {
-        let remedy = row.remedy.as_deref().map_or("null".to_owned(), quoted);
-        format!(
-            "  {{\"file\": {}, \"line\": {}, \"column\": {}, \"rule\": {}, \"severity\": \"{}\", \"message\": {}, \"remedy\": {remedy}}}",
-            quoted(&row.file.to_string_lossy()),
-            row.line,
-            row.column,
-            quoted(row.rule),
-            row.severity,
-            quoted(&row.message),
-        )
+    let object = |Row { file, found }: &Row| {
+        let remedy = found.remedy.as_deref().map(quoted);
+        let members = [
+            ("file", quoted(&file.to_string_lossy())),
+            ("line", found.line.to_string()),
+            ("column", found.column.to_string()),
+            ("rule", quoted(found.rule)),
+            ("severity", quoted(&found.severity.to_string())),
+            ("message", quoted(&found.message)),
+            ("remedy", remedy.unwrap_or_else(|| "null".to_owned())),
+        ];
+        let members = members.map(|(key, value)| format!("{}: {value}", quoted(key)));
+        format!("  {{{}}}", members.join(", "))
     };
     let objects: Vec<_> = rows.iter().map(object).collect();
     match objects.is_empty() {

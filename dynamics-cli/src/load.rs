@@ -144,7 +144,7 @@ pub(crate) fn read_with_links(
 fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
     let model = read_silently(path, beside, needed)?;
     for warning in &model.warnings {
-        let told = format!("{}: {}", path.display(), for_command(&warning.text));
+        let told = format!("{}: {}", path.display(), for_command(&warning.message));
         static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
         let mut all = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
         if all.insert(told.clone()) {

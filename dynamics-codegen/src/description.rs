@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::audience::Audience;
-use crate::note::Note;
+use crate::finding::Finding;
 use crate::rounded::Rounded;
 use crate::words::shortened;
 
@@ -68,7 +68,7 @@ pub struct Table {
     /// Angles of a URDF file that are taken as multiples of a quarter turn.
     pub rounded: Rounded,
     /// What the reader of a file is told besides.
-    pub warnings: Vec<Note>,
+    pub warnings: Vec<Finding>,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, including those entries that could not be read.

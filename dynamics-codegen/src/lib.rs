@@ -28,6 +28,7 @@ pub mod description;
 mod diagnose;
 mod expand;
 pub mod files;
+mod finding;
 #[cfg(feature = "files")]
 pub mod geometry;
 mod keys;
@@ -35,7 +36,6 @@ mod limits;
 #[cfg(feature = "files")]
 pub mod lint;
 mod mistake;
-mod note;
 mod parse;
 mod place;
 mod read;
@@ -47,7 +47,7 @@ mod words;
 pub use audience::Audience;
 pub use degrees::{angle_in_degrees, positions_in_degrees};
 pub use diagnose::Error;
-pub use note::{Note, Severity};
+pub use finding::{Finding, Severity};
 pub use validate::Model;
 pub use words::{nearest, visible};
 

@@ -487,6 +487,10 @@ impl RuntimeRobot {
         let arm = RuntimeRobot::new(model.robot, requests);
         let arm = arm.map_err(|error| FileError::Build(path.to_owned(), error))?;
         let warnings = model.warnings.iter();
-        Ok(arm.with_warnings(warnings.map(|told| told.text.trim().to_owned()).collect()))
+        Ok(arm.with_warnings(
+            warnings
+                .map(|told| told.message.trim().to_owned())
+                .collect(),
+        ))
     }
 }

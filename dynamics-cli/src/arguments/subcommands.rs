@@ -313,8 +313,9 @@ fn lint() -> Command {
     Command::new("lint")
         .about("Find what is wrong or doubtful in robot files, by rules with names")
         .long_about(
-            "Find what is wrong or doubtful in robot files: all that other commands refuse, and rules of files alone, \
-             such as an effort of 0, an inertia far from the geometry of its link, or two sides that differ by a digit. \
+            "Find what is wrong or doubtful in robot files: first all that other commands refuse. Then rules of files \
+             alone look for an effort of 0, an inertia far from the geometry of its link, or two sides that differ by a \
+             digit, for example. \
              Each line has a place, `error`, `warning` or `note`, and the name of the rule in brackets, behind which the \
              remedy stands. With --format json they are a list of objects. The exit status is 1 if there is an error.\n\n\
              `.pre-commit-hooks.yaml` of the project has a hook for pre-commit. Meshes are not read.",

@@ -1,7 +1,8 @@
 //! Bodies of links, wherever they are written, and what is doubtful about them.
 
-use super::rule::{self, Finding};
+use super::rule;
 use super::space::{Bounds, Point, norm};
+use crate::finding::Finding;
 use crate::place::Place;
 use crate::validate::{heaviest_of, in_kilograms, lightest_of};
 

@@ -1,7 +1,7 @@
 //! Rules of robot files alone: what is doubtful in a file that is a robot, and what other programs refuse in it.
 //!
-//! What makes a file no robot is reported where it is read, here as for all other commands. [`judged`] has the rest: it reads
-//! what no model needs (geometry, effort, lengths of axes) by itself, and says nothing of what it cannot read.
+//! Reasons why a file is no robot are reported where it is read, here as for all other commands. [`judged`] has the rest: it
+//! reads what no model needs (geometry, effort, lengths of axes) by itself, and says nothing of what it cannot read.
 
 mod body;
 mod rule;
@@ -10,13 +10,14 @@ mod space;
 mod table;
 mod urdf;
 
-pub use rule::{Finding, RULES, Rule};
+pub use rule::{RULES, Rule};
 
 use crate::diagnose::Diagnostics;
 use crate::files::urdf::document::parsed;
 use crate::files::{Format, alone};
+use crate::finding::Finding;
 
-/// What rules of files find in a text.
+/// Findings in a text.
 #[derive(Debug, Default)]
 pub struct Judged {
     /// All of it, in no order.

@@ -1,6 +1,7 @@
 //! The rules of files alone: each has its severity, its text and its remedy here, and nowhere else.
 
-use crate::note::Severity::{self, Note, Warning};
+use crate::finding::Finding;
+use crate::finding::Severity::{self, Note, Warning};
 use crate::place::Place;
 use crate::words::{number, shortened, visible};
 
@@ -11,40 +12,19 @@ pub struct Rule {
     pub name: &'static str,
     /// The weight of what breaks it.
     pub severity: Severity,
-    /// What breaks it.
+    /// The kind of thing that breaks it.
     pub about: &'static str,
 }
 
-/// Something that breaks a rule.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
-    /// The line, counted from 1.
-    pub line: usize,
-    /// The column of the first letter, counted from 1.
-    pub column: usize,
-    /// The name of the rule.
-    pub rule: &'static str,
-    /// Its weight.
-    pub severity: Severity,
-    /// The text: what is found.
-    pub message: String,
-    /// How to mend it.
-    pub remedy: String,
-}
-
-impl Finding {
-    /// Nothing in its texts acts on a terminal, whatever words of a file they have.
-    fn new(place: Place, rule: &Rule, [message, remedy]: [String; 2]) -> Finding {
-        let (line, column) = place.position();
-        let shown = |text: String| text.chars().map(visible).collect();
-        Finding {
-            line,
-            column,
-            rule: rule.name,
-            severity: rule.severity,
-            message: shown(message),
-            remedy: shown(remedy),
-        }
+/// A finding of which nothing acts on a terminal, whatever words of a file it has.
+fn found(place: Place, rule: &'static str, severity: Severity, texts: [String; 2]) -> Finding {
+    let (line, column) = place.position();
+    let [message, remedy] = texts.map(|text| text.chars().map(visible).collect());
+    Finding {
+        line,
+        column,
+        remedy: Some(remedy),
+        ..Finding::of_all(rule, severity, message)
     }
 }
 
@@ -64,13 +44,9 @@ macro_rules! rules {
         $(
             #[doc = $about]
             pub(super) fn $name(place: Place, $($given: $type),*) -> Finding {
-                const RULE: Rule = Rule {
-                    name: stringify!($name),
-                    severity: $severity,
-                    about: $about,
-                };
                 $($(let $given = $shown($given);)?)*
-                Finding::new(place, &RULE, [format!($message), format!($remedy)])
+                let texts = [format!($message), format!($remedy)];
+                found(place, stringify!($name), $severity, texts)
             }
         )*
     };

@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::body::Body;
-use super::rule::{self, Finding};
+use super::rule;
+use crate::finding::Finding;
 
 /// So many numbers other than zero have to agree.
 const AGREE: usize = 3;

@@ -6,7 +6,7 @@ use super::body::{self, Body};
 use super::space::{Point, norm, placed};
 use super::{rule, sides};
 use crate::description::{self, Given, Inertia, Table};
-use crate::lint::Finding;
+use crate::finding::Finding;
 use crate::place::Place;
 
 /// The place of what is said nowhere.

@@ -10,7 +10,7 @@ use super::space::{Point, norm, placed};
 use super::{Judged, rule, sides};
 use crate::files::urdf::document::{child, elements, is_named};
 use crate::files::urdf::prefixes::Declared;
-use crate::lint::Finding;
+use crate::finding::Finding;
 use crate::parse::number::in_file;
 use crate::place::Place;
 use crate::rounded::NEARLY;

@@ -6,7 +6,10 @@ const DATA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/data/");
 
 fn warnings(rest: &str) -> Vec<String> {
     let warnings = model(&format!("struct Arm; {rest}")).warnings;
-    warnings.into_iter().map(|note| note.text).collect()
+    warnings
+        .into_iter()
+        .map(|warning| warning.message)
+        .collect()
 }
 
 fn of_file(name: &str, rest: &str) -> Vec<String> {

@@ -432,7 +432,7 @@ fn loops_of_a_file_are_told() {
             " Line 8 of the file closes a loop by `<joint name=\"closed\">`, which is left out",
         ),
     ]) {
-        assert!(warning.text.starts_with(start), "{}", warning.text);
-        assert_eq!((warning.rule, warning.position.0), ("open_loop", line));
+        assert!(warning.message.starts_with(start), "{warning}");
+        assert_eq!((warning.rule, warning.line), ("open_loop", line));
     }
 }

@@ -35,9 +35,9 @@ use crate::description::{self, Asked, Entry, Joints, Name, Table};
 #[cfg(feature = "files")]
 use crate::description::{Allow, Expr};
 use crate::diagnose::Diagnostics;
+use crate::finding::Finding;
 use crate::limits::MOST_JOINTS;
 use crate::mistake::{Mistake, base as base_mistake, entry, file, joint, size, structure};
-use crate::note::Note;
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use angle::is_in_whole_degrees;
@@ -65,13 +65,13 @@ pub struct Model {
     /// Further lines of the struct's documentation.
     pub notes: Vec<String>,
     /// Notes on values that its user may not expect. Whoever reads a file is told them.
-    pub warnings: Vec<Note>,
+    pub warnings: Vec<Finding>,
 }
 
 impl Model {
     /// All that is noted of it: the lines of the documentation and the warnings.
     pub fn remarks(&self) -> impl Iterator<Item = &String> {
-        let warnings = self.warnings.iter().map(|note| &note.text);
+        let warnings = self.warnings.iter().map(|warning| &warning.message);
         self.notes.iter().chain(warnings)
     }
 }

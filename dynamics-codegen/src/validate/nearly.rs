@@ -13,12 +13,12 @@ use dynamics_symbolic::robot::{Angle, Quantity, Robot, Value};
 
 use super::Model;
 use crate::description::Table;
+use crate::finding::{Finding, Severity};
 use crate::limits::MOST_LISTED;
-use crate::note::{Note, Severity};
 use crate::rounded::{NEARLY, Rounded};
 
 /// The notes on a model.
-pub(super) fn notes(model: &Model, table: &Table) -> Vec<Note> {
+pub(super) fn notes(model: &Model, table: &Table) -> Vec<Finding> {
     let robot = &model.robot;
     let remedy = |is_of_urdf: bool, within: f64| match is_of_urdf {
         // The power of ten above it.
@@ -38,8 +38,9 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<Note> {
     let is_of_file = table.rounded != Rounded::default();
     let meant = format!("{} says that this is meant.", remedy(is_of_file, 1e-9));
     let rounded = rounded.note(&meant);
-    let rounded = rounded.map(|text| Note::new("digits_of_quarter_turns", Severity::Note, text));
-    let mut notes: Vec<Note> = rounded.into_iter().collect();
+    let rounded =
+        rounded.map(|text| Finding::of_all("digits_of_quarter_turns", Severity::Note, text));
+    let mut notes: Vec<Finding> = rounded.into_iter().collect();
     let requests = model.requests.iter().map(|(request, _)| request);
     let is_asked = requests.into_iter().any(|of| of.is_about_base_parameters())
         || table.needed.iter().any(|of| of.is_about_base_parameters());
@@ -49,7 +50,7 @@ pub(super) fn notes(model: &Model, table: &Table) -> Vec<Note> {
             let is_of_urdf = robot.rows.iter().any(|row| row.mount.is_some());
             let remedy = remedy(is_of_urdf, within.fold(0.0, f64::max));
             let text = told(counts, &angles, &remedy);
-            Note::new("parameters_hardly_apart", Severity::Warning, text)
+            Finding::of_all("parameters_hardly_apart", Severity::Warning, text)
         }));
     }
     notes

@@ -13,10 +13,10 @@ use super::prefixes::Declared;
 use super::rounding::Rounding;
 use crate::diagnose::{Diagnostics, Reported};
 use crate::files::Request;
+use crate::finding::Finding;
 use crate::geometry::{Transform, Vector, direction};
 use crate::limits::MOST_LETTERS;
 use crate::mistake::{Mistake, file as text, size, urdf as mistake};
-use crate::note::Note;
 use crate::parse::number::in_file;
 use crate::place::Place;
 use crate::validate::is_in_whole_degrees;
@@ -29,7 +29,7 @@ pub(super) struct Tree {
     /// The numbers that were taken as others.
     pub(super) rounding: Rounding,
     /// Warnings of loops that are left out.
-    pub(super) loops: Vec<Note>,
+    pub(super) loops: Vec<Finding>,
 }
 
 impl Tree {

@@ -2,28 +2,31 @@
 
 use roxmltree::Node;
 
-use super::document::Link;
-use crate::note::{Note, Severity};
+use crate::finding::{Finding, Severity};
 use crate::place::Place;
 use crate::words::shortened;
 
-/// A note on each loop. The robot is the tree of the joints, which is open there.
-pub(super) fn warnings(root: Node, links: &[Link], place: impl Fn(Node) -> Place) -> Vec<Note> {
+/// A finding for each loop. The robot is the tree of the joints, which is open there.
+pub(super) fn warnings(root: Node, links: &[&str], place: impl Fn(Node) -> Place) -> Vec<Finding> {
     let loops = root.descendants().filter(|node| closes_loop(*node, links));
     let warning = |node: Node| {
         let (line, column) = place(node).position();
         let element = node.tag_name().name();
         let name = shortened(node.attribute("name").unwrap_or_default());
-        let text = format!(
+        let message = format!(
             " Line {line} of the file closes a loop by `<{element} name=\"{name}\">`, which is left out: the robot is the \
              tree of its `<joint>`s, and open there."
         );
-        Note::new("open_loop", Severity::Warning, text).at(line, column)
+        Finding {
+            line,
+            column,
+            ..Finding::of_all("open_loop", Severity::Warning, message)
+        }
     };
     loops.map(warning).collect()
 }
 
-fn closes_loop(node: Node, links: &[Link]) -> bool {
+fn closes_loop(node: Node, links: &[&str]) -> bool {
     let is_in_gazebo = || {
         let mut around = node.ancestors().skip(1);
         around.any(|element| element.tag_name().name() == "gazebo")
@@ -38,7 +41,7 @@ fn closes_loop(node: Node, links: &[Link]) -> bool {
             .trim();
         // A link of a model in a model is named behind the model.
         let link = link.rsplit("::").next().unwrap_or_default();
-        links.iter().any(|known| known.name == link)
+        links.contains(&link)
     };
     match node.tag_name().name() {
         "loop_joint" => true,
