@@ -117,7 +117,9 @@ fn solutions(
 ) -> String {
     let jacobian = place.tip_jacobian(&found[0].q);
     let rank = jacobian.rows(0, rows).into_owned().rank(1e-6);
-    let free = found[0].q.len() - rank;
+    // Joints of other limbs move nothing.
+    let moving = jacobian.column_iter().filter(|column| column.amax() > 0.0);
+    let free = moving.count() - rank;
     let shown = &found[..found.len().min(MOST[usize::from(free > 0)])];
     let what = match (shown.len(), free) {
         (1, 0) => "1 solution".to_owned(),

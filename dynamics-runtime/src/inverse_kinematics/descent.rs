@@ -68,7 +68,7 @@ impl<D: Size, P: Places<D>> Problem<'_, D, P> {
                 // Where the targets are farther away than the arm is long, a longer way damps no more.
                 let of_error = DAMPING_OF_ERROR * normal.error.min(greatest);
                 let damping = of_error + LEAST_DAMPING * greatest;
-                let next = normal.stepped(&self.solver.joints, damping, None, &q);
+                let next = normal.stepped(self.joints, damping, None, &q);
                 next.ok_or(End::Stuck)
             };
             match found {

@@ -63,9 +63,9 @@ pub enum Reason {
     /// Every descent ended where no motion of the joints comes nearer. That is no proof that there are no joint positions, but
     /// the more attempts were made the less likely they are.
     Minimum,
-    /// The same, and at the nearest positions a joint would have to go beyond its limit to come nearer.
+    /// The same within the limits; beyond them the targets are reached.
     Limits {
-        /// The first such joint, counted from 0.
+        /// The joint that is farthest beyond its limit there, counted from 0.
         joint: usize,
     },
     /// The nearest descent had used up its iterations while it still came nearer.
@@ -117,7 +117,11 @@ impl fmt::Display for Reason {
             ),
             Reason::Minimum => f.write_str("no motion of the joints comes nearer"),
             Reason::Limits { joint } => {
-                write!(f, "the limit of joint {} is in the way", joint + 1)
+                let joint = joint + 1;
+                write!(
+                    f,
+                    "no positions within the limits were found, and some beyond that of joint {joint}"
+                )
             }
             Reason::Iterations => f.write_str("the iterations of an attempt are used up"),
             Reason::Target { target } => write!(

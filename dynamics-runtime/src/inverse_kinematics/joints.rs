@@ -65,6 +65,25 @@ impl<D: Size> Joints<D> {
             .position(|limits| !is_range(limits))
     }
 
+    /// The same without limits, if there are any.
+    pub(super) fn without_limits(&self) -> Option<Self> {
+        let mut free = self.clone();
+        free.limits = self.size.each(|_| None);
+        let limits = self.limits.as_ref();
+        limits.iter().any(Option::is_some).then_some(free)
+    }
+
+    /// The joint that is farthest beyond its limits, and by how much.
+    pub(super) fn farthest_beyond(&self, q: &D::Vector) -> Option<(usize, f64)> {
+        let excess = |joint: usize| {
+            let [low, high] = self.range(joint);
+            (joint, (low - q[joint]).max(q[joint] - high))
+        };
+        let beyond = self.size.joints().map(excess);
+        let beyond = beyond.filter(|(_, excess)| *excess > 0.0);
+        beyond.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// The range of a joint, without ends where it has no limits.
     #[inline(always)]
     pub(super) fn range(&self, joint: usize) -> [f64; 2] {

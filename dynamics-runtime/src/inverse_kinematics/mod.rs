@@ -32,7 +32,8 @@ use crate::size::Size;
 /// A search for joint positions at which one or more frames of a robot reach their targets, within the limits of the joints.
 ///
 /// Levenberg and Marquardt's method goes down from a start, with the robot's own poses and Jacobians; joints that would pass a
-/// limit stay on it. Where a descent ends before the targets, others begin at random positions, the same in each run.
+/// limit stay on it. Where a descent ends before the targets, others begin at random positions, the same in each run; joints
+/// that move no frame stay where they are. Every second of these ignores limits at first.
 /// A result was looked at again: the poses at the very positions that are returned are within the tolerance of the
 /// targets, and these positions within the limits. Otherwise the error says why, and what came nearest.
 ///

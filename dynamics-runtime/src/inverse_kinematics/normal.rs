@@ -27,7 +27,7 @@ pub(super) struct Normal<D: Size> {
 impl<D: Size, P: Places<D>> Problem<'_, D, P> {
     #[inline(always)]
     pub(super) fn normal_at(&self, q: &D::Vector) -> Normal<D> {
-        let (solver, joints) = (self.solver, &self.solver.joints);
+        let (solver, joints) = (self.solver, self.joints);
         let mut all = Normal {
             error: 0.0,
             descent: joints.size.vector(),
@@ -41,6 +41,19 @@ impl<D: Size, P: Places<D>> Problem<'_, D, P> {
             all.add(joints, target, &missing, &jacobian);
         }
         all
+    }
+
+    /// The joints that move a frame.
+    pub(super) fn moving(&self, q: &D::Vector) -> D::Each<bool> {
+        let size = self.joints.size;
+        let mut moving = size.each(|_| false);
+        for index in 0..self.targets.len() {
+            let (_, jacobian) = self.solver.places.place(index, q);
+            for joint in size.joints() {
+                moving[joint] |= (0..6).any(|row| jacobian[(row, joint)] != 0.0);
+            }
+        }
+        moving
     }
 }
 

@@ -26,7 +26,7 @@ impl<D: Size, P: Places<D>> Problem<'_, D, P> {
     /// d|^2. For small mu it is the projection of d on the null space of J. Joints that are on their limits
     /// are held there.
     pub(super) fn approach(&self, reached: D::Vector, posture: &D::Vector) -> D::Vector {
-        let joints = &self.solver.joints;
+        let joints = self.joints;
         let far = |q: &D::Vector| {
             let square = |joint: usize| (posture[joint] - q[joint]) * (posture[joint] - q[joint]);
             joints.size.joints().map(square).sum::<f64>()

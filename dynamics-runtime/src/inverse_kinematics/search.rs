@@ -3,6 +3,7 @@
 use super::InverseKinematics;
 use super::descent::{Descent, End};
 use super::ending::{NotReached, Reached, Reason, Residual};
+use super::joints::Joints;
 use super::places::Places;
 use super::problem::Problem;
 use super::target::{Target, length};
@@ -74,6 +75,7 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
         let too_far = self.too_far(targets);
         let problem = Problem {
             solver: self,
+            joints: &self.joints,
             targets,
         };
         Ok(Attempts {
@@ -83,6 +85,9 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
             // Positions near the start are as good as any.
             most: if too_far.is_some() { 1 } else { self.attempts },
             too_far,
+            free: self.joints.without_limits(),
+            moving: None,
+            beyond: None,
             made: 0,
             iterations: 0,
             best: None,
@@ -139,6 +144,12 @@ pub(super) struct Attempts<'s, D: Size, P> {
     random: SplitMix64,
     most: usize,
     too_far: Option<Reason>,
+    /// The joints without limits, if they have some.
+    free: Option<Joints<D>>,
+    /// The joints that move a frame, once they are known.
+    moving: Option<D::Each<bool>>,
+    /// The joint that is beyond its limit where the targets were reached beyond limits, and by how much: the least.
+    beyond: Option<(usize, f64)>,
     made: usize,
     iterations: usize,
     /// The descent that came nearest without reaching the targets.
@@ -146,7 +157,7 @@ pub(super) struct Attempts<'s, D: Size, P> {
 }
 
 impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
-    /// Makes the next one: the first from the start, others from anywhere.
+    /// Makes the next one: the first from the start, others from anywhere, every second of them without limits at first.
     pub(super) fn next(&mut self) -> Option<Descent<D>> {
         let solver = self.problem.solver;
         if self.made == self.most {
@@ -154,7 +165,12 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
         }
         let start = match self.made {
             0 => solver.joints.within(self.start),
-            _ => solver.joints.anywhere(&mut self.random, self.start),
+            // Ways around limits, and turns that end within them, reach what is cut off by limits.
+            made if made % 2 == 1 => {
+                let start = self.elsewhere();
+                self.beyond_limits(start)
+            }
+            _ => self.elsewhere(),
         };
         self.made += 1;
         // Towards a target out of reach nothing goes but the last descent.
@@ -169,6 +185,47 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
         Some(descent)
     }
 
+    /// Positions from anywhere. Joints that move no frame are where they began.
+    fn elsewhere(&mut self) -> D::Vector {
+        let Problem { joints, .. } = self.problem;
+        let (start, q) = (
+            joints.within(self.start),
+            joints.anywhere(&mut self.random, self.start),
+        );
+        let moving = self
+            .moving
+            .get_or_insert_with(|| self.problem.moving(&start));
+        let position = |joint: usize| {
+            if moving[joint] {
+                q[joint]
+            } else {
+                start[joint]
+            }
+        };
+        joints.size.vector_of(position)
+    }
+
+    /// Where a descent without limits ends, put within them: whole turns bring some joints there.
+    fn beyond_limits(&mut self, start: D::Vector) -> D::Vector {
+        let Some(free) = &self.free else {
+            return start;
+        };
+        let problem = Problem {
+            joints: free,
+            ..self.problem
+        };
+        let descent = problem.descend(start, problem.solver.iterations);
+        self.iterations += descent.iterations;
+        let joints = self.problem.joints;
+        let q = joints.nearest(&descent.q, self.start);
+        let reached = (descent.end == End::Reached).then(|| joints.farthest_beyond(&q));
+        if let Some(beyond) = reached.flatten() {
+            let is_less = self.beyond.is_none_or(|(_, least)| beyond.1 < least);
+            self.beyond = if is_less { Some(beyond) } else { self.beyond };
+        }
+        joints.within(&q)
+    }
+
     /// The end of a search that found nothing: what came nearest, which may be a target after all.
     pub(super) fn finish(mut self) -> Result<Reached<D>, NotReached<D>> {
         let nearest = self.best.take().expect("an attempt");
@@ -176,7 +233,12 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
         self.iterations += last.iterations;
         match last.end {
             End::Reached => Ok(self.reached(last.q)),
-            _ => Err(self.not_reached(last)),
+            _ => {
+                if self.beyond.is_none() && self.too_far.is_none() {
+                    self.beyond_limits(last.q.clone());
+                }
+                Err(self.not_reached(last))
+            }
         }
     }
 
@@ -210,8 +272,8 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
             (None, End::NonFinite) => Reason::NonFinite,
             (None, End::Iterations) => Reason::Iterations,
             (None, _) => self
-                .limiting(&last.q)
-                .map_or(Reason::Minimum, |joint| Reason::Limits { joint }),
+                .beyond
+                .map_or(Reason::Minimum, |(joint, _)| Reason::Limits { joint }),
         };
         NotReached {
             reason,
@@ -220,22 +282,5 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
             attempts: self.made,
             iterations: self.iterations,
         }
-    }
-
-    /// The first joint that is on a limit, and would come nearer beyond it.
-    fn limiting(&self, q: &D::Vector) -> Option<usize> {
-        let (normal, joints) = (self.problem.normal_at(q), &self.problem.solver.joints);
-        // The joint alone would take (J'e)^2 / (2 J'J) off the error: a share that rounding makes is no reason.
-        let gains = |joint: usize| {
-            let descent = normal.descent[joint];
-            descent * descent > 1e-6 * normal.error * normal.matrix[(joint, joint)]
-        };
-        joints.size.joints().find(|joint| {
-            let [low, high] = joints.range(*joint);
-            let descent = normal.descent[*joint];
-            let is_held =
-                (q[*joint] <= low && descent < 0.0) || (q[*joint] >= high && descent > 0.0);
-            is_held && gains(*joint)
-        })
     }
 }

@@ -30,7 +30,7 @@ impl<D: Size, P: Places<D>> Problem<'_, D, P> {
             if iterations == MOST_STEPS {
                 break End::Iterations;
             }
-            let next = normal.stepped(&self.solver.joints, damping, None, &q);
+            let next = normal.stepped(self.joints, damping, None, &q);
             let Some(next) = next.filter(|_| damping < MOST_DAMPING * greatest) else {
                 break End::Stuck;
             };
