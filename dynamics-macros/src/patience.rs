@@ -18,7 +18,7 @@ pub(crate) fn patiently<T>(run: impl FnOnce(Say) -> T) -> T {
 
 fn told(derived: &str) -> String {
     format!(
-        "robot_dynamics!: {derived} takes longer than {} s. An expansion that is not optimised takes ten times as \
+        "robot_dynamics! takes longer than {} s, at the moment for {derived}. An expansion that is not optimised takes ten times as \
          long: see that Cargo.toml of the workspace has these lines.\n\n[profile.dev.build-override]\nopt-level = 3\n\n\
          [profile.release.build-override]\nopt-level = 3\n",
         LONG.as_secs()

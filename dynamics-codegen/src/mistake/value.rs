@@ -13,7 +13,8 @@ mistakes! {
         "{what} does not belong in a value, which is made of numbers, `PI`, `deg(x)`, `sqrt(x)`, `sin(x)`, `cos(x)`, \
          fields, `let` names, `+ - * /` and parentheses";
     /// A power, by that sign.
-    power(sign: &str, product: &str) "`{sign}` does not belong in a value: a power is a product, `{product}`";
+    power(sign: &str, base: &str)
+        "`{sign}` does not belong in a value: a power is a product, `{base} * {base}`";
     /// `2 x`
     sign_missing(first: &str => shortened, second: &str => shortened)
         {product: format!("{first} * {second}")}

@@ -80,10 +80,7 @@ fn power(cursor: &mut Cursor, left: &Expr) -> Reported {
         ExprKind::Name(name) => name,
         _ => "x",
     };
-    cursor.error(
-        start.to(cursor.last),
-        mistake::power("**", &format!("{base} * {base}")),
-    )
+    cursor.error(start.to(cursor.last), mistake::power("**", base))
 }
 
 /// Reads an operand with its signs.

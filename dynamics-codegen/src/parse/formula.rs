@@ -43,8 +43,7 @@ pub(super) fn mistake_in(text: &str) -> Option<(usize, Mistake)> {
                 return Some((piece.at, mistake::parenthesis_too_many()));
             }
             Kind::Sign if piece.text == "^" => {
-                let power = power(before, pieces.get(index + 1).copied());
-                return Some((piece.at, power));
+                return Some((piece.at, power(before)));
             }
             _ => {}
         }
@@ -71,18 +70,11 @@ fn side_by_side(before: Piece, piece: Piece) -> Option<Mistake> {
     }
 }
 
-fn power(base: Option<Piece>, exponent: Option<Piece>) -> Mistake {
-    let base = match base {
-        Some(Piece {
-            kind: Kind::Word | Kind::Number,
-            text,
-            ..
-        }) => text,
-        _ => "x",
-    };
-    let factors = exponent.and_then(|exponent| exponent.text.parse().ok());
-    let factors: usize = factors.filter(|count| (2..=4).contains(count)).unwrap_or(2);
-    mistake::power("^", &vec![base; factors].join(" * "))
+/// The mistake of `^` behind a part.
+fn power(base: Option<Piece>) -> Mistake {
+    let named = base.filter(|base| matches!(base.kind, Kind::Word | Kind::Number));
+    let base = named.map_or("x", |base| base.text);
+    mistake::power("^", base)
 }
 
 /// The parts of a text.

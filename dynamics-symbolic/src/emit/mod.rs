@@ -29,7 +29,7 @@ pub use signature::{
     stub_of_function, stub_of_trait,
 };
 use signature::{
-    call, call_of_function, function_items, leading_matrix, provided, signature, without_parameters,
+    Types, call, call_of_function, leading_matrix, provided, signature, without_parameters,
 };
 
 use crate::formula::Formulas;
@@ -129,7 +129,7 @@ pub fn method(
         None => {
             let result = quote!(::core::result::Result::Ok({ #body }));
             let body = if request.refuses() { &body } else { &result };
-            let items = function_items(request, index, sizes, path, body, work);
+            let items = Types::new(sizes, path).function_items(request, index, body, work);
             let call = call_of_function(request, index, sizes, path);
             (call, None, Some(items))
         }

@@ -9,7 +9,7 @@ use quote::{ToTokens, quote};
 
 /// The types of values in generated code: the numbers of joints and of velocities as tokens, the sizes, and the path of
 /// the runtime.
-struct Types<'a> {
+pub(super) struct Types<'a> {
     n: TokenStream,
     v: TokenStream,
     sizes: Sizes,
@@ -17,7 +17,7 @@ struct Types<'a> {
 }
 
 impl<'a> Types<'a> {
-    fn new(sizes: Sizes, path: &'a TokenStream) -> Self {
+    pub(super) fn new(sizes: Sizes, path: &'a TokenStream) -> Self {
         let n = joints(sizes);
         let v = match sizes.freedoms {
             freedoms if freedoms.has_base() => {
@@ -140,8 +140,8 @@ impl<'a> Types<'a> {
         }
     }
 
-    /// The items of the runtime's trait `Function`.
-    fn function_items(
+    /// The items of the runtime's trait `Function` for what has no trait of its own.
+    pub(super) fn function_items(
         &self,
         request: &Request,
         index: usize,
@@ -406,18 +406,6 @@ pub fn function_type(request: &Request, index: usize, path: &TokenStream) -> Tok
             quote!(#path::functions::Fused<#index>)
         }
     }
-}
-
-/// The items of the runtime's trait `Function` for what has no trait of its own.
-pub(super) fn function_items(
-    request: &Request,
-    index: usize,
-    sizes: Sizes,
-    path: &TokenStream,
-    body: &TokenStream,
-    work: u32,
-) -> TokenStream {
-    Types::new(sizes, path).function_items(request, index, body, work)
 }
 
 /// The call of the program in the runtime's trait `Function`.
