@@ -66,7 +66,7 @@ pub struct Table {
     pub notes: Vec<String>,
     /// Angles of a URDF file that are taken as multiples of a quarter turn.
     pub rounded: Rounded,
-    /// What the reader of a file is told besides.
+    /// Warnings that whoever reads the file is told.
     pub warnings: Vec<String>,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,
