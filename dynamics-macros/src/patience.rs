@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 use std::thread::{Builder, scope};
 use std::time::Duration;
 
-/// What an expansion says of itself.
+/// A way for an expansion to say what it is at.
 type Say = Box<dyn Fn(&str)>;
 
 /// Longer expansions are told.
@@ -57,7 +57,7 @@ mod tests {
 
     use super::*;
 
-    /// What is said last is told, once, and nothing of what ends in time: it does not wait either.
+    /// The last word of a long run is told, once. A short one is not told, and not waited for.
     #[test]
     fn what_takes_long_is_told() {
         let told = Mutex::new(Vec::new());

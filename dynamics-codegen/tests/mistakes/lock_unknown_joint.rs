@@ -9,7 +9,7 @@ robot_dynamics! {
     lock: [elbo = 0.3, showlder = 1],
 }
 
-// What follows from the slip is not told.
+// Consequences of the slip are not told.
 robot_dynamics! {
     pub struct Fork;
     convention: modified,
