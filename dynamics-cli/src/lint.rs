@@ -72,14 +72,14 @@ fn rows_of_text(path: &Path) -> Result<Vec<Row>, FileError> {
 }
 
 /// Options by which a file is read as far as it is a robot by itself. The author of a table has its words, the reader of a
-/// tree of links those of the command.
+/// tree of links those of the command. Masses in other units are doubtful here, by a rule of files.
 fn options(format: Format, moving_base: Option<Option<String>>) -> ReadOptions {
     let mut options = ReadOptions::new().masses(Masses::IfAny);
     if format != Format::Urdf {
         return options.names_are_fields();
     }
     options = options
-        .entries("gravity = [0, 0, -9.81]")
+        .entries("gravity = [0, 0, -9.81]\nallow = [\"odd_mass\"]")
         .for_command(Vec::new());
     if let Some(first) = moving_base {
         options = options.entries("base = \"floating\"");

@@ -22,6 +22,7 @@ mistakes! {
     unit(suffix: &str => shortened)
         "a number has no unit, found `{suffix}`: lengths are in m, masses in kg, angles in rad";
     /// A unit in which the table has its numbers.
+    #[cfg(feature = "files")]
     unit_of_table(suffix: &str, number: &str)
         "a number has no unit, found `{suffix}`: write `{number}`, for lengths are in m, masses in kg, angles in rad";
     too_large() "this number is larger than the largest `f64`";

@@ -16,11 +16,14 @@ mistakes! {
     power(sign: &str, base: &str)
         "`{sign}` does not belong in a value: a power is a product, `{base} * {base}`";
     /// `2 x`
+    #[cfg(feature = "files")]
     sign_missing(first: &str => shortened, second: &str => shortened)
         {product: format!("{first} * {second}")}
         "no sign stands between `{first}` and `{second}`: a product is `{product}`";
     /// `rod(0.5`, and the same closed.
+    #[cfg(feature = "files")]
     parenthesis_missing(closed: &str => shortened) "a `)` is missing: `{closed}`";
+    #[cfg(feature = "files")]
     parenthesis_too_many() "this `)` closes nothing: remove it, or write a `(` before";
     with_self() "a field is written by its name alone, without `self`";
     path_to_pi() "write `PI` alone, without a path";

@@ -442,7 +442,7 @@ impl<'a> Assembly<'a> {
             links.push((self.first, self.place_of(self.first)));
         }
         let known: BTreeSet<usize> = said.into_iter().flatten().collect();
-        if self.request.may_be_geometry && known.is_empty() && !base_is_known {
+        if self.request.may_be_geometry && self.request.base.is_none() && known.is_empty() {
             return;
         }
         // The rows that carry one whose inertia is known.
