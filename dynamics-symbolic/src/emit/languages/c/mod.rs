@@ -44,8 +44,8 @@ M_1_PI M_2_PI M_2_SQRTPI M_E M_LN10 M_LN2 M_LOG10E M_LOG2E M_PI M_PI_2 M_PI_4 M_
 const REFUSAL: &str = "Returns 0; or, where M(q) is not positive definite to working precision or not finite, the \
                        number of the joint whose pivot failed, counted from 1, and writes nothing.";
 
-/// More lines in a loop take gcc seconds.
-const LONG: usize = 2_000;
+/// More lines in a loop take gcc five seconds.
+const LONG: usize = 1_500;
 
 /// The advice about the time to compile, measured in the guide (`languages.md`).
 const OF_LONG_BATCHES: [&str; 3] = [
