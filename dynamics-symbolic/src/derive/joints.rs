@@ -175,10 +175,10 @@ mod tests {
         let joints = joints(&[0, 2], &[], 3);
         const EACH: Shape = Shape::Each(Size::Joints, &Shape::Matrix(Size::Fixed(2), Size::One));
         const SHAPE: Shape = Shape::Tuple(&[
-            EACH,
-            Shape::Number,
-            Shape::Matrix(Size::Fixed(2), Size::Freedoms),
-            Shape::Matrix(Size::Freedoms, Size::Parameters),
+            ("each", EACH),
+            ("number", Shape::Number),
+            ("columns", Shape::Matrix(Size::Fixed(2), Size::Freedoms)),
+            ("rows", Shape::Matrix(Size::Freedoms, Size::Parameters)),
         ]);
         let picked = joints.outputs(&SHAPE, (0..19).collect());
         assert_eq!(picked, [0, 1, 4, 5, 6, 7, 9, 10, 12, 13, 14, 17, 18]);

@@ -435,11 +435,11 @@ mod tests {
                 "[SMatrix < T , 6 , 4 > ; 4]",
             ),
             (
-                Shape::Tuple(&[OF_PARAMETERS, OF_PARAMETERS]),
+                Shape::Tuple(&[("a", OF_PARAMETERS), ("b", OF_PARAMETERS)]),
                 "(SVector < T , 11 > , SVector < T , 11 >)",
             ),
             (
-                Shape::Tuple(&[Shape::Each(Freedoms, &SQUARE), SQUARE]),
+                Shape::Tuple(&[("a", Shape::Each(Freedoms, &SQUARE)), ("b", SQUARE)]),
                 "([SMatrix < T , 4 , 4 > ; 4] , SMatrix < T , 4 , 4 >)",
             ),
         ] {
