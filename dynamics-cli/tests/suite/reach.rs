@@ -211,7 +211,10 @@ fn links_of_files_are_reached() {
     let words = call("lf_foot");
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let text = output(&words);
-    assert!(text.contains("solutions"), "{text}");
+    assert!(text.contains("hyq_no_sensors: 1 solution\n"), "{text}");
+    // The three other legs stay in the middle of their limits.
+    let stay = [0.0, 0.0, -0.349066, 0.0, 0.0, 0.349066, 0.0, 0.0, 0.349066];
+    assert_eq!(rows(&text)[0][3..], stay, "{text}");
     let words = call("lf_fot");
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let message = errors(&words, 2);

@@ -54,6 +54,26 @@ com = [0.1, 0, 0]
 inertia = { yy = 0.01, zz = 0.01 }
 "#;
 
+/// The header of a long robot says how it is compiled fast, and that of a short one is silent.
+#[test]
+fn long_texts_say_how_to_compile_them() {
+    let folder = folder("long_c");
+    let out = folder.to_str().expect("a path");
+    let g1 = format!(
+        "{}/../tests/data/urdf/g1_29dof_rev_1_0.urdf",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let of_base = ["--base", "floating", "--gravity", "0,0,-9.81"];
+    let arm = file("short.toml", ARM);
+    for (path, more, is_long) in [(&g1, &of_base[..], true), (&arm, &[], false)] {
+        let functions = ["--lang", "c", "--functions", "mass_matrix", "--out", out];
+        let written = output(&[&["generate", path], more, &functions].concat());
+        let header = written.lines().find(|line| line.ends_with(".h"));
+        let header = std::fs::read_to_string(header.expect("a header")).expect("a file");
+        assert_eq!(header.contains("max-combine-insns=2"), is_long, "{path}");
+    }
+}
+
 const FLAGS: [&str; 7] = [
     "-std=c99",
     "-O2",

@@ -78,6 +78,10 @@ static void robot_dynamics_unknown(double *values, long long int count)
 }
 ";
 
+/// Second derivatives of inverse dynamics are derived for forward dynamics alone up to so many degrees of freedom: those of a
+/// humanoid take minutes.
+const MOST_SOLVED: usize = 18;
+
 /// The methods whose programs the file of some methods has: each of these, then its derivatives.
 pub fn casadi_requests(robot: &Robot, requests: &[Request]) -> Vec<Request> {
     let mut needed: Vec<Request> = requests.to_vec();
@@ -85,7 +89,10 @@ pub fn casadi_requests(robot: &Robot, requests: &[Request]) -> Vec<Request> {
         let Some(derivatives) = derivatives(request) else {
             continue;
         };
-        let of_request = [Some(derivatives.first(robot)), derivatives.second()];
+        let is_short = robot.freedoms().all() <= MOST_SOLVED;
+        let second = derivatives.second();
+        let second = second.filter(|_| derivatives.second == Some(Second::Same) || is_short);
+        let of_request = [Some(derivatives.first(robot)), second];
         for request in of_request.into_iter().flatten() {
             if !needed.iter().any(|known| known.parts() == request.parts()) {
                 needed.push(request);
