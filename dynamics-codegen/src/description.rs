@@ -67,7 +67,7 @@ pub struct Table {
     pub notes: Vec<String>,
     /// Angles of a URDF file that are taken as multiples of a quarter turn.
     pub rounded: Rounded,
-    /// What the reader of a file is told besides.
+    /// Findings that the reader of a file is told besides.
     pub warnings: Vec<Finding>,
     /// The keys that were written, and where.
     pub keys: Vec<(&'static str, Place)>,

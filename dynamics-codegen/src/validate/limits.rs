@@ -11,7 +11,7 @@ use crate::place::Place;
 /// turns.
 const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
 
-/// Both limits. Outer `None`: in error; inner `None`: not written. Those of a file that make no sense may be none.
+/// Both limits. Outer `None`: in error; inner `None`: not written. A file's limits that make no sense may be none.
 pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
     row.limits.read(None, |limits| {
         if row.limits_of_urdf

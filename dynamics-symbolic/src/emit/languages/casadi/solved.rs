@@ -13,7 +13,7 @@ use crate::function::Argument;
 /// The first derivatives by an argument: its degree of freedom in the first column, and the matrix by columns.
 pub(super) type First = (Argument, usize, Vec<Option<String>>);
 
-/// What the formula reads.
+/// The values that the formula reads.
 pub(super) struct Solved<'v> {
     pub(super) freedoms: usize,
     pub(super) first: Vec<First>,
