@@ -3,6 +3,7 @@
 use super::by_margins::ByMargins;
 use super::drive::drive;
 use super::motion::{InMomenta, Motion};
+use super::on_charts::OnCharts;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
 use super::error::{Cause, InvalidSetting};
@@ -14,6 +15,7 @@ use crate::integrate::{
 };
 use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
+use crate::stand::Stand;
 
 /// A method of integration.
 ///
@@ -119,17 +121,119 @@ impl Method {
     }
 }
 
-macro_rules! from_settings {
-    ($($name:ident)*) => {$(
+/// A choice of the method of integration: a [`Method`], which may be any of them, or the settings of one with error control.
+///
+/// With settings, the compiler knows the method, and compiles no other for the robot.
+pub trait MethodChoice: Into<Method> {
+    /// The integration by that method.
+    #[doc(hidden)]
+    fn integration<R: EquationsOfMotion<K>, K: Stand>() -> Integration<R, K>;
+}
+
+/// The integration of a robot's motion by a method.
+#[doc(hidden)]
+#[derive(Debug)]
+pub struct Integration<R, K: Stand>(Integrate<R, K>);
+
+type Integrate<R, K> = for<'m> fn(
+    &Method,
+    &Motion<'m, OnCharts<'m, R, K>, <K as Stand>::Freedoms>,
+    &mut Recorder<<K as Stand>::Freedoms>,
+) -> Result<(), Cause>;
+
+impl MethodChoice for Method {
+    fn integration<R: EquationsOfMotion<K>, K: Stand>() -> Integration<R, K> {
+        Integration(|method, motion, recorder| method.integrate(motion, recorder))
+    }
+}
+
+/// The settings of a method with error control, whose stepper begins by `$start`.
+macro_rules! settings_of {
+    ($($name:ident: $start:expr;)*) => {$(
         impl From<$name> for Method {
             fn from(settings: $name) -> Self {
                 Method::$name(settings)
             }
         }
+
+        impl MethodChoice for $name {
+            fn integration<R: EquationsOfMotion<K>, K: Stand>() -> Integration<R, K> {
+                Integration(|method, motion, recorder| match method {
+                    Method::$name(settings) => settings.integrate(motion, recorder),
+                    _ => unreachable!("the integration is that of the method"),
+                })
+            }
+        }
+
+        impl $name {
+            fn integrate<R: EquationsOfMotion<D>, D: Size>(
+                self,
+                motion: &Motion<R, D>,
+                recorder: &mut Recorder<D>,
+            ) -> Result<(), Cause> {
+                controlled(self.control(), motion, recorder, $start)
+            }
+        }
     )*};
 }
 
-from_settings! { DormandPrince Dop853 Radau5 }
+settings_of! {
+    DormandPrince: Adaptive::<DormandPrince54, D>::start;
+    Dop853: Adaptive::<Dop853Method, D>::start;
+    Radau5: Radau::start;
+}
+
+/// A method, and the integration by it.
+#[derive(Debug)]
+pub(super) struct Chosen<R, K: Stand> {
+    method: Method,
+    integration: Integration<R, K>,
+}
+
+impl<R: EquationsOfMotion<K>, K: Stand> Chosen<R, K> {
+    pub(super) fn new<C: MethodChoice>(choice: C) -> Self {
+        Chosen {
+            method: choice.into(),
+            integration: C::integration(),
+        }
+    }
+}
+
+impl<R, K: Stand> Clone for Chosen<R, K> {
+    fn clone(&self) -> Self {
+        Chosen {
+            method: self.method,
+            integration: Integration(self.integration.0),
+        }
+    }
+}
+
+impl<R: EquationsOfMotion<K>, K: Stand> Integrator<OnCharts<'_, R, K>, K::Freedoms>
+    for Chosen<R, K>
+{
+    fn validate(
+        &self,
+        motion: &Motion<OnCharts<'_, R, K>, K::Freedoms>,
+        plan: &Plan<K::Freedoms>,
+    ) -> Result<(), InvalidSetting> {
+        self.method.validate(motion, plan)
+    }
+
+    fn straight_step(&self) -> f64 {
+        match self.method {
+            Method::ExplicitEuler { step } => step,
+            _ => 0.0,
+        }
+    }
+
+    fn integrate(
+        &self,
+        motion: &Motion<OnCharts<'_, R, K>, K::Freedoms>,
+        recorder: &mut Recorder<K::Freedoms>,
+    ) -> Result<(), Cause> {
+        (self.integration.0)(&self.method, motion, recorder)
+    }
+}
 
 /// A method, and its settings, as a run needs them.
 pub(super) trait Integrator<R, D: Size>: Clone {
@@ -145,8 +249,12 @@ pub(super) trait Integrator<R, D: Size>: Clone {
     fn integrate(&self, motion: &Motion<R, D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Integrator<R, D> for Method {
-    fn integrate(&self, motion: &Motion<R, D>, recorder: &mut Recorder<D>) -> Result<(), Cause> {
+impl Method {
+    fn integrate<R: EquationsOfMotion<D>, D: Size>(
+        &self,
+        motion: &Motion<R, D>,
+        recorder: &mut Recorder<D>,
+    ) -> Result<(), Cause> {
         match *self {
             Method::ExplicitEuler { step } => {
                 fixed(Euler::Explicit, step, motion, motion, recorder)
@@ -165,28 +273,17 @@ impl<R: EquationsOfMotion<D>, D: Size> Integrator<R, D> for Method {
             Method::GaussLegendre6 { step } => {
                 canonical(GaussLegendre::order_6(), step, motion, recorder)
             }
-            Method::DormandPrince(settings) => {
-                let start = Adaptive::<DormandPrince54, D>::start;
-                controlled(settings.control(), motion, recorder, start)
-            }
-            Method::Dop853(settings) => {
-                let start = Adaptive::<Dop853Method, D>::start;
-                controlled(settings.control(), motion, recorder, start)
-            }
-            Method::Radau5(settings) => {
-                controlled(settings.control(), motion, recorder, Radau::start)
-            }
+            Method::DormandPrince(settings) => settings.integrate(motion, recorder),
+            Method::Dop853(settings) => settings.integrate(motion, recorder),
+            Method::Radau5(settings) => settings.integrate(motion, recorder),
         }
     }
 
-    fn straight_step(&self) -> f64 {
-        match self {
-            Method::ExplicitEuler { step } => *step,
-            _ => 0.0,
-        }
-    }
-
-    fn validate(&self, motion: &Motion<R, D>, plan: &Plan<D>) -> Result<(), InvalidSetting> {
+    fn validate<R: EquationsOfMotion<D>, D: Size>(
+        &self,
+        motion: &Motion<R, D>,
+        plan: &Plan<D>,
+    ) -> Result<(), InvalidSetting> {
         if motion.robot.charts().is_some() && !self.is_explicit() {
             return Err(InvalidSetting::MovingBase);
         }

@@ -38,7 +38,7 @@ use crate::table::AsArm as _;
 use error::Outcome;
 use friction::Law;
 use limits::{AtLimit, Limits};
-use method::Integrator;
+use method::{Chosen, Integrator};
 use motion::Motion;
 use on_charts::{OnCharts, placed};
 use plan::{Plan, plan_setters};
@@ -56,7 +56,7 @@ pub use error::{Cause, InvalidSetting, SimulationError, SizedFloatingError, Size
 pub use friction::Friction;
 pub use joint_set::JointSet;
 pub use law::ForceLaw;
-pub use method::Method;
+pub use method::{Method, MethodChoice};
 pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
 pub use taylor::{HeldTorque, TaylorSimulation};
@@ -106,7 +106,7 @@ pub struct Simulation<'a, R, L, K: Stand, W = NoToolWrench, S = Continuous> {
     torque: L,
     tool_wrench: W,
     asked: S,
-    setting: Setting<K::Freedoms>,
+    setting: Setting<K::Freedoms, Chosen<R, K>>,
     /// Where a base that moves begins.
     start: K::Pose,
 }
@@ -116,7 +116,7 @@ impl<'a, R: EquationsOfMotion<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
     pub fn new(robot: &'a R) -> Self {
         let size = robot.size();
         let setting = Setting {
-            method: Method::default(),
+            method: Chosen::new(DormandPrince::default()),
             friction: Law::sign(size),
             limits: Limits::none(size),
             greatest: None,
@@ -369,9 +369,13 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
         self.with_laws(|torque, others, asked| (torque, (others, forces), asked))
     }
 
-    /// The method of integration: a [`Method`], or the settings of [`DormandPrince`] alone.
-    pub fn method(mut self, method: impl Into<Method>) -> Self {
-        self.setting.method = method.into();
+    /// The method of integration: a [`Method`], or the settings of one with error control. With settings, such as
+    /// [`DormandPrince`], only that method is compiled for the robot.
+    pub fn method(mut self, method: impl MethodChoice) -> Self
+    where
+        R: EquationsOfMotion<K>,
+    {
+        self.setting.method = Chosen::new(method);
         self
     }
 
@@ -551,7 +555,7 @@ impl<R: EquationsOfMotion<K>, L, W, K: Stand> Simulation<'_, R, L, K, W, Sampled
 
 /// A run that is requested, whatever moves the arm.
 #[derive(Clone, Debug)]
-struct Setting<D: Size, M = Method> {
+struct Setting<D: Size, M> {
     method: M,
     friction: Law<D>,
     limits: Limits<D>,
