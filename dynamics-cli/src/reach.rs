@@ -52,6 +52,7 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         Err(error) => {
             let table = table(&robot, [("nearest".to_owned(), &error.q)], digits);
             let text = format!("{}: no solution\n\n{table}", robot.name);
+            let error = error.naming(robot.joints().map(|row| &row.name));
             Err(Failure::after(text, error.to_string()))
         }
     }

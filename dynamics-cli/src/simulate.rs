@@ -4,7 +4,8 @@ use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::{DVector, Dyn};
 use dynamics_runtime::simulation::{
-    Cause, DormandPrince, SizedModel, SizedSimulationError, SizedTrajectory, Stand,
+    Cause, DormandPrince, EquationsOfMotion, SizedModel, SizedSimulationError, SizedTrajectory,
+    Stand,
 };
 use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
@@ -74,7 +75,7 @@ fn number(given: &ArgMatches, name: &str) -> f64 {
 }
 
 /// A simulation with the settings of the command line.
-fn planned<'a, R: SizedModel<K>, L, W, S, K: Stand>(
+fn planned<'a, R: SizedModel<K> + EquationsOfMotion<K>, L, W, S, K: Stand>(
     simulation: Simulation<'a, R, L, K, W, S>,
     given: &ArgMatches,
 ) -> Simulation<'a, R, L, K, W, S> {

@@ -52,9 +52,10 @@ impl Description {
             robot,
             requests,
             inverses,
-            mut warnings,
+            warnings,
             ..
         } = read_source(path, text, options)?;
+        let mut warnings: Vec<_> = warnings.into_iter().map(|found| found.message).collect();
         let requests: Vec<_> = requests.into_iter().map(|(request, _)| request).collect();
         if !inverses.is_empty() {
             let left_out = "`inverse_kinematics` in closed form is written by `generate --lang rust`, `c` and `js` and by the \

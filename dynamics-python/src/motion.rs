@@ -3,7 +3,7 @@
 use dynamics_evaluation::{EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Matrix4, Vector3, Vector6};
 use dynamics_runtime::simulation::{
-    Cause, ContinuousWrench, Dop853, DormandPrince, Method, Radau5, SizedModel,
+    Cause, ContinuousWrench, Dop853, DormandPrince, EquationsOfMotion, Method, Radau5, SizedModel,
     SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work, WrenchAt,
 };
 use dynamics_runtime::{Friction, Pose, Simulation};
@@ -137,7 +137,7 @@ impl Plan {
     }
 
     /// The simulation with all settings but its start.
-    fn planned<'a, R: SizedModel<K>, L, W, S, K: Stand>(
+    fn planned<'a, R: SizedModel<K> + EquationsOfMotion<K>, L, W, S, K: Stand>(
         &self,
         simulation: Simulation<'a, R, L, K, W, S>,
         (method, friction): (Method, Friction),

@@ -25,6 +25,7 @@ struct Asked {
     seed: u64,
     /// The most solutions.
     most: usize,
+    joint_names: Vec<String>,
 }
 
 /// Joint positions, and what is missing there, m and rad.
@@ -81,6 +82,7 @@ fn search<P: Places<Dyn>>(
             (found.collect(), None)
         }
         Err(error) => {
+            let error = error.naming(&asked.joint_names);
             let NotReached::<Dyn> {
                 q,
                 residual,

@@ -51,6 +51,7 @@ def reach(
     plan = {
         **asked,
         "targets": targets,
+        "joint_names": arm.joint_names,
         "start": vector("start", start, joints),
         "posture": None if posture is None else vector("posture", posture, joints),
     }

@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use crate::joint_name::joint_name;
 use crate::size::{JointVector as _, Size};
 
 /// How far frames are from their targets: the largest of all.
@@ -45,6 +46,17 @@ pub struct NotReached<D: Size> {
     pub attempts: usize,
     /// The iterations of all of them.
     pub iterations: usize,
+    /// The names of the joints, if the sentence has them ([`naming`](NotReached::naming)).
+    pub(super) joint_names: Vec<String>,
+}
+
+impl<D: Size> NotReached<D> {
+    /// The error with the names of the robot's joints in its sentence: `joint 2 (elbow)` in place of `joint 2`.
+    #[must_use]
+    pub fn naming(mut self, joints: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        self.joint_names = joints.into_iter().map(Into::into).collect();
+        self
+    }
 }
 
 /// Why targets are not reached.
@@ -103,6 +115,12 @@ pub enum Reason {
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f, &[])
+    }
+}
+
+impl Reason {
+    fn write(&self, f: &mut fmt::Formatter<'_>, names: &[String]) -> fmt::Result {
         match self {
             Reason::OutOfReach {
                 target,
@@ -117,10 +135,10 @@ impl fmt::Display for Reason {
             ),
             Reason::Minimum => f.write_str("no motion of the joints comes nearer"),
             Reason::Limits { joint } => {
-                let joint = joint + 1;
+                let joint = joint_name(*joint, names);
                 write!(
                     f,
-                    "no positions within the limits were found, and some beyond that of joint {joint}"
+                    "no positions within the limits were found, and some beyond that of {joint}"
                 )
             }
             Reason::Iterations => f.write_str("the iterations of an attempt are used up"),
@@ -134,14 +152,14 @@ impl fmt::Display for Reason {
             }
             Reason::Start { joint } => write!(
                 f,
-                "the start or the posture of joint {} is not finite",
-                joint + 1
+                "the start or the posture of {} is not finite",
+                joint_name(*joint, names)
             ),
             Reason::Length => f.write_str("a vector has another length than there are joints"),
             Reason::Range { joint } => write!(
                 f,
-                "the limits of joint {} are no range: the lower one first, both numbers",
-                joint + 1
+                "the limits of {} are no range: the lower one first, both numbers",
+                joint_name(*joint, names)
             ),
             Reason::Tolerance => f.write_str("a tolerance is not a positive finite number"),
             Reason::NonFinite => f.write_str("the pose of a frame is not finite"),
@@ -163,7 +181,8 @@ impl fmt::Display for Metres {
 
 impl<D: Size> fmt::Display for NotReached<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "not reached: {}", self.reason)?;
+        f.write_str("not reached: ")?;
+        self.reason.write(f, &self.joint_names)?;
         if self.attempts > 0 {
             let (attempts, residual) = (self.attempts, self.residual);
             let plural = if attempts == 1 { "" } else { "s" };

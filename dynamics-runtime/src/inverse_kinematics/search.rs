@@ -70,6 +70,7 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
                 residual: Residual { position, rotation },
                 attempts: 0,
                 iterations: 0,
+                joint_names: Vec::new(),
             });
         }
         let too_far = self.too_far(targets);
@@ -281,6 +282,7 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
             q: last.q,
             attempts: self.made,
             iterations: self.iterations,
+            joint_names: Vec::new(),
         }
     }
 }

@@ -8,6 +8,7 @@ use super::joint_set::JointSet;
 use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
 use crate::equations_of_motion::SizedModel;
+use crate::joint_name::joint_name;
 use crate::newton_euler::NAMES_OF_BASE;
 use crate::size::{JointVector as _, Size};
 use crate::stand::{OnBase, Stand, Velocities};
@@ -271,10 +272,7 @@ impl Freedoms<'_> {
         if let Some(name) = NAMES_OF_BASE[..self.of_base].get(freedom) {
             return (*name).to_owned();
         }
-        let joint = freedom - self.of_base;
-        let name = self.joints.get(joint);
-        let name = name.map_or(String::new(), |name| format!(" ({name})"));
-        format!("joint {}{name}", joint + 1)
+        joint_name(freedom - self.of_base, self.joints)
     }
 
     /// Joints by their own numbers.

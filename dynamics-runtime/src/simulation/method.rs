@@ -121,80 +121,48 @@ impl Method {
     }
 }
 
-/// A choice of the method of integration: a [`Method`], which may be any of them, or the settings of one with error control.
-///
-/// With settings, the compiler knows the method, and compiles no other for the robot.
-pub trait MethodChoice: Into<Method> {
-    /// The integration by that method.
-    #[doc(hidden)]
-    fn integration<R: EquationsOfMotion<K>, K: Stand>() -> Integration<R, K>;
+macro_rules! from_settings {
+    ($($name:ident)*) => {$(
+        impl From<$name> for Method {
+            fn from(settings: $name) -> Self {
+                Method::$name(settings)
+            }
+        }
+    )*};
 }
 
-/// The integration of a robot's motion by a method.
-#[doc(hidden)]
-#[derive(Debug)]
-pub struct Integration<R, K: Stand>(Integrate<R, K>);
+from_settings! { DormandPrince Dop853 Radau5 }
 
+/// The integration of a robot's motion by a method.
 type Integrate<R, K> = for<'m> fn(
     &Method,
     &Motion<'m, OnCharts<'m, R, K>, <K as Stand>::Freedoms>,
     &mut Recorder<<K as Stand>::Freedoms>,
 ) -> Result<(), Cause>;
 
-impl MethodChoice for Method {
-    fn integration<R: EquationsOfMotion<K>, K: Stand>() -> Integration<R, K> {
-        Integration(|method, motion, recorder| method.integrate(motion, recorder))
-    }
-}
-
-/// The settings of a method with error control, whose stepper begins by `$start`.
-macro_rules! settings_of {
-    ($($name:ident: $start:expr;)*) => {$(
-        impl From<$name> for Method {
-            fn from(settings: $name) -> Self {
-                Method::$name(settings)
-            }
-        }
-
-        impl MethodChoice for $name {
-            fn integration<R: EquationsOfMotion<K>, K: Stand>() -> Integration<R, K> {
-                Integration(|method, motion, recorder| match method {
-                    Method::$name(settings) => settings.integrate(motion, recorder),
-                    _ => unreachable!("the integration is that of the method"),
-                })
-            }
-        }
-
-        impl $name {
-            fn integrate<R: EquationsOfMotion<D>, D: Size>(
-                self,
-                motion: &Motion<R, D>,
-                recorder: &mut Recorder<D>,
-            ) -> Result<(), Cause> {
-                controlled(self.control(), motion, recorder, $start)
-            }
-        }
-    )*};
-}
-
-settings_of! {
-    DormandPrince: Adaptive::<DormandPrince54, D>::start;
-    Dop853: Adaptive::<Dop853Method, D>::start;
-    Radau5: Radau::start;
-}
-
-/// A method, and the integration by it.
+/// A method, and the integration by it: that of the default method is compiled without all others.
 #[derive(Debug)]
 pub(super) struct Chosen<R, K: Stand> {
     method: Method,
-    integration: Integration<R, K>,
+    integrate: Integrate<R, K>,
 }
 
 impl<R: EquationsOfMotion<K>, K: Stand> Chosen<R, K> {
-    pub(super) fn new<C: MethodChoice>(choice: C) -> Self {
+    /// The default method, with its default settings.
+    pub(super) fn by_default() -> Self {
         Chosen {
-            method: choice.into(),
-            integration: C::integration(),
+            method: Method::default(),
+            integrate: |_, motion, recorder| {
+                by_dormand_prince(DormandPrince::default(), motion, recorder)
+            },
+        }
+    }
+
+    /// A method that is known at run time.
+    pub(super) fn new(method: Method) -> Self {
+        Chosen {
+            method,
+            integrate: |method, motion, recorder| method.integrate(motion, recorder),
         }
     }
 }
@@ -203,7 +171,7 @@ impl<R, K: Stand> Clone for Chosen<R, K> {
     fn clone(&self) -> Self {
         Chosen {
             method: self.method,
-            integration: Integration(self.integration.0),
+            integrate: self.integrate,
         }
     }
 }
@@ -231,7 +199,7 @@ impl<R: EquationsOfMotion<K>, K: Stand> Integrator<OnCharts<'_, R, K>, K::Freedo
         motion: &Motion<OnCharts<'_, R, K>, K::Freedoms>,
         recorder: &mut Recorder<K::Freedoms>,
     ) -> Result<(), Cause> {
-        (self.integration.0)(&self.method, motion, recorder)
+        (self.integrate)(&self.method, motion, recorder)
     }
 }
 
@@ -273,9 +241,14 @@ impl Method {
             Method::GaussLegendre6 { step } => {
                 canonical(GaussLegendre::order_6(), step, motion, recorder)
             }
-            Method::DormandPrince(settings) => settings.integrate(motion, recorder),
-            Method::Dop853(settings) => settings.integrate(motion, recorder),
-            Method::Radau5(settings) => settings.integrate(motion, recorder),
+            Method::DormandPrince(settings) => by_dormand_prince(settings, motion, recorder),
+            Method::Dop853(settings) => {
+                let start = Adaptive::<Dop853Method, D>::start;
+                controlled(settings.control(), motion, recorder, start)
+            }
+            Method::Radau5(settings) => {
+                controlled(settings.control(), motion, recorder, Radau::start)
+            }
         }
     }
 
@@ -324,6 +297,15 @@ fn canonical<R: EquationsOfMotion<D>, const STAGES: usize, D: Size>(
 ) -> Result<(), Cause> {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
     fixed(method, step, motion, &system, recorder)
+}
+
+fn by_dormand_prince<R: EquationsOfMotion<D>, D: Size>(
+    settings: DormandPrince,
+    motion: &Motion<R, D>,
+    recorder: &mut Recorder<D>,
+) -> Result<(), Cause> {
+    let start = Adaptive::<DormandPrince54, D>::start;
+    controlled(settings.control(), motion, recorder, start)
 }
 
 /// A run under error control, by the stepper that `start` makes.

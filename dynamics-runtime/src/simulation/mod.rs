@@ -56,7 +56,7 @@ pub use error::{Cause, InvalidSetting, SimulationError, SizedFloatingError, Size
 pub use friction::Friction;
 pub use joint_set::JointSet;
 pub use law::ForceLaw;
-pub use method::{Method, MethodChoice};
+pub use method::Method;
 pub use sampling::{Continuous, Sampled};
 pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
 pub use taylor::{HeldTorque, TaylorSimulation};
@@ -116,7 +116,7 @@ impl<'a, R: EquationsOfMotion<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
     pub fn new(robot: &'a R) -> Self {
         let size = robot.size();
         let setting = Setting {
-            method: Chosen::new(DormandPrince::default()),
+            method: Chosen::by_default(),
             friction: Law::sign(size),
             limits: Limits::none(size),
             greatest: None,
@@ -369,13 +369,13 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
         self.with_laws(|torque, others, asked| (torque, (others, forces), asked))
     }
 
-    /// The method of integration: a [`Method`], or the settings of one with error control. With settings, such as
-    /// [`DormandPrince`], only that method is compiled for the robot.
-    pub fn method(mut self, method: impl MethodChoice) -> Self
+    /// The method of integration: a [`Method`], or the settings of [`DormandPrince`] alone. All methods are compiled for a robot
+    /// for which one is given.
+    pub fn method(mut self, method: impl Into<Method>) -> Self
     where
         R: EquationsOfMotion<K>,
     {
-        self.setting.method = Chosen::new(method);
+        self.setting.method = Chosen::new(method.into());
         self
     }
 
