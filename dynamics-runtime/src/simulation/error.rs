@@ -81,7 +81,7 @@ pub enum Cause {
     /// The greatest number of steps between two samples was made, or a tenth of it so far from the next sample that 30 times
     /// as many would not be enough.
     TooManySteps,
-    /// The same, and a joint is faster than 1e4 rad/s or m/s.
+    /// The same, and a joint is faster than 1e4 rad/s or m/s, ten times faster than any began.
     ///
     /// A law of the wrong sign does that, and a sampled one whose gains are too high for its period.
     RunsAway {

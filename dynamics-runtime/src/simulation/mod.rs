@@ -42,6 +42,7 @@ use method::{Chosen, Integrator};
 use motion::Motion;
 use on_charts::{OnCharts, placed};
 use plan::{Plan, plan_setters};
+use progress::runs_away;
 use recorder::Recorder;
 use torque::{Laws, SampledLaws, TorqueLaw};
 
@@ -575,6 +576,7 @@ impl<D: Size, M> Setting<D, M> {
         limits.straight = self.method.straight_step().min(interval);
         let motion = Motion::new(robot, laws, self.friction.clone(), limits);
         let end = self.record(&motion, &mut recorder);
+        let end = end.map_err(|cause| runs_away(cause, &self.plan.initial, &recorder.phase));
         recorder.finished(end, motion.evaluations.get())
     }
 

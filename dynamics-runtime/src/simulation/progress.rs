@@ -70,8 +70,9 @@ const FIXED_TOLERANCE: f64 = 1e-9;
 /// A tenth of the most steps makes less of the way to the next sample than this, where no hope is.
 const TOO_SLOW: f64 = 1.0 / 300.0;
 
-/// A joint is driven ever faster if it is as fast as this, rad/s or m/s, and needs too many steps.
+/// A joint is driven ever faster if it is as fast as this, rad/s or m/s, and so many times faster than at the start.
 const FASTEST: f64 = 1e4;
+const FASTER: f64 = 10.0;
 
 /// The bounces of so many samples count.
 const SAMPLES: f64 = 100.0;
@@ -187,8 +188,7 @@ impl<D: Size> Progress<D> {
             Cause::TooManySteps | Cause::NoConvergence | Cause::StepTooSmall
         );
         if is_of_steps {
-            let better = self.cause(motion, t, phase);
-            better.unwrap_or_else(|| runs_away(cause, phase))
+            self.cause(motion, t, phase).unwrap_or(cause)
         } else {
             cause
         }
@@ -219,12 +219,16 @@ impl<D: Size> Progress<D> {
     }
 }
 
-/// The fastest joint as the cause of too many steps, if it is too fast for a robot.
-fn runs_away<D: Size>(cause: Cause, phase: &Phase<D>) -> Cause {
-    let speeds = phase.qd.entries().iter().map(|speed| speed.abs());
-    let fastest = speeds.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
-    match fastest {
-        Some((joint, speed)) if cause == Cause::TooManySteps && speed > FASTEST => {
+/// The fastest joint as the cause of too many steps, if it is too fast for a robot and did not begin so.
+pub(super) fn runs_away<D: Size>(cause: Cause, initial: &Phase<D>, reached: &Phase<D>) -> Cause {
+    let fastest = |phase: &Phase<D>| {
+        let speeds = phase.qd.entries().iter().map(|speed| speed.abs());
+        speeds.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b))
+    };
+    match (fastest(initial), fastest(reached)) {
+        (Some((_, first)), Some((joint, speed)))
+            if cause == Cause::TooManySteps && speed > FASTEST.max(FASTER * first) =>
+        {
             Cause::RunsAway { joint, speed }
         }
         _ => cause,
