@@ -61,7 +61,7 @@ fn kind(reason: &Reason) -> &'static str {
     match reason {
         Reason::OutOfReach { .. } => "out of reach",
         Reason::Minimum => "in a minimum",
-        Reason::Limits { .. } => "held by limits",
+        Reason::Limits { .. } => "beyond limits",
         Reason::Iterations => "out of iterations",
         _ => "other",
     }

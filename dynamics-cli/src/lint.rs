@@ -149,10 +149,22 @@ fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{end}")
 }
 
+/// The advice of a mistake: it stands behind the first `: ` that is not between backticks, as words of a file are.
+fn advice(message: &str) -> Option<&str> {
+    let mut is_word = false;
+    let end = message.char_indices().find_map(|(at, letter)| {
+        is_word ^= letter == '`';
+        let rest = message[at..].strip_prefix(": ");
+        rest.filter(|_| !is_word)
+    });
+    end.filter(|advice| !advice.is_empty())
+}
+
 /// A list of objects, each on a line.
 fn json(rows: &[Row]) -> String {
     let object = |Row { file, found }: &Row| {
-        let remedy = found.remedy.as_deref().map(quoted);
+        let remedy = found.remedy.as_deref().or_else(|| advice(&found.message));
+        let remedy = remedy.map(quoted);
         let members = [
             ("file", quoted(&file.to_string_lossy())),
             ("line", found.line.to_string()),

@@ -1,9 +1,16 @@
 //! Names of joints in errors.
 
-/// A joint by its number, counted from 1, and its name if that is known: `joint 2 (elbow)`.
-pub(crate) fn joint_name(joint: usize, names: &[String]) -> String {
-    match names.get(joint) {
-        Some(name) => format!("joint {} ({name})", joint + 1),
-        None => format!("joint {}", joint + 1),
+use core::fmt;
+
+/// A joint, counted from 0, and its name if that is known. It is shown as `joint 2 (elbow)`, counted from 1.
+pub(crate) struct JointName<'n>(pub(crate) usize, pub(crate) Option<&'n str>);
+
+impl fmt::Display for JointName<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "joint {}", self.0 + 1)?;
+        match self.1 {
+            Some(name) => write!(f, " ({name})"),
+            None => Ok(()),
+        }
     }
 }

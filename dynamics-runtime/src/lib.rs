@@ -47,7 +47,6 @@ mod inputs;
 #[cfg(feature = "std")]
 mod integrate;
 pub mod inverse_kinematics;
-#[cfg(feature = "std")]
 mod joint_name;
 pub mod layouts;
 mod macros;

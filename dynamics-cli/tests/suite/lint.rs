@@ -45,12 +45,12 @@ fn row(text: Value) -> Row {
         ]
     );
     let word = |key: &str| text[key].as_str().expect("a text").to_owned();
-    // The remedy of an error is in its message.
-    assert_eq!(
-        text["remedy"].is_null(),
-        !is_of_files_alone(&word("rule")),
-        "{text}"
-    );
+    // The remedy of an error is a part of its message.
+    let is_in_message = match text["remedy"].as_str() {
+        Some(remedy) => word("message").ends_with(&format!(": {remedy}")),
+        None => true,
+    };
+    assert_eq!(is_in_message, !is_of_files_alone(&word("rule")), "{text}");
     Row {
         rule: word("rule"),
         severity: word("severity"),
@@ -514,4 +514,18 @@ fn the_hook_calls_the_command() {
     ] {
         assert!(hook.lines().any(|known| known == line), "{line}");
     }
+}
+
+/// A remedy stands behind the colon of an error, whatever the names of a file are.
+#[test]
+fn remedies_of_errors_are_told() {
+    let remedy = |text: String| {
+        let rows = rows(&[&file("remedy.toml", text)]);
+        rows[0].text["remedy"].clone()
+    };
+    let misspelled = PENDULUM.replace("mass = 2", "mas = 2");
+    assert_eq!(remedy(misspelled), "did you mean `mass`?");
+    let named = PENDULUM.replace("mass = 2", "\"a: b\" = 2");
+    let told = remedy(named);
+    assert!(!told.to_string().contains("b`"), "{told}");
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::joint_name::joint_name;
+use crate::joint_name::JointName;
 use crate::size::{JointVector as _, Size};
 
 /// How far frames are from their targets: the largest of all.
@@ -47,15 +47,27 @@ pub struct NotReached<D: Size> {
     /// The iterations of all of them.
     pub iterations: usize,
     /// The names of the joints, if the sentence has them ([`naming`](NotReached::naming)).
+    #[cfg(feature = "std")]
     pub(super) joint_names: Vec<String>,
 }
 
 impl<D: Size> NotReached<D> {
     /// The error with the names of the robot's joints in its sentence: `joint 2 (elbow)` in place of `joint 2`.
+    #[cfg(feature = "std")]
     #[must_use]
     pub fn naming(mut self, joints: impl IntoIterator<Item = impl Into<String>>) -> Self {
         self.joint_names = joints.into_iter().map(Into::into).collect();
         self
+    }
+
+    #[cfg(feature = "std")]
+    fn joint_name(&self, joint: usize) -> Option<&str> {
+        self.joint_names.get(joint).map(String::as_str)
+    }
+
+    #[cfg(not(feature = "std"))]
+    fn joint_name(&self, _joint: usize) -> Option<&str> {
+        None
     }
 }
 
@@ -115,12 +127,17 @@ pub enum Reason {
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(f, &[])
+        self.write(f, |_| None)
     }
 }
 
 impl Reason {
-    fn write(&self, f: &mut fmt::Formatter<'_>, names: &[String]) -> fmt::Result {
+    fn write<'n>(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        name: impl Fn(usize) -> Option<&'n str>,
+    ) -> fmt::Result {
+        let named = |joint: usize| JointName(joint, name(joint));
         match self {
             Reason::OutOfReach {
                 target,
@@ -135,7 +152,7 @@ impl Reason {
             ),
             Reason::Minimum => f.write_str("no motion of the joints comes nearer"),
             Reason::Limits { joint } => {
-                let joint = joint_name(*joint, names);
+                let joint = named(*joint);
                 write!(
                     f,
                     "no positions within the limits were found, and some beyond that of {joint}"
@@ -153,13 +170,13 @@ impl Reason {
             Reason::Start { joint } => write!(
                 f,
                 "the start or the posture of {} is not finite",
-                joint_name(*joint, names)
+                named(*joint)
             ),
             Reason::Length => f.write_str("a vector has another length than there are joints"),
             Reason::Range { joint } => write!(
                 f,
                 "the limits of {} are no range: the lower one first, both numbers",
-                joint_name(*joint, names)
+                named(*joint)
             ),
             Reason::Tolerance => f.write_str("a tolerance is not a positive finite number"),
             Reason::NonFinite => f.write_str("the pose of a frame is not finite"),
@@ -182,7 +199,7 @@ impl fmt::Display for Metres {
 impl<D: Size> fmt::Display for NotReached<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("not reached: ")?;
-        self.reason.write(f, &self.joint_names)?;
+        self.reason.write(f, |joint| self.joint_name(joint))?;
         if self.attempts > 0 {
             let (attempts, residual) = (self.attempts, self.residual);
             let plural = if attempts == 1 { "" } else { "s" };

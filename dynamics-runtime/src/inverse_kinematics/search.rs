@@ -70,6 +70,7 @@ impl<D: Size, P: Places<D>> InverseKinematics<D, P> {
                 residual: Residual { position, rotation },
                 attempts: 0,
                 iterations: 0,
+                #[cfg(feature = "std")]
                 joint_names: Vec::new(),
             });
         }
@@ -282,6 +283,7 @@ impl<D: Size, P: Places<D>> Attempts<'_, D, P> {
             q: last.q,
             attempts: self.made,
             iterations: self.iterations,
+            #[cfg(feature = "std")]
             joint_names: Vec::new(),
         }
     }

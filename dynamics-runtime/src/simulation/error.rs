@@ -8,7 +8,7 @@ use super::joint_set::JointSet;
 use super::trajectory::SizedTrajectory;
 use crate::SingularMassMatrix;
 use crate::equations_of_motion::SizedModel;
-use crate::joint_name::joint_name;
+use crate::joint_name::JointName;
 use crate::newton_euler::NAMES_OF_BASE;
 use crate::size::{JointVector as _, Size};
 use crate::stand::{OnBase, Stand, Velocities};
@@ -272,7 +272,8 @@ impl Freedoms<'_> {
         if let Some(name) = NAMES_OF_BASE[..self.of_base].get(freedom) {
             return (*name).to_owned();
         }
-        joint_name(freedom - self.of_base, self.joints)
+        let joint = freedom - self.of_base;
+        JointName(joint, self.joints.get(joint).map(String::as_str)).to_string()
     }
 
     /// Joints by their own numbers.
