@@ -78,8 +78,8 @@ pub enum Cause {
     /// The equations of a step of an implicit method are not solved by iteration: the step is too
     /// long.
     NoConvergence,
-    /// The greatest number of steps between two samples was made, or a tenth of it so far from the next sample that 30 times
-    /// as many would not be enough.
+    /// The greatest number of steps between two samples was made, or a tenth of it, 10,000 at least, so far from the next sample
+    /// that 30 times the greatest number would not be enough.
     TooManySteps,
     /// The same, and a joint is faster than 1e4 rad/s or m/s, ten times faster than any began.
     ///

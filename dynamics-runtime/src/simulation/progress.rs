@@ -70,6 +70,9 @@ const FIXED_TOLERANCE: f64 = 1e-9;
 /// A tenth of the most steps makes less of the way to the next sample than this, where no hope is.
 const TOO_SLOW: f64 = 1.0 / 300.0;
 
+/// Short steps at the start of a motion are over after so many.
+const ENOUGH: usize = 10_000;
+
 /// A joint is driven ever faster if it is as fast as this, rad/s or m/s, and so many times faster than at the start.
 const FASTEST: f64 = 1e4;
 const FASTER: f64 = 10.0;
@@ -102,7 +105,8 @@ impl<D: Size> Progress<D> {
         let Some(most) = self.control.map(|control| control.max_steps) else {
             return false;
         };
-        steps >= most || (steps == most / 10 && recorder.share_of_interval() < TOO_SLOW)
+        let is_early = steps >= ENOUGH && steps == most / 10;
+        steps >= most || (is_early && recorder.share_of_interval() < TOO_SLOW)
     }
 
     /// Counts an event, in which some joints hit their stops or the contact of another one changed.

@@ -244,3 +244,29 @@ fn a_motion_that_is_too_stiff_for_its_method_ends_soon() {
         end.trajectory.work
     );
 }
+
+/// The first step of a method is short. A small number of steps is counted to its end, whatever share of the way the first ones
+/// make.
+#[test]
+fn a_small_number_of_steps_is_all_there_for_a_motion() {
+    let weight = Weight {
+        viscous: 0.0,
+        coulomb: 0.0,
+    };
+    let run = |settings: DormandPrince| {
+        Simulation::new(&weight)
+            .method(settings)
+            .initial(Vector1::new(0.5), Vector1::new(0.0))
+            .duration(0.1)
+            .samples(2)
+            .run()
+    };
+    let needed = run(DormandPrince::default()).unwrap().work.steps as usize;
+    assert!((2..100).contains(&needed), "{needed}");
+    for most in [needed, needed + 1, 10 * needed, 10 * needed + 9] {
+        let end = run(DormandPrince::default().max_steps(most));
+        assert!(end.is_ok(), "{most}: {end:?}");
+    }
+    let end = run(DormandPrince::default().max_steps(needed - 1)).unwrap_err();
+    assert_eq!(end.cause, Cause::TooManySteps);
+}
