@@ -56,7 +56,7 @@ impl Recursion {
     /// The recursions beside which the programs of some parts are measured.
     pub(super) fn of(arm: &Mechanism, parts: &[Part]) -> Self {
         let joints = arm.free().skip(arm.freedoms().base);
-        let joints: Vec<_> = joints.map(|i| arm.joints[i].joint_type).collect();
+        let joints: Vec<_> = joints.map(|i| arm.joints[i].axis_motion).collect();
         let own = |part: &Part| {
             let program = unsimplified(arm, &[plain_recursion(arm, &[*part])]);
             Own {

@@ -15,8 +15,8 @@ use super::symbols::Symbols;
 use crate::expr::{Expr, Graph, Level};
 use crate::linear::{Symmetric3, Vector3};
 use crate::mechanism::Mechanism;
-use crate::robot::{Interpretation, JointType, Robot};
-use crate::spatial::{Axis, Body};
+use crate::robot::{Interpretation, Robot};
+use crate::spatial::{Axis, AxisMotion, Body};
 
 /// Whether a robot has no mass that moves, whatever its fields are: then it has no centre of mass.
 pub fn is_massless(robot: &Robot) -> bool {
@@ -60,9 +60,9 @@ pub(super) fn jacobian<'g>(symbols: &mut Symbols<'g>, chain: &Chain<Expr<'g>>) -
         let axes = before.turned_by(&joint.twist);
         // In the axes before the joint's own turn, which the moment takes on its way inwards anyway.
         let (x, y) = joint.turn.leave(h[0], h[1]);
-        columns.push(match joint.joint_type {
-            JointType::Revolute => axes.axes[1] * x - axes.axes[0] * y,
-            JointType::Prismatic => axes.axes[2] * mass,
+        columns.push(match joint.axis_motion {
+            AxisMotion::Turns => axes.axes[1] * x - axes.axes[0] * y,
+            AxisMotion::Slides => axes.axes[2] * mass,
         });
         axes.turned(Axis::Z, joint.turn)
     });
@@ -168,9 +168,9 @@ fn split<'g>(
         moment: Vector3::new(x, y, z),
         ..none
     };
-    match link.joint_type {
+    match link.axis_motion {
         _ if link.stands => (none, body),
-        JointType::Revolute => (of(zero, x, y, zero), of(body.mass, zero, zero, z)),
-        JointType::Prismatic => (of(body.mass, zero, zero, zero), of(zero, x, y, z)),
+        AxisMotion::Turns => (of(zero, x, y, zero), of(body.mass, zero, zero, z)),
+        AxisMotion::Slides => (of(body.mass, zero, zero, zero), of(zero, x, y, z)),
     }
 }

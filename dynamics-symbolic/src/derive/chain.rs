@@ -7,9 +7,10 @@ use super::{base, place};
 use crate::expr::{Expr, Level};
 use crate::linear::{Ring, Symmetric3, Vector3};
 use crate::mechanism::{self, Origin, Tree};
-use crate::robot::{Interpretation, JointType};
+use crate::robot::Interpretation;
 use crate::spatial::{
-    Acceleration, Along, Axis, Body, Force, Joint, Keep, Motion, Spread, Turn, Writing, leave_about,
+    Acceleration, Along, Axis, AxisMotion, Body, Force, Joint, Keep, Motion, Spread, Turn, Writing,
+    leave_about,
 };
 use core::ops::Add;
 
@@ -165,9 +166,9 @@ impl<'g> Link<Expr<'g>> {
         };
         let along = before.turns.leave(Vector3::new(zero, zero, d + shift));
         let offset = along + before.origin.plus_z(-shift_before);
-        let slide = match joint.joint_type {
-            JointType::Revolute => zero,
-            JointType::Prismatic => symbols.joint(i).q,
+        let slide = match joint.axis_motion {
+            AxisMotion::Turns => zero,
+            AxisMotion::Slides => symbols.joint(i).q,
         };
         let none = Turn::none(zero, graph.one());
         let turns = own.turns.0.iter().map(|(_, turn)| *turn);
@@ -175,7 +176,7 @@ impl<'g> Link<Expr<'g>> {
         let link = Link {
             joint: Joint {
                 zero,
-                joint_type: joint.joint_type,
+                axis_motion: joint.axis_motion,
                 before: none,
                 twist: before.turns.clone(),
                 turn,
@@ -202,7 +203,7 @@ impl<R: Ring> Chain<R> {
 
     /// The axis of joint i in its own frame.
     pub(super) fn axis(&self, i: usize) -> Motion<R> {
-        Motion::axis(self.joint(i).joint_type, self.zero, self.one)
+        Motion::axis(self.joint(i).axis_motion, self.zero, self.one)
     }
 
     /// For every link the axes of the joints that carry it, in its frame, each with the number of the joint.
@@ -230,7 +231,7 @@ impl<R: Ring> Chain<R> {
         let mut forces = vec![self.zero; self.links.len()];
         let leave = |j: usize, force: Force<R>| force.leave(self.joint(j));
         self.tree.along_carriers(i, force, leave, |j, force| {
-            forces[j] = force.along(self.joint(j).joint_type);
+            forces[j] = force.along(self.joint(j).axis_motion);
         });
         forces
     }
@@ -257,17 +258,17 @@ impl<R: Ring> Chain<R> {
             let link = &mut links[i];
             let joint = &link.joint;
             let whole = link.body.joined(outer);
-            let (moving, rest) = match joint.joint_type {
+            let (moving, rest) = match joint.axis_motion {
                 _ if link.is_of_base => (none, whole),
                 _ if link.stands => (joint.leave_body(whole), none),
-                JointType::Revolute => {
+                AxisMotion::Turns => {
                     if keep[i] == Keep::Lamina {
                         link.writing.spread = Spread::Lamina;
                     }
                     let (invariant, rest) = whole.split_revolute([zero, half], keep[i]);
                     (joint.twist.leave_body(invariant).moved(joint.offset), rest)
                 }
-                JointType::Prismatic => {
+                AxisMotion::Slides => {
                     let mut tensor = none;
                     tensor.inertia = whole.inertia;
                     let rest = Body {
@@ -305,7 +306,7 @@ impl Chain<Expr<'_>> {
             } else {
                 (behind, joint.turn)
             };
-            if !stays[i] || joint.joint_type != JointType::Revolute {
+            if !stays[i] || joint.axis_motion != AxisMotion::Turns {
                 return none;
             }
             let turn = core::mem::replace(&mut joint.turn, none);
@@ -323,7 +324,7 @@ impl Chain<Expr<'_>> {
     pub fn turn_columns(&mut self, turns: &[bool]) {
         let z = Vector3::new(self.zero, self.zero, self.one);
         for (link, turns) in self.links.iter_mut().zip(turns) {
-            if *turns && link.joint.joint_type == JointType::Revolute {
+            if *turns && link.joint.axis_motion == AxisMotion::Turns {
                 link.writing.along = along(link.joint.leave(z), self.one);
             }
         }
@@ -367,11 +368,11 @@ mod tests {
         Turn::from(circle_point(random))
     }
 
-    fn link(joint_type: JointType, random: &mut SplitMix64) -> Link<Number> {
+    fn link(axis_motion: AxisMotion, random: &mut SplitMix64) -> Link<Number> {
         Link {
             joint: Joint {
                 zero: Number::ZERO,
-                joint_type,
+                axis_motion,
                 before: turn(random),
                 twist: Turns(vec![(Axis::X, turn(random))]),
                 turn: turn(random),
@@ -392,9 +393,9 @@ mod tests {
     /// not carry the link, zero.
     #[test]
     fn joint_forces_are_the_power_of_a_force() {
-        use JointType::{Prismatic, Revolute};
+        use AxisMotion::{Slides, Turns};
         let random = &mut SplitMix64::new(3);
-        let types = [Revolute, Prismatic, Prismatic, Revolute];
+        let motions = [Turns, Slides, Slides, Turns];
         let chain = Chain {
             zero: Number::ZERO,
             one: Number::ONE,
@@ -402,7 +403,7 @@ mod tests {
             strength: Number::ONE,
             datum: Number::ZERO,
             base: Body::splat(Number::ZERO),
-            links: types.map(|joint_type| link(joint_type, random)).into(),
+            links: motions.map(|axis_motion| link(axis_motion, random)).into(),
             tree: Tree::new(vec![None, Some(0), Some(0), Some(1)]),
             pivot: None,
         };

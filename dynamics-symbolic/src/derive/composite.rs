@@ -22,8 +22,7 @@
 
 use super::chain::Chain;
 use crate::linear::{Ring, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Acceleration, Body, Force};
+use crate::spatial::{Acceleration, AxisMotion, Body, Force};
 
 /// M(q) by rows, both triangles.
 pub(super) fn mass_matrix<R: Ring>(chain: &Chain<R>) -> Vec<Vec<R>> {
@@ -78,12 +77,12 @@ pub(super) fn bias_force<R: Ring>(
         if chain.links[j].is_of_base {
             // Its joints have accelerations: the force of all links is handed on as it is.
             let force = motion.force(&composite) + outer;
-            forces[j] = force.along(joint.joint_type);
+            forces[j] = force.along(joint.axis_motion);
             return (Body::splat(chain.zero), force.leave(joint));
         }
-        let own = motion.force(&composite).along(joint.joint_type);
-        forces[j] = own + outer.along(joint.joint_type);
-        let added = added(&composite, joint.joint_type, motion, (qd[j], chain.zero));
+        let own = motion.force(&composite).along(joint.axis_motion);
+        forces[j] = own + outer.along(joint.axis_motion);
+        let added = added(&composite, joint.axis_motion, motion, (qd[j], chain.zero));
         let force = (outer + added).leave(joint);
         (carried(chain, j, &composite), force)
     });
@@ -94,15 +93,15 @@ pub(super) fn bias_force<R: Ring>(
 /// itself feels of that, which is nothing.
 fn added<R: Ring>(
     body: &Body<R>,
-    joint_type: JointType,
+    axis_motion: AxisMotion,
     motion: &Acceleration<R>,
     (qd, zero): (R, R),
 ) -> Force<R> {
     let ([wx, wy, wz], [hx, hy, _], j) = (motion.w.0, body.moment.0, &body.inertia);
     let (x, y) = (wx * qd, wy * qd);
     let (twice_x, twice_y) = (x + x, y + y);
-    match joint_type {
-        JointType::Revolute => {
+    match axis_motion {
+        AxisMotion::Turns => {
             let s = qd * (wz + (wz - qd));
             let apart = j.xx - j.yy;
             Force {
@@ -114,7 +113,7 @@ fn added<R: Ring>(
                 f: Vector3::new(-(s * hx), -(s * hy), twice_x * hx + twice_y * hy),
             }
         }
-        JointType::Prismatic => {
+        AxisMotion::Slides => {
             let a = Vector3::new(twice_y, -twice_x, zero);
             Force {
                 n: body.moment.cross(a),

@@ -28,8 +28,7 @@ use super::recursive;
 use super::symbols::Symbols;
 use crate::expr::{Direction, Expr};
 use crate::linear::{Ring, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Acceleration, Body, Force, Joint, Motion};
+use crate::spatial::{Acceleration, AxisMotion, Body, Force, Joint, Motion};
 
 pub(super) type Matrix<R> = Vec<Vec<R>>;
 
@@ -173,9 +172,9 @@ fn velocities<R: Ring>(
         let w = parent.map_or(rest, |parent| accelerations[parent].w);
         let joint = chain.joint(i);
         let v = joint.enter(before + w.cross(joint.position()));
-        match joint.joint_type {
-            JointType::Revolute => v,
-            JointType::Prismatic => v.plus_z(qd[i]),
+        match joint.axis_motion {
+            AxisMotion::Turns => v,
+            AxisMotion::Slides => v.plus_z(qd[i]),
         }
     })
 }
@@ -191,8 +190,8 @@ impl<R: Ring> Rates<R> {
         let z = Vector3::new(chain.zero, chain.zero, chain.one);
         let turning = acceleration.w.cross(z);
         let u = acceleration.u().column(2);
-        match joint.joint_type {
-            JointType::Revolute => Rates {
+        match joint.axis_motion {
+            AxisMotion::Turns => Rates {
                 velocity: Motion {
                     w: turning,
                     v: v.cross(z),
@@ -202,7 +201,7 @@ impl<R: Ring> Rates<R> {
                     v: acceleration.a.cross(z) + twice(v.cross(turning)),
                 },
             },
-            JointType::Prismatic => Rates {
+            AxisMotion::Slides => Rates {
                 velocity: Motion {
                     w: none,
                     v: turning,
@@ -254,10 +253,10 @@ impl<R: Ring> Composite<R> {
     }
 
     /// 2 S B for the axis S along z: it acts on angular velocities alone.
-    pub(super) fn coriolis_row(&self, axis: Motion<R>, joint_type: JointType) -> Vector3<R> {
-        match joint_type {
-            JointType::Revolute => Vector3(self.momentum.n.0[2]),
-            JointType::Prismatic => self.momentum.p.cross(axis.v),
+    pub(super) fn coriolis_row(&self, axis: Motion<R>, axis_motion: AxisMotion) -> Vector3<R> {
+        match axis_motion {
+            AxisMotion::Turns => Vector3(self.momentum.n.0[2]),
+            AxisMotion::Slides => self.momentum.p.cross(axis.v),
         }
     }
 }
@@ -281,7 +280,7 @@ impl<R: Ring> ForceDerivatives<R> {
         let by_velocity = composite.apply(own.w, velocity + velocity);
         // The forces by the position and by the velocity of joint i, and S_i I_i; behind them S_i 2 B_i.
         let forces = [by_position, by_velocity, composite.body.momentum(own)];
-        let coriolis_row = composite.coriolis_row(own, chain.joint(i).joint_type);
+        let coriolis_row = composite.coriolis_row(own, chain.joint(i).axis_motion);
         let leave = |j: usize, (forces, row): ([Force<R>; 3], Vector3<R>)| {
             let joint = chain.joint(j);
             (forces.map(|force| force.leave(joint)), joint.leave(row))
@@ -289,9 +288,9 @@ impl<R: Ring> ForceDerivatives<R> {
         let carried = (forces, coriolis_row);
         chain.tree.along_carriers(i, carried, leave, |j, carried| {
             let ([by_position, by_velocity, inertia_row], coriolis_row) = *carried;
-            let joint_type = chain.joint(j).joint_type;
-            self.by_position[j][i] = by_position.along(joint_type);
-            self.by_velocity[j][i] = by_velocity.along(joint_type);
+            let axis_motion = chain.joint(j).axis_motion;
+            self.by_position[j][i] = by_position.along(axis_motion);
+            self.by_velocity[j][i] = by_velocity.along(axis_motion);
             if j != i {
                 let Rates {
                     velocity,

@@ -3,8 +3,7 @@
 use super::chain::Chain;
 use crate::expr::Expr;
 use crate::linear::Vector3;
-use crate::robot::JointType;
-use crate::spatial::Motion;
+use crate::spatial::{AxisMotion, Motion};
 
 /// T = sum 1/2 w.J w + v.(w x h) + 1/2 m v.v, and 1/2 r^2 J_m qd^2 for each motor.
 pub(super) fn kinetic_energy<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Expr<'g> {
@@ -18,7 +17,7 @@ pub(super) fn kinetic_energy<'g>(chain: &Chain<Expr<'g>>, qd: &[Expr<'g>]) -> Ex
         // The linear velocity first: the graph orders the terms of a sum as they were first written.
         let v = joint.enter(before.at(joint.position()).v);
         let entered = before.enter(joint);
-        let motion = Motion { v, ..entered }.with_joint(joint.joint_type, qd);
+        let motion = Motion { v, ..entered }.with_joint(joint.axis_motion, qd);
         let (Motion { w, v }, body) = (motion, &link.body);
         squares = squares
             + w.dot(body.inertia.apply(w))
@@ -56,9 +55,9 @@ pub(super) fn gravity_vector<'g>(chain: &Chain<Expr<'g>>) -> Vec<Expr<'g>> {
     chain.tree.outward(gravity, |i, &before| {
         let (joint, (mass, h)) = (chain.joint(i), moments[i]);
         let g = joint.enter(before);
-        forces.push(match joint.joint_type {
-            JointType::Revolute => g[0] * h[1] - g[1] * h[0],
-            JointType::Prismatic => -(mass * g[2]),
+        forces.push(match joint.axis_motion {
+            AxisMotion::Turns => g[0] * h[1] - g[1] * h[0],
+            AxisMotion::Slides => -(mass * g[2]),
         });
         g
     });

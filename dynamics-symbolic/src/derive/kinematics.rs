@@ -5,8 +5,8 @@ use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
 use crate::mechanism::{self, Mechanism, Origin};
-use crate::robot::{Interpretation, JointType, Placement};
-use crate::spatial::{Axis, Place, Turn, Turns};
+use crate::robot::{Interpretation, Placement};
+use crate::spatial::{Axis, AxisMotion, Place, Turn, Turns};
 
 /// A frame in the world, which is the base frame where the table says nothing else.
 #[derive(Clone, Copy)]
@@ -128,9 +128,9 @@ pub(super) fn frames<'g>(symbols: &mut Symbols<'g>) -> Vec<Frame<'g>> {
         let foot = before.then(&place(symbols, &aligned.before));
         let turn = symbols.turn(i);
         let d = symbols.value(&aligned.d);
-        let d = match joint.joint_type {
-            JointType::Revolute => d,
-            JointType::Prismatic => d + symbols.joint(i).q,
+        let d = match joint.axis_motion {
+            AxisMotion::Turns => d,
+            AxisMotion::Slides => d + symbols.joint(i).q,
         };
         let mut joint_frame = foot.turned(Axis::Z, turn);
         joint_frame.origin = joint_frame.origin + joint_frame.axes[2] * d;
@@ -174,9 +174,9 @@ pub(super) fn columns<'g>(
     let mut columns = vec![(none, none); frames.len()];
     for &i in carriers.iter().rev() {
         let frame = &frames[i];
-        columns[i] = match arm.joints[i].joint_type {
-            JointType::Revolute => (frame.axis.cross(point - frame.axis_origin), frame.axis),
-            JointType::Prismatic => (frame.axis, none),
+        columns[i] = match arm.joints[i].axis_motion {
+            AxisMotion::Turns => (frame.axis.cross(point - frame.axis_origin), frame.axis),
+            AxisMotion::Slides => (frame.axis, none),
         };
     }
     columns

@@ -5,7 +5,7 @@ use super::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::Vector3;
 use crate::mechanism::Frame;
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 use core::ops::Add;
 
 /// The Jacobian of every link frame's origin, by rows. Joints beyond a link do not move it.
@@ -45,9 +45,9 @@ pub(super) fn rate<'g>(symbols: &mut Symbols<'g>, frame: &Frame) -> Vec<Expr<'g>
     arm.tree.outward(none, |j, &w| {
         let (linear, angular) = columns[j];
         let turned = (w.cross(linear), w.cross(angular));
-        rates.push(match arm.joints[j].joint_type {
-            JointType::Revolute => (turned.0 + angular.cross(velocities[j]), turned.1),
-            JointType::Prismatic => turned,
+        rates.push(match arm.joints[j].axis_motion {
+            AxisMotion::Turns => (turned.0 + angular.cross(velocities[j]), turned.1),
+            AxisMotion::Slides => turned,
         });
         w + angular * qd[j]
     });

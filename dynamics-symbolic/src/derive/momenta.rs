@@ -18,8 +18,9 @@ use crate::spatial::{Force, Motion};
 pub(super) fn generalized_momentum<R: Ring>(chain: &Chain<R>, qd: &[R]) -> Vec<R> {
     let momenta = momenta(chain, &velocities(chain, qd));
     let links = chain.links.iter().zip(&momenta).zip(qd);
-    let along = links
-        .map(|((link, momentum), &qd)| momentum.along(link.joint.joint_type) + link.reflected * qd);
+    let along = links.map(|((link, momentum), &qd)| {
+        momentum.along(link.joint.axis_motion) + link.reflected * qd
+    });
     along.collect()
 }
 
@@ -38,7 +39,7 @@ pub(super) fn velocities<R: Ring>(chain: &Chain<R>, qd: &[R]) -> Vec<Motion<R>> 
     let base = Motion::splat(chain.zero);
     chain.tree.outward(base, |i, before| {
         let joint = chain.joint(i);
-        before.enter(joint).with_joint(joint.joint_type, qd[i])
+        before.enter(joint).with_joint(joint.axis_motion, qd[i])
     })
 }
 

@@ -9,8 +9,7 @@
 //! It is twice the operator B of Singh, Russell and Wensing (2022).
 
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Axis, Body, Force, Joint, Motion, Turn};
+use crate::spatial::{Axis, AxisMotion, Body, Force, Joint, Motion, Turn};
 
 /// 2 p and 2 N about the origin of a frame.
 #[derive(Clone, Copy)]
@@ -62,11 +61,11 @@ impl<R: Ring> Momentum<R> {
     }
 
     /// Its derivative where the bodies are displaced along z, of a joint or of the axis of one.
-    pub(super) fn displaced(&self, joint_type: JointType, zero: R, one: R) -> Self {
+    pub(super) fn displaced(&self, axis_motion: AxisMotion, zero: R, one: R) -> Self {
         let z = Vector3::new(zero, zero, one);
-        match joint_type {
+        match axis_motion {
             // z x p, and [z]x N - N [z]x
-            JointType::Revolute => {
+            AxisMotion::Turns => {
                 let [[xx, xy, xz], [yx, yy, yz], [zx, zy, _]] = self.n.0;
                 let (sum, difference) = (xy + yx, xx - yy);
                 Momentum {
@@ -79,7 +78,7 @@ impl<R: Ring> Momentum<R> {
                 }
             }
             // K' = K + p z^T
-            JointType::Prismatic => Momentum {
+            AxisMotion::Slides => Momentum {
                 p: Vector3::splat(zero),
                 n: trace_less(self.p, z),
             },

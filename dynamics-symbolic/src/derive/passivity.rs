@@ -15,8 +15,7 @@
 
 use super::chain::Chain;
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Body, Force, Joint};
+use crate::spatial::{AxisMotion, Body, Force, Joint};
 
 /// How a link moves by two velocities.
 pub(super) struct Mixed<R> {
@@ -40,14 +39,14 @@ impl<R: Ring> Mixed<R> {
         let Rates { qd, qd_r, qdd_r } = rates;
         let [w, w_r, e] = [self.w, self.w_r, self.e].map(|v| joint.enter(v));
         let a = joint.enter(self.a + self.u().apply(joint.position()));
-        match joint.joint_type {
-            JointType::Revolute => Mixed {
+        match joint.axis_motion {
+            AxisMotion::Turns => Mixed {
                 w: w.plus_z(qd),
                 w_r: w_r.plus_z(qd_r),
                 e: Vector3::new(e[0] + w[1] * qd_r, e[1] - w[0] * qd_r, e[2] + qdd_r),
                 a,
             },
-            JointType::Prismatic => Mixed {
+            AxisMotion::Slides => Mixed {
                 w,
                 w_r,
                 e,

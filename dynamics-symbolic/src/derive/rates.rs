@@ -14,9 +14,9 @@ use crate::expr::{Direction, Expr};
 use crate::linear::{Symmetric3, Vector3};
 use crate::mechanism::BaseRate;
 use crate::operators::impl_operators;
-use crate::robot::{Interpretation, JointType};
+use crate::robot::Interpretation;
 use crate::spatial::{
-    Acceleration, Axis, Body, Force, Turn, Turns, Writing, enter_about, leave_about,
+    Acceleration, Axis, AxisMotion, Body, Force, Turn, Turns, Writing, enter_about, leave_about,
 };
 use core::ops::Add;
 
@@ -101,7 +101,7 @@ fn jet<'g>([x, xd, xdd]: Components<'g>) -> Vector<'g> {
 
 /// A link whose joint moves.
 struct Moving<'g> {
-    joint_type: JointType,
+    axis_motion: AxisMotion,
     before: Turning<'g>,
     twist: Turns<Expr<'g>>,
     turn: Turning<'g>,
@@ -133,7 +133,7 @@ impl<'g> Moving<'g> {
         let a = self.enter(previous.a + u.apply(self.position));
         let Some(along) = self.writing.along else {
             let wd = self.enter(previous.wd);
-            return Acceleration { w, wd, a }.with_joint(self.joint_type, qd, qdd);
+            return Acceleration { w, wd, a }.with_joint(self.axis_motion, qd, qdd);
         };
         let column = self.enter(along.signed(u.column(along.axis)));
         let zd = along.signed(previous.wd[along.axis]) + qdd;
@@ -262,7 +262,7 @@ fn moving_links<'g>(chain: &Chain<Expr<'g>>, along: &Direction<'g>) -> Vec<Movin
         let offset = frame_before.spun(joint.offset);
         let frame = turning(link.behind);
         links.push(Moving {
-            joint_type: joint.joint_type,
+            axis_motion: joint.axis_motion,
             before,
             twist: joint.twist.clone(),
             turn: turning(joint.turn),
@@ -336,7 +336,7 @@ fn forces<'g>(chain: &Chain<Expr<'g>>, links: &[Moving<'g>], course: &Course<'g>
         .inward(Force::splat(zero), Force::add, |i, outer| {
             let (link, force) = (&links[i], own[i] + outer);
             let of_motor = constant(chain, link.reflected) * course.qdd[i];
-            forces[i] = force.along(link.joint_type) + of_motor;
+            forces[i] = force.along(link.axis_motion) + of_motor;
             link.hand_on(force)
         });
     forces

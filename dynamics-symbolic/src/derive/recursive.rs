@@ -22,7 +22,7 @@ pub(super) fn inward<R: Ring>(chain: &Chain<R>, own: &[Force<R>], qdd: &[R]) -> 
     let mut forces = vec![chain.zero; chain.links.len()];
     chain.forces_inward(|i, outer| {
         let (link, force) = (&chain.links[i], own[i] + outer);
-        forces[i] = force.along(link.joint.joint_type) + link.reflected * qdd[i];
+        forces[i] = force.along(link.joint.axis_motion) + link.reflected * qdd[i];
         force
     });
     forces

@@ -38,8 +38,7 @@ use super::symbols::Symbols;
 use super::{composite, derivatives};
 use crate::expr::Expr;
 use crate::linear::{Ring, Symmetric3, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Body, Force, Joint, Motion};
+use crate::spatial::{AxisMotion, Body, Force, Joint, Motion};
 
 /// A matrix for each joint force.
 type Matrices<R> = Vec<Matrix<R>>;
@@ -184,20 +183,20 @@ impl<R: Ring> Slopes<R> {
             twice_velocity,
             rates,
         } = own;
-        let joint_type = chain.joint(j).joint_type;
+        let axis_motion = chain.joint(j).axis_motion;
         let (zero, one) = (chain.zero, chain.one);
         let body = &composite.body;
-        let turned = composite.momentum.displaced(joint_type, zero, one);
+        let turned = composite.momentum.displaced(axis_motion, zero, one);
         let faster = Momentum::of(body, rates.velocity.w, rates.velocity.v);
         let own = composite.apply(rates.velocity.w, rates.acceleration);
         Slopes {
-            body: displaced(body, joint_type, zero, one),
+            body: displaced(body, axis_motion, zero, one),
             momentum: turned.joined(faster),
             force: axis.cross_force(composite.force) + own,
             momentum_of_axis: Momentum::of(body, axis.w, axis.v),
             force_by_velocity: composite.apply(axis.w, twice_velocity),
             inertia_row: body.momentum(axis),
-            coriolis_row: composite.coriolis_row(axis, joint_type),
+            coriolis_row: composite.coriolis_row(axis, axis_motion),
         }
     }
 
@@ -219,17 +218,17 @@ impl<R: Ring> Slopes<R> {
 }
 
 /// The derivative of a body's parameters where it is displaced along z, of a joint or of the axis of one.
-fn displaced<R: Ring>(body: &Body<R>, joint_type: JointType, zero: R, one: R) -> Body<R> {
+fn displaced<R: Ring>(body: &Body<R>, axis_motion: AxisMotion, zero: R, one: R) -> Body<R> {
     let z = Vector3::new(zero, zero, one);
     let h = body.moment;
-    match joint_type {
+    match axis_motion {
         // z x h, and [z]x J - J [z]x
-        JointType::Revolute => Body {
+        AxisMotion::Turns => Body {
             mass: zero,
             moment: z.cross(h),
             inertia: body.inertia.slope_about_z(zero),
         },
-        JointType::Prismatic => Body {
+        AxisMotion::Slides => Body {
             mass: zero,
             moment: z * body.mass,
             inertia: Symmetric3::shift(h, z),

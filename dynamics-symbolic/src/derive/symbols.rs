@@ -5,8 +5,8 @@ use crate::exact::Rational;
 use crate::expr::{Direction, Expr, Graph, Level};
 use crate::function::Argument;
 use crate::mechanism::{BaseRate, Joint, Law, Mechanism};
-use crate::robot::{Angle, Coupling, Interpretation, JointType, PoseOfBase, Symbol, Value};
-use crate::spatial::Turn;
+use crate::robot::{Angle, Coupling, Interpretation, PoseOfBase, Symbol, Value};
+use crate::spatial::{AxisMotion, Turn};
 
 /// The variables of one joint.
 #[derive(Clone, Copy, Debug)]
@@ -84,9 +84,9 @@ impl<'g> Symbols<'g> {
             let variables = match &joint.law {
                 Law::Free { number } => symbols.free_joint(*number, joint),
                 Law::Base { number } => symbols.joint_of_base(*number),
-                Law::Standing { at } => symbols.standing_joint(joint.joint_type, at),
+                Law::Standing { at } => symbols.standing_joint(joint.axis_motion, at),
                 // Filled in below: the joint that leads may come later.
-                Law::Following { .. } => symbols.standing_joint(joint.joint_type, &Value::zero()),
+                Law::Following { .. } => symbols.standing_joint(joint.axis_motion, &Value::zero()),
             };
             symbols.joints.push(variables);
         }
@@ -150,15 +150,15 @@ impl<'g> Symbols<'g> {
         let factor = self.value(&coupling.factor);
         let leader = self.joints[coupling.leader];
         let sin_cos = match (
-            joint.joint_type,
-            self.arm.joints[coupling.leader].joint_type,
+            joint.axis_motion,
+            self.arm.joints[coupling.leader].axis_motion,
         ) {
-            (JointType::Prismatic, _) => (self.graph.zero(), self.graph.one()),
-            (JointType::Revolute, JointType::Revolute) => {
+            (AxisMotion::Slides, _) => (self.graph.zero(), self.graph.one()),
+            (AxisMotion::Turns, AxisMotion::Turns) => {
                 let known = whole(&coupling.factor).map(|n| multiple(leader.sin_cos, n));
                 known.unwrap_or_else(|| self.circle_of(number))
             }
-            (JointType::Revolute, JointType::Prismatic) => self.circle_of(number),
+            (AxisMotion::Turns, AxisMotion::Slides) => self.circle_of(number),
         };
         let sign = match coupling.sign() {
             Some(1) => leader.sign,
@@ -222,16 +222,16 @@ impl<'g> Symbols<'g> {
             qdd: rate,
             rate,
             tau: self.variable(Symbol::Force(number)),
-            ..self.standing_joint(JointType::Prismatic, &Value::zero())
+            ..self.standing_joint(AxisMotion::Slides, &Value::zero())
         }
     }
 
     /// A joint that stands still: everything about it is constant.
-    fn standing_joint(&mut self, joint_type: JointType, at: &Value) -> JointSymbols<'g> {
+    fn standing_joint(&mut self, axis_motion: AxisMotion, at: &Value) -> JointSymbols<'g> {
         let zero = self.graph.zero();
-        let angle = match joint_type {
-            JointType::Revolute => at,
-            JointType::Prismatic => &Value::zero(),
+        let angle = match axis_motion {
+            AxisMotion::Turns => at,
+            AxisMotion::Slides => &Value::zero(),
         };
         JointSymbols {
             sin_cos: self.sin_cos(angle),
@@ -335,9 +335,9 @@ impl<'g> Symbols<'g> {
     /// (prismatic). The constant rotates the sine and cosine of q: added to q it would cost digits where q is large.
     pub(crate) fn turn(&mut self, i: usize) -> Turn<Expr<'g>> {
         let constant = self.constant_turn(i);
-        match self.arm.joints[i].joint_type {
-            JointType::Prismatic => constant,
-            JointType::Revolute => turned(self.joints[i].sin_cos, (constant.s, constant.c)).into(),
+        match self.arm.joints[i].axis_motion {
+            AxisMotion::Slides => constant,
+            AxisMotion::Turns => turned(self.joints[i].sin_cos, (constant.s, constant.c)).into(),
         }
     }
 }

@@ -18,8 +18,7 @@ use crate::expr::Expr;
 use crate::function::Argument;
 use crate::linear::Vector3;
 use crate::mechanism::Frame;
-use crate::robot::JointType;
-use crate::spatial::{Axis, Joint, leave_about};
+use crate::spatial::{Axis, AxisMotion, Joint, leave_about};
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
@@ -46,12 +45,12 @@ pub(super) fn velocity<'g>(
     let (mut u, mut w) = (none, none);
     for i in chain.tree.carriers_of(frame.link) {
         let (joint, qd) = (chain.joint(i), symbols.joint(i).qd);
-        match joint.joint_type {
-            JointType::Revolute => {
+        match joint.axis_motion {
+            AxisMotion::Turns => {
                 u = u + z_cross(chain, r, qd);
                 w = w.plus_z(qd);
             }
-            JointType::Prismatic => u = u.plus_z(qd),
+            AxisMotion::Slides => u = u.plus_z(qd),
         }
         (u, w) = (joint.leave(u), joint.leave(w));
         r = inward(joint, r);
@@ -71,15 +70,15 @@ pub(super) fn acceleration<'g>(
     for i in chain.tree.carriers_of(frame.link) {
         let (joint, of_joint) = (chain.joint(i), symbols.joint(i));
         let (qd, qdd) = (of_joint.qd, of_joint.qdd);
-        match joint.joint_type {
-            JointType::Revolute => {
+        match joint.axis_motion {
+            AxisMotion::Turns => {
                 let before = u;
                 u = u + z_cross(chain, r, qd);
                 a = a + (z_cross(chain, before + u, qd) + z_cross(chain, r, qdd));
                 e = (e + z_cross(chain, w, qd)).plus_z(qdd);
                 w = w.plus_z(qd);
             }
-            JointType::Prismatic => {
+            AxisMotion::Slides => {
                 u = u.plus_z(qd);
                 a = a.plus_z(qdd);
             }
@@ -163,9 +162,9 @@ impl<'g> Wrench<'g> {
             moment: n,
             lever: r,
         } = self.in_links[i];
-        match joint.joint_type {
-            JointType::Revolute => n[2] + (r[0] * f[1] - r[1] * f[0]),
-            JointType::Prismatic => f[2],
+        match joint.axis_motion {
+            AxisMotion::Turns => n[2] + (r[0] * f[1] - r[1] * f[0]),
+            AxisMotion::Slides => f[2],
         }
     }
 
@@ -184,7 +183,7 @@ impl<'g> Wrench<'g> {
         let mut m = about;
         for i in inner.iter().take(1).chain(outer.iter().rev()).copied() {
             let joint = chain.joint(i);
-            if joint.joint_type == JointType::Prismatic || (i != pivot && !is_at_pivot(joint)) {
+            if joint.axis_motion == AxisMotion::Slides || (i != pivot && !is_at_pivot(joint)) {
                 break;
             }
             m = joint.enter(m);
@@ -194,7 +193,7 @@ impl<'g> Wrench<'g> {
         for (&i, &outside) in inner.iter().skip(1).zip(&inner) {
             let (f, joint) = (self.in_links[i].force, chain.joint(i));
             m = m + chain.joint(outside).offset.cross(f);
-            if joint.joint_type == JointType::Revolute {
+            if joint.axis_motion == AxisMotion::Turns {
                 forces[i] = Some(m[2]);
             }
             m = joint.leave(m + z_cross(chain, f, joint.slide));

@@ -6,7 +6,7 @@
 //! The three components of a vector in space are.
 
 use crate::function::{Freedoms, Function, Shape, Size, Sizes};
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 use std::collections::BTreeMap;
 
 /// For each of `outputs` outputs of a function the number of its group: those of one row of a matrix
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 /// lengths and three angles of a base that moves come the joints that move by themselves.
 pub fn groups(
     freedoms: Freedoms,
-    joints: &[JointType],
+    joints: &[AxisMotion],
     function: Function,
     outputs: usize,
 ) -> Vec<usize> {
@@ -33,10 +33,10 @@ pub fn groups(
     keys.into_iter().map(number).collect()
 }
 
-fn unit(joint: &JointType) -> usize {
+fn unit(joint: &AxisMotion) -> usize {
     match joint {
-        JointType::Revolute => 0,
-        JointType::Prismatic => 1,
+        AxisMotion::Turns => 0,
+        AxisMotion::Slides => 1,
     }
 }
 
@@ -122,8 +122,8 @@ mod tests {
 
     #[test]
     fn entries_of_one_row_and_unit_are_measured_together() {
-        use JointType::{Prismatic, Revolute};
-        let joints = [Revolute, Prismatic, Revolute];
+        use AxisMotion::{Slides, Turns};
+        let joints = [Turns, Slides, Turns];
         let groups = |function, outputs| super::groups(3.into(), &joints, function, outputs);
         assert_eq!(groups(Function::MassMatrix, 9), [0, 1, 0, 2, 3, 2, 4, 5, 4]);
         let pairs = [0, 1, 0, 2, 3, 2, 4, 5, 4];
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn components_of_a_vector_are_measured_together() {
-        let joints = [JointType::Revolute; 2];
+        let joints = [AxisMotion::Turns; 2];
         let jacobian = groups(2.into(), &joints, Function::Jacobian, 12);
         assert_eq!(jacobian, [0, 1, 0, 1, 0, 1, 2, 3, 2, 3, 2, 3]);
         let pose = groups(2.into(), &joints, Function::ForwardKinematics, 16);

@@ -10,7 +10,7 @@ use crate::mechanism::Mechanism;
 use crate::program::{Operand, Output};
 use crate::robot::{Convention, Grouping, JointType, Parameter, Robot, Row, Symbol};
 use crate::simplify::Network;
-use crate::spatial::{Body, Place, Turn};
+use crate::spatial::{AxisMotion, Body, Place, Turn};
 
 /// A longer formula is written in steps.
 const LONGEST: usize = 250;
@@ -336,13 +336,13 @@ fn named_geometry<'p>(all: &'p Polynomials, robot: &Robot) -> Geometry<Polynomia
             turn(step, format!("{}_{angles}", i + 1))
         });
         LinkGeometry {
-            joint_type: link.joint_type,
+            axis_motion: link.axis_motion,
             stands: link.stands,
             is_of_base: link.is_of_base,
             before: Place { origin, turns },
             d: cell(link.d, format!("d{}", i + 1)),
-            turn: match link.joint_type {
-                JointType::Revolute if !link.stands => Turn {
+            turn: match link.axis_motion {
+                AxisMotion::Turns if !link.stands => Turn {
                     s: all.number(0),
                     c: all.number(1),
                 },

@@ -2,7 +2,8 @@
 
 use super::atom::Run;
 use crate::mechanism::{Law, Mechanism};
-use crate::robot::{Angle, JointType, Value};
+use crate::robot::{Angle, Value};
+use crate::spatial::AxisMotion;
 
 /// Revolute joints with parallel axes, group by group: each carries the next one, with prismatic joints between them
 /// or none. Where joints on one link would go on with the same group, the first of them does.
@@ -36,7 +37,7 @@ impl Groups {
             let across = turns.flat_map(|placement| &placement.rpy[..2]);
             let parallel = across.fold(*before, |parallel, angle| follow(angle, parallel?));
             match joint.law {
-                Law::Free { number } if joint.joint_type == JointType::Revolute => {
+                Law::Free { number } if joint.axis_motion == AxisMotion::Turns => {
                     let is_last = |of: &Parallel| of.carriers == groups[of.group].len();
                     let mut parallel = parallel.filter(is_last).unwrap_or(Parallel {
                         group: groups.len(),

@@ -7,7 +7,8 @@ use crate::derive::place;
 use crate::derive::symbols::Symbols;
 use crate::linear::{Matrix3, Vector3};
 use crate::mechanism::{Law, Mechanism};
-use crate::robot::{Interpretation, JointType, Placement};
+use crate::robot::{Interpretation, Placement};
+use crate::spatial::AxisMotion;
 use std::collections::BTreeSet;
 
 /// A step of the way to the frame.
@@ -56,13 +57,16 @@ pub(super) fn chain<'g>(
     let mut chain = vec![Link::fixed(placed(symbols, arm.base.as_slice()))];
     for &i in &carriers {
         let joint = &arm.joints[i];
-        let (joint_type, variables) = (joint.joint_type, *symbols.joint(i));
-        let motion = match joint_type {
-            JointType::Revolute => Move::turn(graph, variables.sin_cos),
-            JointType::Prismatic => Move::slide(graph, variables.q),
+        let (axis_motion, variables) = (joint.axis_motion, *symbols.joint(i));
+        let motion = match axis_motion {
+            AxisMotion::Turns => Move::turn(graph, variables.sin_cos),
+            AxisMotion::Slides => Move::slide(graph, variables.q),
         };
         let moving = match joint.law {
-            Law::Free { number } => Some(Unknown { number, joint_type }),
+            Law::Free { number } => Some(Unknown {
+                number,
+                axis_motion,
+            }),
             Law::Standing { .. } | Law::Base { .. } => None,
             Law::Following { .. } => return Err(Unsolved::Follower(joint.name.clone())),
         };

@@ -18,7 +18,7 @@ use super::view::{Points, Unknown, View};
 use crate::derive::symbols::Symbols;
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Vector3};
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 use std::collections::BTreeSet;
 
 type Vector<'g> = Vector3<Expr<'g>>;
@@ -35,7 +35,7 @@ pub(super) fn shoulder<'g>(
     view: &View<'g>,
     found: &mut Vec<Equation<'g>>,
 ) -> Option<(usize, Path<'g>)> {
-    let turns = |joint: &Unknown| joint.joint_type == JointType::Revolute;
+    let turns = |joint: &Unknown| joint.axis_motion == AxisMotion::Turns;
     if !view.joints.iter().all(turns) {
         return None;
     }

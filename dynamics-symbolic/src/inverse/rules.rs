@@ -18,7 +18,7 @@ use super::plan::{Rule, Step};
 use super::view::{Points, View, are_parallel, moved};
 use crate::expr::Expr;
 use crate::linear::Vector3;
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 
 type Vector<'g> = Vector3<Expr<'g>>;
 
@@ -75,12 +75,12 @@ struct Pair<'g> {
 
 /// All equations of the joints of a view: first those with one solution.
 pub(super) fn equations<'g>(view: &View<'g>) -> Vec<Equation<'g>> {
-    let of_type = |joint_type| {
+    let of_type = |axis_motion| {
         let joints = 0..view.joints.len();
-        joints.filter(move |&t| view.joints[t].joint_type == joint_type)
+        joints.filter(move |&t| view.joints[t].axis_motion == axis_motion)
     };
-    let (turning, sliding) = (of_type(JointType::Revolute), of_type(JointType::Prismatic));
-    let front = (view.joints[0].joint_type == JointType::Revolute).then_some(view);
+    let (turning, sliding) = (of_type(AxisMotion::Turns), of_type(AxisMotion::Slides));
+    let front = (view.joints[0].axis_motion == AxisMotion::Turns).then_some(view);
     let single = front.and_then(first_turn).into_iter();
     let single = single.chain(sliding.clone().filter_map(|t| slide(view, t)));
     let double = turning

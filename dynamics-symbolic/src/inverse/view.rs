@@ -8,7 +8,7 @@
 use super::moves::Path;
 use crate::expr::{Expr, Graph, NodeId};
 use crate::linear::Vector3;
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 use core::ops::Range;
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ type Vector<'g> = Vector3<Expr<'g>>;
 pub(super) struct Unknown {
     /// Its number among the joints that move.
     pub(super) number: usize,
-    pub(super) joint_type: JointType,
+    pub(super) axis_motion: AxisMotion,
 }
 
 /// The equation above, or that of its inverse.
@@ -118,9 +118,9 @@ impl<'g> View<'g> {
 
     /// The points that no joint of a range moves, in the frame of its first joint.
     pub(super) fn points(&self, range: Range<usize>) -> Points<'g> {
-        let join = |i: usize, points| match self.joints[i].joint_type {
-            JointType::Revolute => self.on_axis(points),
-            JointType::Prismatic => self.along_axis(points),
+        let join = |i: usize, points| match self.joints[i].axis_motion {
+            AxisMotion::Turns => self.on_axis(points),
+            AxisMotion::Slides => self.along_axis(points),
         };
         self.gathered(range, Points::All, moved, join)
     }
@@ -175,7 +175,7 @@ impl<'g> View<'g> {
 
     /// A basis of the directions that no joint of a range turns, in the frame of its first joint.
     pub(super) fn directions(&self, range: Range<usize>) -> Vec<Vector<'g>> {
-        self.heights(range, |i| self.joints[i].joint_type == JointType::Prismatic)
+        self.heights(range, |i| self.joints[i].axis_motion == AxisMotion::Slides)
     }
 
     /// A basis of the directions along which no joint of a range moves a point, except for those that are skipped.
@@ -187,10 +187,10 @@ impl<'g> View<'g> {
         let turned = |way: &Path<'g>, basis: Vec<Vector<'g>>| {
             basis.into_iter().map(|v| way.direction(v)).collect()
         };
-        let join = |i: usize, basis| match self.joints[i].joint_type {
+        let join = |i: usize, basis| match self.joints[i].axis_motion {
             _ if is_skipped(i) => basis,
-            JointType::Revolute => self.containing_z(basis),
-            JointType::Prismatic => self.across_z(basis),
+            AxisMotion::Turns => self.containing_z(basis),
+            AxisMotion::Slides => self.across_z(basis),
         };
         self.gathered(range, self.axes().to_vec(), turned, join)
     }

@@ -2,7 +2,7 @@
 
 use super::plan::Target;
 use super::view::{Points, Unknown, View, are_parallel};
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 use core::fmt;
 use core::ops::Range;
 
@@ -41,7 +41,7 @@ pub enum Unsolved {
 /// The condition that fails of every such arm.
 pub(super) fn class(view: &View<'_>) -> Result<(Target, Unsolved), Unsolved> {
     let count = view.joints.len();
-    let turns = |joint: &&Unknown| joint.joint_type == JointType::Revolute;
+    let turns = |joint: &&Unknown| joint.axis_motion == AxisMotion::Turns;
     let turning = view.joints.iter().filter(turns).count();
     let z = view.z();
     let is_parallel = |i: usize| are_parallel(view.way(0, i).direction(z), z);
@@ -70,8 +70,8 @@ pub(super) fn class(view: &View<'_>) -> Result<(Target, Unsolved), Unsolved> {
 /// Three joints of which the last moves the origin of the frame need two axes that meet or are parallel.
 fn why_not_three(view: &View<'_>) -> Unsolved {
     let [x, y, _] = view.tip.0;
-    let last = view.joints[2].joint_type;
-    match last == JointType::Prismatic || !(x.is_zero() && y.is_zero()) {
+    let last = view.joints[2].axis_motion;
+    match last == AxisMotion::Slides || !(x.is_zero() && y.is_zero()) {
         true => Unsolved::NoTwoAxes,
         false => Unsolved::Undetermined,
     }

@@ -31,12 +31,13 @@
 use super::{Aligned, Forces, Joint, Law, Origin};
 use crate::exact::Rational;
 use crate::linear::Ring;
-use crate::robot::{Base, Body, JointType, Placement, Row, Value};
+use crate::robot::{Base, Body, Placement, Value};
+use crate::spatial::AxisMotion;
 
 /// The joints of a base with this body.
 pub(super) fn joints(body: &Body) -> Vec<Joint> {
-    let kinds = [JointType::Prismatic, JointType::Revolute].into_iter();
-    let joints = kinds.flat_map(|kind| (0..3).map(move |axis| (kind, axis)));
+    let motions = [AxisMotion::Slides, AxisMotion::Turns].into_iter();
+    let joints = motions.flat_map(|motion| (0..3).map(move |axis| (motion, axis)));
     let mut joints: Vec<_> = joints.enumerate().map(joint).collect();
     if let Some(last) = joints.last_mut() {
         last.body = body.clone();
@@ -45,14 +46,13 @@ pub(super) fn joints(body: &Body) -> Vec<Joint> {
 }
 
 /// The joint of that number, about or along a coordinate axis of the base.
-fn joint((number, (joint_type, axis)): (usize, (JointType, usize))) -> Joint {
-    let row = Row::new("base", joint_type);
+fn joint((number, (axis_motion, axis)): (usize, (AxisMotion, usize))) -> Joint {
     // From the frame of the joint before, whose z axis is another one, by way of the axes of the base.
     let back = if number == 0 { 2 } else { (axis + 2) % 3 };
     let before = vec![turned(back, -1), turned(axis, 1)];
     Joint {
-        name: row.name.clone(),
-        joint_type,
+        name: "base".to_owned(),
+        axis_motion,
         aligned: Aligned {
             before: before.clone(),
             turn: vec![Value::zero()],
@@ -65,8 +65,12 @@ fn joint((number, (joint_type, axis)): (usize, (JointType, usize))) -> Joint {
         origin: Origin::AfterOffset,
         law: Law::Base { number },
         link_frame: Vec::new(),
-        body: row.body(),
-        forces: Forces::of(&row),
+        body: Body {
+            mass: Value::zero(),
+            com: [0; 3].map(Value::integer),
+            inertia: [0; 6].map(Value::integer),
+        },
+        forces: Forces::none(),
         limits: None,
     }
 }

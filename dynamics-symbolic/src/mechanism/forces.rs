@@ -16,6 +16,19 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
+    /// Those of a joint at which nothing acts.
+    pub(super) fn none() -> Self {
+        let zero = Value::zero;
+        Forces {
+            motor_inertia: zero(),
+            gear_ratio: zero(),
+            viscous: zero(),
+            coulomb: [zero(), zero()],
+            stribeck: None,
+            spring: None,
+        }
+    }
+
     /// The forces of a row.
     pub(super) fn of(row: &Row) -> Self {
         Forces {

@@ -6,7 +6,7 @@
 //! that of an arm for each branch.
 
 use super::{Aligned, Forces, Joint, Law, Mechanism};
-use crate::robot::{Row, Value};
+use crate::robot::Value;
 
 impl Mechanism {
     /// Joints that have nothing but the base in common with others, by groups: the joints of a group stand on each other's
@@ -65,7 +65,7 @@ impl Joint {
     fn stand(&mut self) {
         let zero = Value::zero;
         self.law = Law::Standing { at: zero() };
-        self.forces = Forces::of(&Row::new("", self.joint_type));
+        self.forces = Forces::none();
         self.aligned = Aligned {
             before: Vec::new(),
             turn: vec![zero()],

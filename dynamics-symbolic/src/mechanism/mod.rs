@@ -16,7 +16,8 @@ pub(crate) use forces::Forces;
 pub(crate) use walk::Tree;
 
 use crate::function::Freedoms;
-use crate::robot::{Body, Coupling, JointType, Neglected, Placement, Value};
+use crate::robot::{Body, Coupling, Neglected, Placement, Value};
+use crate::spatial::AxisMotion;
 
 /// A robot as the derivations know it. Joints and the links that they move are counted from the base outwards.
 #[derive(Clone, Debug)]
@@ -66,7 +67,7 @@ pub(crate) struct FixedBody {
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
     pub(crate) name: String,
-    pub(crate) joint_type: JointType,
+    pub(crate) axis_motion: AxisMotion,
     /// The constant place of the axis in the joint's frame of the link that carries it, each placement in the one
     /// before it.
     pub(crate) before: Vec<Placement>,
@@ -261,9 +262,9 @@ impl Joint {
         let [first, last] = leader.map(|end| {
             let end = Value::from_f64(end).unwrap_or(Value::zero());
             let moved = coupling.factor.clone() * end;
-            match self.joint_type {
-                JointType::Revolute => moved,
-                JointType::Prismatic => moved + coupling.offset.clone(),
+            match self.axis_motion {
+                AxisMotion::Turns => moved,
+                AxisMotion::Slides => moved + coupling.offset.clone(),
             }
         });
         if coupling.factor.is_negative() {
@@ -276,10 +277,10 @@ impl Joint {
     /// The range over which the joint is sampled: revolute joints without limits turn once around, prismatic ones
     /// slide by a metre either way.
     pub(crate) fn range(&self, fields: &[f64]) -> [f64; 2] {
-        match (&self.limits, self.joint_type) {
+        match (&self.limits, self.axis_motion) {
             (Some(limits), _) => limits.each_ref().map(|limit| limit.to_f64(fields)),
-            (None, JointType::Revolute) => [-core::f64::consts::PI, core::f64::consts::PI],
-            (None, JointType::Prismatic) => [-1.0, 1.0],
+            (None, AxisMotion::Turns) => [-core::f64::consts::PI, core::f64::consts::PI],
+            (None, AxisMotion::Slides) => [-1.0, 1.0],
         }
     }
 }

@@ -2,6 +2,16 @@
 
 use super::{Aligned, FixedBody, Forces, Frame, Joint, Law, Mechanism, Origin, Tree, base};
 use crate::robot::{Convention, JointType, Placement, Robot, Row, Value};
+use crate::spatial::AxisMotion;
+
+impl From<JointType> for AxisMotion {
+    fn from(joint_type: JointType) -> Self {
+        match joint_type {
+            JointType::Revolute => AxisMotion::Turns,
+            JointType::Prismatic => AxisMotion::Slides,
+        }
+    }
+}
 
 impl From<&Robot> for Mechanism {
     fn from(robot: &Robot) -> Self {
@@ -108,7 +118,7 @@ fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> 
     }
     Joint {
         name: row.name.clone(),
-        joint_type: row.joint_type,
+        axis_motion: row.joint_type.into(),
         aligned: Aligned {
             before: before.clone(),
             turn: constant_turn(row),
@@ -122,7 +132,7 @@ fn joint(robot: &Robot, i: usize, numbers: &mut impl Iterator<Item = usize>) -> 
         link_frame,
         body: row.body(),
         forces: match law {
-            Law::Standing { .. } => Forces::of(&Row::new("", row.joint_type)),
+            Law::Standing { .. } => Forces::none(),
             Law::Free { .. } | Law::Base { .. } | Law::Following { .. } => Forces::of(row),
         },
         law,

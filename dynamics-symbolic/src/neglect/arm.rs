@@ -6,8 +6,8 @@ use crate::derive::place;
 use crate::derive::rows::Moved;
 use crate::linear::Vector3;
 use crate::mechanism::Mechanism;
-use crate::robot::{Grouping, JointType, Parameter};
-use crate::spatial::{Acceleration, Body, Force, Joint, Turn};
+use crate::robot::{Grouping, Parameter};
+use crate::spatial::{Acceleration, AxisMotion, Body, Force, Joint, Turn};
 
 /// The force of each joint that moves.
 pub(super) type Forces = Vec<f64>;
@@ -86,7 +86,7 @@ impl Arm {
                 Ok(body) => {
                     let force = accelerations[i].force(body);
                     tree.along_carriers(i, force, leave, |j, force| {
-                        forces[j] = force.along(joints[j].joint_type);
+                        forces[j] = force.along(joints[j].axis_motion);
                     });
                 }
                 Err(motor) => forces[i] = motor * qdd[i],
@@ -120,12 +120,12 @@ impl Arm {
             return still;
         };
         let q = motion.factor * q[motion.joint];
-        match still.joint_type {
-            JointType::Revolute => Joint {
+        match still.axis_motion {
+            AxisMotion::Turns => Joint {
                 turn: motion.turn.plus(Turn::from(sin_cos(q))),
                 ..still
             },
-            JointType::Prismatic => Joint {
+            AxisMotion::Slides => Joint {
                 slide: q + motion.offset,
                 ..still
             },

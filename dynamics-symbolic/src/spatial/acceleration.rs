@@ -8,9 +8,8 @@
 //!
 //!   f = m a + U h,   n = J wd + w x (J w) + h x a.
 
-use super::{Body, Force, Joint};
+use super::{AxisMotion, Body, Force, Joint};
 use crate::linear::{Matrix3, Ring, Symmetric3, Vector3};
-use crate::robot::JointType;
 
 /// How a link turns and accelerates: all that its equations of motion read.
 #[derive(Clone, Copy, Debug)]
@@ -61,21 +60,21 @@ impl<R: Ring> Acceleration<R> {
             wd: joint.enter(self.wd),
             a: joint.enter(self.a + self.u().apply(joint.position())),
         };
-        carried.with_joint(joint.joint_type, qd, qdd)
+        carried.with_joint(joint.axis_motion, qd, qdd)
     }
 
     /// With what the joint does besides, in the axes of the link that it moves.
-    pub fn with_joint(self, joint_type: JointType, qd: R, qdd: R) -> Self {
+    pub fn with_joint(self, axis_motion: AxisMotion, qd: R, qdd: R) -> Self {
         let Acceleration { w, wd, a } = self;
-        match joint_type {
+        match axis_motion {
             // w' = w + qd z, wd' = wd + qdd z + w x z qd
-            JointType::Revolute => Acceleration {
+            AxisMotion::Turns => Acceleration {
                 w: Vector3::new(w[0], w[1], w[2] + qd),
                 wd: Vector3::new(wd[0] + w[1] * qd, wd[1] - w[0] * qd, wd[2] + qdd),
                 a,
             },
             // a' = a + qdd z + 2 w x z qd
-            JointType::Prismatic => {
+            AxisMotion::Slides => {
                 let twice = qd + qd;
                 Acceleration {
                     w,

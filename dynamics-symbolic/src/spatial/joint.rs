@@ -1,9 +1,8 @@
 //! Joints: how a link's frame lies in that of the link before.
 
 use super::turn::{Axis, Turn, enter_about, leave_about};
-use super::{Body, Force, Motion, Turns};
+use super::{AxisMotion, Body, Force, Motion, Turns};
 use crate::linear::{Ring, Vector3};
-use crate::robot::JointType;
 
 /// A joint at some position, with the constant geometry before it.
 #[derive(Clone, Debug)]
@@ -11,7 +10,7 @@ pub struct Joint<R> {
     /// The number zero.
     pub zero: R,
     /// Which way it moves.
-    pub joint_type: JointType,
+    pub axis_motion: AxisMotion,
     /// Turn about z of the previous frame, where that frame does not turn with its own link.
     pub before: Turn<R>,
     /// The constant rotation that follows, to the joint's axis.
@@ -88,10 +87,10 @@ mod tests {
         Turn { s, c }
     }
 
-    fn joint(joint_type: JointType, random: &mut SplitMix64) -> Joint<Number> {
+    fn joint(axis_motion: AxisMotion, random: &mut SplitMix64) -> Joint<Number> {
         Joint {
             zero: Number::ZERO,
-            joint_type,
+            axis_motion,
             before: turn(random),
             twist: Turns([Axis::Y, Axis::X].map(|axis| (axis, turn(random))).to_vec()),
             turn: turn(random),
@@ -110,7 +109,7 @@ mod tests {
     #[test]
     fn a_force_has_the_same_power_in_both_frames() {
         let random = &mut SplitMix64::new(1);
-        let (joint, force) = (joint(JointType::Revolute, random), force(random));
+        let (joint, force) = (joint(AxisMotion::Turns, random), force(random));
         let motion = Motion {
             w: vector(random),
             v: vector(random),
@@ -123,7 +122,7 @@ mod tests {
     #[test]
     fn a_body_has_the_same_energy_in_both_frames() {
         let random = &mut SplitMix64::new(2);
-        let joint = joint(JointType::Prismatic, random);
+        let joint = joint(AxisMotion::Slides, random);
         let mut entries = || Number::random(random);
         let inertia = crate::linear::Symmetric3 {
             xx: entries(),

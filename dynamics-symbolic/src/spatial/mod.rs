@@ -18,5 +18,5 @@ pub use body::{Body, Central, Keep};
 pub use joint::Joint;
 pub use place::{Place, Turns};
 pub use turn::{Axis, Turn, enter_about, leave_about, tensor_leave_about};
-pub use vectors::{Force, Motion};
+pub use vectors::{AxisMotion, Force, Motion};
 pub use writing::{Along, Spread, Writing};

@@ -1,8 +1,16 @@
 //! Spatial vectors: motions and forces.
 
 use crate::linear::{Ring, Vector3};
-use crate::robot::JointType;
 use core::ops::{Add, Mul};
+
+/// What a joint's axis, the z axis of its frame, lets the link do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisMotion {
+    /// The link turns about the axis.
+    Turns,
+    /// The link slides along the axis.
+    Slides,
+}
 
 /// A spatial motion vector, a twist: a velocity of a link, say, or an acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,19 +40,19 @@ impl<R: Ring> Motion<R> {
     }
 
     /// S: along z, for the joint itself.
-    pub fn axis(joint_type: JointType, zero: R, one: R) -> Self {
+    pub fn axis(axis_motion: AxisMotion, zero: R, one: R) -> Self {
         let (z, none) = (Vector3::new(zero, zero, one), Vector3::splat(zero));
-        match joint_type {
-            JointType::Revolute => Motion { w: z, v: none },
-            JointType::Prismatic => Motion { w: none, v: z },
+        match axis_motion {
+            AxisMotion::Turns => Motion { w: z, v: none },
+            AxisMotion::Slides => Motion { w: none, v: z },
         }
     }
 
     /// With S x added: what the joint does besides.
-    pub fn with_joint(mut self, joint_type: JointType, x: R) -> Self {
-        let along = match joint_type {
-            JointType::Revolute => &mut self.w.0[2],
-            JointType::Prismatic => &mut self.v.0[2],
+    pub fn with_joint(mut self, axis_motion: AxisMotion, x: R) -> Self {
+        let along = match axis_motion {
+            AxisMotion::Turns => &mut self.w.0[2],
+            AxisMotion::Slides => &mut self.v.0[2],
         };
         *along = *along + x;
         self
@@ -98,10 +106,10 @@ impl<R: Ring> Force<R> {
     }
 
     /// The component along z: what the joint itself feels.
-    pub fn along(self, joint_type: JointType) -> R {
-        match joint_type {
-            JointType::Revolute => self.n[2],
-            JointType::Prismatic => self.f[2],
+    pub fn along(self, axis_motion: AxisMotion) -> R {
+        match axis_motion {
+            AxisMotion::Turns => self.n[2],
+            AxisMotion::Slides => self.f[2],
         }
     }
 }

@@ -123,8 +123,7 @@ impl<R: Ring> Acceleration<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::robot::JointType;
-    use crate::spatial::{Axis, Turn, Turns};
+    use crate::spatial::{Axis, AxisMotion, Turn, Turns};
 
     const LINK: Acceleration<i64> = Acceleration {
         w: Vector3([2, -3, 5]),
@@ -160,7 +159,7 @@ mod tests {
     fn an_axis_is_accelerated_alike_in_both_links() {
         let joint = Joint {
             zero: 0,
-            joint_type: JointType::Revolute,
+            axis_motion: AxisMotion::Turns,
             before: Turn { s: 0, c: 1 },
             twist: Turns(vec![(Axis::X, Turn { s: 1, c: 0 })]),
             turn: Turn { s: -1, c: 0 },

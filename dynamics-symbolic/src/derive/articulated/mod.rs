@@ -35,8 +35,7 @@ mod inertia;
 use super::chain::{Chain, Link};
 use crate::expr::Expr;
 use crate::linear::{Matrix3, Symmetric3, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Acceleration, Body, Force, Joint, Motion, Turn};
+use crate::spatial::{Acceleration, AxisMotion, Body, Force, Joint, Motion, Turn};
 use inertia::Articulated;
 
 type Vector<'g> = Vector3<Expr<'g>>;
@@ -149,7 +148,7 @@ fn inward<'g>(
         let link = &chain.links[i];
         let inertia = Articulated::rigid(&link.body, chain.zero).joined(&outer.inertia);
         let bias = velocity_terms[i].force + outer.bias;
-        let force = net[i] - bias.along(link.joint.joint_type);
+        let force = net[i] - bias.along(link.joint.axis_motion);
         let (joint, free) = passed(chain, link, &inertia, force);
         joints.push(joint);
         if chain.tree.parent(i).is_none() {
@@ -195,8 +194,8 @@ fn eliminate<'g>(
     inertia: &Articulated<Expr<'g>>,
     force: Expr<'g>,
 ) -> Eliminated<'g> {
-    let u = direction(link.joint.joint_type, inertia);
-    let pivot = u.along(link.joint.joint_type) + link.reflected;
+    let u = direction(link.joint.axis_motion, inertia);
+    let pivot = u.along(link.joint.axis_motion) + link.reflected;
     let reciprocal = chain.one / pivot;
     Eliminated {
         pivot,
@@ -207,14 +206,14 @@ fn eliminate<'g>(
 }
 
 /// U = I S
-fn direction<'g>(joint_type: JointType, inertia: &Articulated<Expr<'g>>) -> Force<Expr<'g>> {
+fn direction<'g>(axis_motion: AxisMotion, inertia: &Articulated<Expr<'g>>) -> Force<Expr<'g>> {
     let (j, h, m) = (&inertia.angular, &inertia.coupling, &inertia.linear);
-    match joint_type {
-        JointType::Revolute => Force {
+    match axis_motion {
+        AxisMotion::Turns => Force {
             n: Vector3::new(j.xz, j.yz, j.zz),
             f: Vector3(h.0[2]),
         },
-        JointType::Prismatic => Force {
+        AxisMotion::Slides => Force {
             n: h.column(2),
             f: Vector3::new(m.xz, m.yz, m.zz),
         },
@@ -227,7 +226,7 @@ fn free<'g>(
     inertia: &Articulated<Expr<'g>>,
     k: &Force<Expr<'g>>,
 ) -> Articulated<Expr<'g>> {
-    let u = direction(link.joint.joint_type, inertia);
+    let u = direction(link.joint.axis_motion, inertia);
     let outer = |a: Vector<'g>, b: Vector<'g>| Matrix3(a.0.map(|a| b.0.map(|b| a * b)));
     let upper = |a, b| Symmetric3::from_upper(&outer(a, b));
     let coupling = outer(u.n, k.f);
@@ -237,12 +236,12 @@ fn free<'g>(
         coupling: Matrix3(rows),
         linear: inertia.linear - upper(u.f, k.f),
     };
-    let (rest, tensor) = match link.joint.joint_type {
-        JointType::Revolute => {
+    let (rest, tensor) = match link.joint.axis_motion {
+        AxisMotion::Turns => {
             free.coupling.0[2] = (k.f * link.reflected).0;
             (k.n * link.reflected, &mut free.angular)
         }
-        JointType::Prismatic => {
+        AxisMotion::Slides => {
             let column = k.n * link.reflected;
             for i in 0..3 {
                 free.coupling.0[i][2] = column[i];
@@ -281,9 +280,9 @@ fn outward<'g>(
     chain.tree.outward(base, |i, before| {
         let joint = chain.joint(i);
         let a = before.enter(joint) + velocity_terms[i].acceleration;
-        let x = acceleration(joint.joint_type, &joints[i], &a);
+        let x = acceleration(joint.axis_motion, &joints[i], &a);
         qdd.push(x);
-        a.with_joint(joint.joint_type, x)
+        a.with_joint(joint.axis_motion, x)
     });
     qdd
 }
@@ -291,14 +290,14 @@ fn outward<'g>(
 /// qdd = u / D - k.a'. Along the joint's axis k is 1 where no inertia is reflected: that term
 /// comes last, for what is left of it is the link's acceleration about or along the axis.
 fn acceleration<'g>(
-    joint_type: JointType,
+    axis_motion: AxisMotion,
     joint: &Eliminated<'g>,
     a: &Motion<Expr<'g>>,
 ) -> Expr<'g> {
     let k = &joint.k;
-    let (last, others) = match joint_type {
-        JointType::Revolute => ((k.n, a.w), (k.f, a.v)),
-        JointType::Prismatic => ((k.f, a.v), (k.n, a.w)),
+    let (last, others) = match axis_motion {
+        AxisMotion::Turns => ((k.n, a.w), (k.f, a.v)),
+        AxisMotion::Slides => ((k.f, a.v), (k.n, a.w)),
     };
     let (k, a) = last;
     let across = others.0.dot(others.1) + (k[0] * a[0] + k[1] * a[1]);

@@ -2,15 +2,14 @@
 
 use super::geometry::Geometry;
 use crate::linear::{Matrix3, Ring, Vector3};
-use crate::robot::JointType;
-use crate::spatial::{Axis, leave_about};
+use crate::spatial::{Axis, AxisMotion, leave_about};
 
 impl<R: Ring> Geometry<R> {
     /// The last revolute joint before joint i, a prismatic one: the links between do not turn against each other.
     pub(super) fn last_revolute(&self, i: usize) -> Option<usize> {
         let turns = |&j: &usize| {
             let link = &self.links[j];
-            link.joint_type == JointType::Revolute && !link.stands && !link.is_of_base
+            link.axis_motion == AxisMotion::Turns && !link.stands && !link.is_of_base
         };
         self.tree.carriers(i).skip(1).find(turns)
     }

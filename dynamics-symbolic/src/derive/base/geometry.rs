@@ -5,13 +5,13 @@ use crate::derive::rows::constant_turn;
 use crate::exact::Rational;
 use crate::linear::{Ring, Vector3};
 use crate::mechanism::{Law, Mechanism, Tree};
-use crate::robot::{Interpretation, JointType};
-use crate::spatial::{Axis, Body, Joint, Place, Turn};
+use crate::robot::Interpretation;
+use crate::spatial::{Axis, AxisMotion, Body, Joint, Place, Turn};
 
 /// The constant geometry between the frames of two links.
 #[derive(Clone, Debug)]
 pub(crate) struct LinkGeometry<R> {
-    pub(crate) joint_type: JointType,
+    pub(crate) axis_motion: AxisMotion,
     /// Whether the joint stands still: all parameters of the link then move to the link before it.
     pub(crate) stands: bool,
     /// Whether the joint carries a base that moves: it stands at zero, and the link keeps all of its parameters.
@@ -37,7 +37,7 @@ impl<R: Ring> LinkGeometry<R> {
     /// The same in other numbers.
     pub(crate) fn map<S>(&self, number: impl Fn(R) -> S) -> LinkGeometry<S> {
         LinkGeometry {
-            joint_type: self.joint_type,
+            axis_motion: self.axis_motion,
             stands: self.stands,
             is_of_base: self.is_of_base,
             before: Place {
@@ -56,7 +56,7 @@ impl<R: Ring> Geometry<R> {
         let link = &self.links[i];
         Joint {
             zero: self.zero,
-            joint_type: link.joint_type,
+            axis_motion: link.axis_motion,
             before: Turn::none(self.zero, self.one),
             twist: link.before.turns.clone(),
             turn: link.turn,
@@ -106,13 +106,13 @@ pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geo
     let joints = arm.joints.iter().zip(places);
     let links = joints.map(|(joint, before)| {
         let mut d = cells.value(&joint.d);
-        let turn = match (joint.joint_type, &joint.law) {
-            (JointType::Revolute, Law::Standing { at }) => {
+        let turn = match (joint.axis_motion, &joint.law) {
+            (AxisMotion::Turns, Law::Standing { at }) => {
                 let at = Turn::from(cells.sin_cos(at));
                 constant_turn(cells, &joint.turn).plus(at)
             }
-            (JointType::Revolute, _) => Turn::none(zero, one),
-            (JointType::Prismatic, law) => {
+            (AxisMotion::Turns, _) => Turn::none(zero, one),
+            (AxisMotion::Slides, law) => {
                 if let Law::Standing { at } = law {
                     d = d + cells.value(at);
                 }
@@ -120,7 +120,7 @@ pub(crate) fn geometry<I: Interpretation>(cells: &mut I, arm: &Mechanism) -> Geo
             }
         };
         LinkGeometry {
-            joint_type: joint.joint_type,
+            axis_motion: joint.axis_motion,
             stands: joint.stands(),
             is_of_base: joint.is_of_base(),
             before,

@@ -12,10 +12,8 @@ use crate::exact::{SplitMix64, circle_point};
 use crate::expr::{Expr, Fingerprint, Graph};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::mechanism::{Law, Mechanism};
-use crate::robot::{
-    Base, Coefficient, Grouping, JointType, LinkGrouping, Parameter, Robot, Sense, Tie,
-};
-use crate::spatial::{Joint, Motion, Turn, Turns};
+use crate::robot::{Base, Coefficient, Grouping, LinkGrouping, Parameter, Robot, Sense, Tie};
+use crate::spatial::{AxisMotion, Joint, Motion, Turn, Turns};
 
 type Vector = Vector3<Fingerprint>;
 
@@ -87,7 +85,7 @@ fn coincides(geometry: &Geometry<Expr<'_>>, i: usize) -> Option<Sense> {
 
 /// See [`LinkGrouping::axes`].
 fn moment_axes(geometry: &Geometry<Fingerprint>, i: usize) -> usize {
-    let is_prismatic = geometry.links[i].joint_type == JointType::Prismatic;
+    let is_prismatic = geometry.links[i].axis_motion == AxisMotion::Slides;
     let Some(to) = geometry.last_revolute(i).filter(|_| is_prismatic) else {
         return i;
     };
@@ -135,16 +133,16 @@ pub(super) fn unit_energies<R: Ring>(
 }
 
 /// A joint at a random position, with no geometry before it.
-fn anywhere(joint_type: JointType, random: &mut SplitMix64) -> Joint<Fingerprint> {
+fn anywhere(axis_motion: AxisMotion, random: &mut SplitMix64) -> Joint<Fingerprint> {
     let zero = Fingerprint::ZERO;
     let none = Turn::none(zero, Fingerprint::ONE);
-    let (turn, slide) = match joint_type {
-        JointType::Revolute => (Turn::from(circle_point(random)), zero),
-        JointType::Prismatic => (none, Fingerprint::random(random)),
+    let (turn, slide) = match axis_motion {
+        AxisMotion::Turns => (Turn::from(circle_point(random)), zero),
+        AxisMotion::Slides => (none, Fingerprint::random(random)),
     };
     Joint {
         zero,
-        joint_type,
+        axis_motion,
         before: none,
         twist: Turns(Vec::new()),
         turn,
@@ -173,12 +171,12 @@ fn energies(
             if !link.stands {
                 qd = Fingerprint::random(random);
                 if !link.is_of_base {
-                    let moved = anywhere(link.joint_type, random);
+                    let moved = anywhere(link.axis_motion, random);
                     motion = motion.enter(&moved);
                     g = moved.enter(g);
                     weight = g[2] * moved.slide;
                 }
-                motion = motion.with_joint(link.joint_type, qd);
+                motion = motion.with_joint(link.axis_motion, qd);
             }
             let after = unit_energies(motion, qd, g, weight, zero);
             let rotation = geometry.rotation_of_moments(i, axes[i]);

@@ -4,12 +4,12 @@ use super::matrix::{Matrix, identity, product, transpose};
 use crate::derive::base::{Geometry, base_parameters, columns, geometry, unit};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::mechanism::{Mechanism, Tree};
-use crate::robot::{Grouping, Interpretation, JointType};
-use crate::spatial::{Axis, Body, Motion, enter_about};
+use crate::robot::{Grouping, Interpretation};
+use crate::spatial::{Axis, AxisMotion, Body, Motion, enter_about};
 
 /// A joint that moves, and the link behind it. Motions are (w, v), of a frame's origin.
 pub(super) struct MovingJoint<R> {
-    pub(super) joint_type: JointType,
+    pub(super) axis_motion: AxisMotion,
     /// From a motion of the link before to that motion in the joint's axes, before the joint moves.
     pub(super) enter: Matrix<R>,
     /// The changes of a motion at both ends of the joint's range. A revolute joint, whose forms no turn changes, has one
@@ -61,9 +61,9 @@ pub(super) fn moving_joints<I: Interpretation>(
             // Its parameters are those of the link before.
             return (*carrier, product(&changes.turned(), &fixed));
         }
-        let ends = match joint.joint_type {
-            JointType::Revolute => vec![identity(6, zero, one)],
-            JointType::Prismatic => {
+        let ends = match joint.axis_motion {
+            AxisMotion::Turns => vec![identity(6, zero, one)],
+            AxisMotion::Slides => {
                 let ends = match &joint.limits {
                     Some(limits) => limits.each_ref().map(|limit| cells.value(limit)),
                     None => [-one, one],
@@ -73,7 +73,7 @@ pub(super) fn moving_joints<I: Interpretation>(
             }
         };
         joints.push(MovingJoint {
-            joint_type: joint.joint_type,
+            axis_motion: joint.axis_motion,
             enter: fixed,
             ends,
             inertia: form(&parts[i].0, zero),

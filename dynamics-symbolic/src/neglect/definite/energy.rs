@@ -3,25 +3,25 @@
 use super::chain::MovingJoints;
 use super::matrix::{Matrix, combined, congruent};
 use crate::linear::Ring;
-use crate::robot::JointType;
+use crate::spatial::AxisMotion;
 
 /// How many coefficients the form L_j of a joint has.
-pub(super) fn unknowns(joint_type: JointType) -> usize {
-    match joint_type {
-        JointType::Revolute => 7,
-        JointType::Prismatic => 21,
+pub(super) fn unknowns(axis_motion: AxisMotion) -> usize {
+    match axis_motion {
+        AxisMotion::Turns => 7,
+        AxisMotion::Slides => 21,
     }
 }
 
 /// L: of a revolute joint a form that no turn about z changes; of a prismatic one any form.
-pub(super) fn handed_on<R: Ring>(joint_type: JointType, x: &[R], zero: R) -> Matrix<R> {
+pub(super) fn handed_on<R: Ring>(axis_motion: AxisMotion, x: &[R], zero: R) -> Matrix<R> {
     let mut form = vec![vec![zero; 6]; 6];
     let mut set = |i: usize, k: usize, x: R| {
         form[i][k] = x;
         form[k][i] = x;
     };
-    match joint_type {
-        JointType::Revolute => {
+    match axis_motion {
+        AxisMotion::Turns => {
             set(2, 2, x[0]);
             set(5, 5, x[1]);
             set(2, 5, x[2]);
@@ -33,7 +33,7 @@ pub(super) fn handed_on<R: Ring>(joint_type: JointType, x: &[R], zero: R) -> Mat
             set(0, 4, x[6]);
             set(1, 3, -x[6]);
         }
-        JointType::Prismatic => {
+        AxisMotion::Slides => {
             let upper = (0..6).flat_map(|i| (i..6).map(move |k| (i, k)));
             for ((i, k), &x) in upper.zip(x) {
                 set(i, k, x);
@@ -58,17 +58,17 @@ pub(super) fn forms<R: Ring>(moving: &MovingJoints<R>, x: &[R], zero: R, one: R)
                 Some(outer) => add(joint.inertia.clone(), outer),
                 None => joint.inertia.clone(),
             };
-            let axis = match joint.joint_type {
-                JointType::Revolute => 2,
-                JointType::Prismatic => 5,
+            let axis = match joint.axis_motion {
+                AxisMotion::Turns => 2,
+                AxisMotion::Slides => 5,
             };
             if moving.tree.parent(j).is_none() {
                 forms.push(vec![vec![inertia[axis][axis] + joint.reflected]]);
                 return None;
             }
-            let (own, others) = rest.split_at(unknowns(joint.joint_type));
+            let (own, others) = rest.split_at(unknowns(joint.axis_motion));
             rest = others;
-            let handed = handed_on(joint.joint_type, own, zero);
+            let handed = handed_on(joint.axis_motion, own, zero);
             for end in &joint.ends {
                 let moved = |(i, row): (usize, &Vec<R>)| {
                     let along = if i == axis { one } else { zero };
@@ -79,7 +79,7 @@ pub(super) fn forms<R: Ring>(moving: &MovingJoints<R>, x: &[R], zero: R, one: R)
                 form[6][6] = form[6][6] + joint.reflected;
                 forms.push(combined(form, &handed, |a, b| a - b));
             }
-            if joint.joint_type == JointType::Prismatic {
+            if joint.axis_motion == AxisMotion::Slides {
                 forms.push([3, 4].map(|i| handed[i][3..5].to_vec()).to_vec());
             }
             Some(congruent(&handed, &joint.enter))

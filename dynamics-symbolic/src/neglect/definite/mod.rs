@@ -31,7 +31,8 @@ use super::reals::Reals;
 use crate::interval::{Interval, Intervals};
 use crate::linear::eliminate;
 use crate::mechanism::Mechanism;
-use crate::robot::{Grouping, JointType};
+use crate::robot::Grouping;
+use crate::spatial::AxisMotion;
 use chain::{MovingJoints, moving_joints};
 use energy::{forms, handed_on, unknowns};
 use matrix::{Matrix, combined};
@@ -83,23 +84,23 @@ impl Scales {
                 continue;
             }
             let mass = if mass > 0.0 { mass } else { size };
-            let (angular, linear) = match joint.joint_type {
-                JointType::Revolute => (size, mass),
-                JointType::Prismatic => (mass, mass),
+            let (angular, linear) = match joint.axis_motion {
+                AxisMotion::Turns => (size, mass),
+                AxisMotion::Slides => (mass, mass),
             };
             let motion = [angular.sqrt(), linear.sqrt()].map(|x| [x; 3]).concat();
-            let count = unknowns(joint.joint_type);
+            let count = unknowns(joint.axis_motion);
             for k in 0..count {
                 let mut unit = vec![0.0; count];
                 unit[k] = 1.0;
-                let form = handed_on(joint.joint_type, &unit, 0.0);
+                let form = handed_on(joint.axis_motion, &unit, 0.0);
                 let at = (0..36).find(|at| form[at / 6][at % 6] != 0.0).unwrap_or(0);
                 scales.unknowns.push(motion[at / 6] * motion[at % 6]);
             }
             for _ in &joint.ends {
                 scales.forms.push([&motion[..], &[size.sqrt()]].concat());
             }
-            if joint.joint_type == JointType::Prismatic {
+            if joint.axis_motion == AxisMotion::Slides {
                 scales.forms.push(vec![linear.sqrt(); 2]);
             }
         }

@@ -95,7 +95,7 @@ impl Definition {
         self.outward(|i, inner: Option<&Frames<R>>| {
             let base = inner.map_or(q.base, |inner| inner.link);
             let row = &self.rows[i];
-            row.place.frames(&base, row.joint.joint_type, &q.joints[i])
+            row.place.frames(&base, row.joint.is_revolute, &q.joints[i])
         })
     }
 

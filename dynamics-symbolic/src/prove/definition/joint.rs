@@ -11,7 +11,7 @@ use crate::robot::{JointType, Robot};
 
 /// The motion of one joint.
 pub(super) struct Joint {
-    pub(super) joint_type: JointType,
+    pub(super) is_revolute: bool,
     pub(super) is_free: bool,
     pub(super) is_locked: bool,
     /// The free joint by which it moves: any, if it is locked.
@@ -31,7 +31,7 @@ impl Joint {
     pub(super) fn new(point: &mut Assignment, robot: &Robot, index: usize) -> Self {
         let row = &robot.rows[index];
         let mut joint = Joint {
-            joint_type: row.joint_type,
+            is_revolute: row.joint_type == JointType::Revolute,
             is_free: row.is_free(),
             is_locked: row.locked.is_some(),
             leader: 0,
@@ -42,9 +42,9 @@ impl Joint {
             exponential: Number::ZERO,
         };
         if let Some(position) = &row.locked {
-            match row.joint_type {
-                JointType::Revolute => (joint.position.s, joint.position.c) = point.angle(position),
-                JointType::Prismatic => joint.position.q = point.cell(position),
+            match joint.is_revolute {
+                true => (joint.position.s, joint.position.c) = point.angle(position),
+                false => joint.position.q = point.cell(position),
             }
             return joint;
         }
@@ -76,11 +76,7 @@ impl Joint {
         leader.map_or(zero, |&speed| R::lift(self.factor) * speed)
     }
 
-    pub(super) fn is_revolute(&self) -> bool {
-        self.joint_type == JointType::Revolute
-    }
-
     pub(super) fn turns(&self) -> bool {
-        self.is_revolute() && !self.is_locked
+        self.is_revolute && !self.is_locked
     }
 }

@@ -139,7 +139,7 @@ impl Definition {
     pub(super) fn moment_axes(&self) -> Vec<Option<Matrix3<Number>>> {
         let frames = self.frames(&self.q);
         let rotation = |i: usize| {
-            let is_prismatic = !self.rows[i].joint.is_revolute();
+            let is_prismatic = !self.rows[i].joint.is_revolute;
             let carrier = self.turning_carrier(i).filter(|_| is_prismatic)?;
             let [own, before] = [i, carrier].map(|k| frames[k].parameters.rotation);
             let rotation = before.transpose().product(&own);

@@ -93,14 +93,14 @@ impl Place {
     pub(super) fn frames<R: Lift>(
         &self,
         base: &Pose<R>,
-        joint: JointType,
+        is_revolute: bool,
         q: &Position<R>,
     ) -> Frames<R> {
         let (d, [s, c]) = (R::lift(self.d), [self.turn.0, self.turn.1].map(R::lift));
-        let motion = match joint {
+        let motion = match is_revolute {
             // sin(turn + q), cos(turn + q)
-            JointType::Revolute => Pose::screw_z((s * q.c + c * q.s, c * q.c - s * q.s), d),
-            JointType::Prismatic => Pose::screw_z((s, c), d + q.q),
+            true => Pose::screw_z((s * q.c + c * q.s, c * q.c - s * q.s), d),
+            false => Pose::screw_z((s, c), d + q.q),
         };
         let parameters = base.then_fixed(&self.before).then(&motion);
         Frames {

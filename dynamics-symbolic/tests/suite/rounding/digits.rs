@@ -107,7 +107,8 @@ impl Digits {
         self.plain += usize::from(program.is_plain);
         let (emitted, plain) = (Rounded::new(&program), Rounded::new(&plain));
         let precise = plain.with_all_digits();
-        let joints: Vec<_> = arm.robot.joints().map(|row| row.joint_type).collect();
+        let joints = arm.robot.joints().map(|row| row.joint_type.into());
+        let joints: Vec<_> = joints.collect();
         let groups = groups(
             arm.robot.freedoms(),
             &joints,

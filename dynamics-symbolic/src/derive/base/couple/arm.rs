@@ -9,8 +9,8 @@ use crate::exact::{SplitMix64, circle_point, common_angles};
 use crate::expr::{Expr, Fingerprint};
 use crate::linear::{Matrix3, Ring, Vector3};
 use crate::mechanism::Mechanism;
-use crate::robot::{Grouping, JointType, Parameter};
-use crate::spatial::{Joint, Motion, Turn};
+use crate::robot::{Grouping, Parameter};
+use crate::spatial::{AxisMotion, Joint, Motion, Turn};
 
 /// An arm and its base parameters without couplings.
 pub(super) struct Arm<R> {
@@ -90,7 +90,7 @@ fn number_angles(
     let mut count = 0;
     let mut angles = vec![Vec::new(); moved.len()];
     for free in 0..arm.dof() {
-        let turns = |i: usize| arm.joints[i].joint_type == JointType::Revolute;
+        let turns = |i: usize| arm.joints[i].axis_motion == AxisMotion::Turns;
         let by_free = |(i, moved): (usize, &Option<Moved<Expr<'_>>>)| {
             let moved = moved
                 .as_ref()
@@ -148,7 +148,7 @@ impl<R: Ring> Arm<R> {
             let g = joint.enter(g);
             let moved = link.moved;
             let qd = moved.map_or(zero, |m| m.factor * state.qd[m.joint]);
-            let motion = motion.enter(&joint).with_joint(joint.joint_type, qd);
+            let motion = motion.enter(&joint).with_joint(joint.axis_motion, qd);
             let Energies {
                 mut kinetic,
                 mut potential,
@@ -173,8 +173,8 @@ impl<R: Ring> Arm<R> {
         let Some(moved) = &link.moved else {
             return still;
         };
-        match still.joint_type {
-            JointType::Revolute => {
+        match still.axis_motion {
+            AxisMotion::Turns => {
                 let angles = link.angles.iter();
                 let turns = angles.map(|&(angle, n)| self.times(state.angles[angle], n));
                 let turned = turns.reduce(Turn::plus);
@@ -183,7 +183,7 @@ impl<R: Ring> Arm<R> {
                     ..still
                 }
             }
-            JointType::Prismatic => Joint {
+            AxisMotion::Slides => Joint {
                 slide: moved.factor * state.q[moved.joint] + moved.offset,
                 ..still
             },
