@@ -2,15 +2,16 @@
 
 use std::path::Path;
 
-use clap::ArgMatches;
 use dynamics_codegen::description::Masses;
 use dynamics_codegen::files::{Format, joint_names, names_in_values, number};
 use dynamics_evaluation::{FileMistake, ReadOptions, read_text, text_of_joints};
 
+use crate::arguments::{FileOptions, RobotOptions};
 use crate::failure::Failure;
 
 /// Options about a file, and the option for which each line of their entries stands.
-pub(crate) struct Beside {
+pub(crate) struct Beside<'a> {
+    pub(crate) path: &'a Path,
     pub(crate) options: ReadOptions,
     pub(crate) lines: Lines,
     /// Whether fields may be left without a value.
@@ -19,7 +20,7 @@ pub(crate) struct Beside {
     pub(crate) name: Option<String>,
 }
 
-impl Beside {
+impl Beside<'_> {
     /// Whether the command reads masses.
     pub(crate) fn masses(mut self, masses: Masses) -> Self {
         self.options = self.options.masses(masses);
@@ -59,13 +60,6 @@ impl Entries {
     }
 }
 
-/// The words of an option.
-fn words(given: &ArgMatches, option: &str) -> Vec<String> {
-    let words = given.try_get_many::<String>(option).ok().flatten();
-    let trimmed = words.into_iter().flatten().map(|word| word.trim());
-    trimmed.map(str::to_owned).collect()
-}
-
 /// Names of the joints in a file, or in the one that it names; empty if it cannot be read, which is reported elsewhere.
 fn joints_of(path: &Path) -> Vec<String> {
     text_of_joints(path).map_or(Vec::new(), |(text, format)| joint_names(&text, format))
@@ -79,58 +73,205 @@ pub(crate) fn has_links(path: &Path) -> bool {
     }
 }
 
-/// The options of the command line about a file, with the names of `--field` bound to their values. If there are two
-/// files, joints that only the other one has are left out; `chain` is the option that names the links.
-pub(crate) fn with_values(
-    given: &ArgMatches,
-    path: &Path,
-    other: Option<&Path>,
-    chain: &str,
-) -> Result<Beside, Failure> {
-    let mut entries = entries(given, is_meant(path, other))?;
-    bind_values(given, path, other, &mut entries)?;
-    beside(given, path, other, chain, entries)
+/// A file that the command line names, and what it says of it.
+pub(crate) struct Source<'a> {
+    given: &'a FileOptions,
+    functions: &'a [String],
+    path: &'a Path,
+    /// The other file, if there are two: joints that only that one has are left out.
+    other: Option<&'a Path>,
+    /// The option that names the links, and these.
+    chain: (&'static str, &'a [String]),
 }
 
-/// The same of one file, the names of `--field` being fields of the robot.
-pub(crate) fn with_fields(given: &ArgMatches, path: &Path) -> Result<Beside, Failure> {
-    let names = fields(given)?.into_iter().map(|(name, _)| name);
-    let entries = entries(given, is_meant(path, None))?;
-    let mut beside = beside(given, path, None, "chain", entries)?;
-    beside.options = beside.options.fields(names);
-    beside.keeps_names = true;
-    Ok(beside)
-}
-
-/// As [`with_values`] of one file, where names that nothing binds are fields of the robot.
-pub(crate) fn with_names(given: &ArgMatches, path: &Path) -> Result<Beside, Failure> {
-    let mut beside = with_values(given, path, None, "chain")?;
-    beside.options = beside.options.names_are_fields();
-    beside.keeps_names = true;
-    Ok(beside)
-}
-
-/// Binds the names of `--field` to their values, as a file does. A name must occur in the file, or in the other one if
-/// there are two; only those of the file itself are bound.
-fn bind_values(
-    given: &ArgMatches,
-    path: &Path,
-    other: Option<&Path>,
-    entries: &mut Entries,
-) -> Result<(), Failure> {
-    for (name, value) in assignments(given, FIELD)? {
-        let option = format!("--field {name}={value}");
-        if has_name(path, &name) {
-            entries.add(&format!("let.{name:?} = {value:?}"), option);
-        } else if !other.is_some_and(|other| has_name(other, &name)) {
-            let message = format!(
-                "`{option}`: no value in {} has the name `{name}`",
-                path.display()
-            );
-            return Err(Failure::of_the_command_line(message));
+impl<'a> From<&'a FileOptions> for Source<'a> {
+    fn from(given: &'a FileOptions) -> Self {
+        Source {
+            given,
+            functions: &[],
+            path: &given.file,
+            other: None,
+            chain: ("chain", &given.chain),
         }
     }
-    Ok(())
+}
+
+impl<'a> From<&'a RobotOptions> for Source<'a> {
+    fn from(RobotOptions { file, functions }: &'a RobotOptions) -> Self {
+        Source {
+            functions,
+            ..Source::from(file)
+        }
+    }
+}
+
+impl<'a> Source<'a> {
+    /// The file and another one, whose links may have other names, with the same settings.
+    pub(crate) fn both(given: &'a RobotOptions, other: &'a Path, chain: &'a [String]) -> [Self; 2] {
+        let [mut one, mut two] = [given, given].map(Source::from);
+        one.other = Some(other);
+        (two.path, two.other) = (other, Some(one.path));
+        if !chain.is_empty() {
+            two.chain = ("against-chain", chain);
+        }
+        [one, two]
+    }
+
+    /// The options about the file, with the names of `--field` bound to their values.
+    pub(crate) fn with_values(&self) -> Result<Beside<'a>, Failure> {
+        self.report_tables()?;
+        let mut entries = self.entries()?;
+        self.bind_values(&mut entries)?;
+        self.beside(entries)
+    }
+
+    /// The same, the names of `--field` being fields of the robot.
+    pub(crate) fn with_fields(&self) -> Result<Beside<'a>, Failure> {
+        self.report_tables()?;
+        let names = fields(&self.given.field)?.into_iter().map(|(name, _)| name);
+        let mut beside = self.beside(self.entries()?)?;
+        beside.options = beside.options.fields(names);
+        beside.keeps_names = true;
+        Ok(beside)
+    }
+
+    /// As [`Source::with_values`], where names that nothing binds are fields of the robot.
+    pub(crate) fn with_names(&self) -> Result<Beside<'a>, Failure> {
+        let mut beside = self.with_values()?;
+        beside.options = beside.options.names_are_fields();
+        beside.keeps_names = true;
+        Ok(beside)
+    }
+
+    /// Binds the names of `--field` to their values, as a file does. A name must occur in the file, or in the other one if
+    /// there are two; only those of the file itself are bound.
+    fn bind_values(&self, entries: &mut Entries) -> Result<(), Failure> {
+        for (name, value) in assignments(&self.given.field, FIELD)? {
+            let option = format!("--field {name}={value}");
+            if has_name(self.path, &name) {
+                entries.add(&format!("let.{name:?} = {value:?}"), option);
+            } else if !self.other.is_some_and(|other| has_name(other, &name)) {
+                let message = format!(
+                    "`{option}`: no value in {} has the name `{name}`",
+                    self.path.display()
+                );
+                return Err(Failure::of_the_command_line(message));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a joint is one of the file: if there is another file, not one that only that has.
+    fn is_meant(&self) -> impl Fn(&str) -> bool + use<> {
+        let elsewhere = self
+            .other
+            .map(|other| (joints_of(self.path), joints_of(other)));
+        // A table has no joints beside a chain, of which `rest` would be all.
+        let is_table = !has_links(self.path);
+        move |joint| match &elsewhere {
+            Some((here, there)) => {
+                let has = |names: &[String]| names.iter().any(|name| name == joint);
+                has(here) || !(has(there) || joint == "rest" && is_table)
+            }
+            None => true,
+        }
+    }
+
+    /// The options about the file beside some entries.
+    fn beside(&self, entries: Entries) -> Result<Beside<'a>, Failure> {
+        let is_meant = self.is_meant();
+        let ignored = self.given.ignore.iter().filter(|joint| is_meant(joint));
+        self.report_missing()?;
+        let mut options = ReadOptions::new().entries(&format!("\n{}", entries.text));
+        let (option, links) = self.chain;
+        if links.iter().any(String::is_empty) {
+            let message = format!("`--{option} {}`: expected BASE,TIP", links.join(","));
+            return Err(Failure::of_the_command_line(message));
+        }
+        if !links.is_empty() {
+            options = options.chain(links);
+        }
+        if let Some(within) = self.given.round_angles {
+            options = options.round_angles(within);
+        }
+        Ok(Beside {
+            path: self.path,
+            options: options.ignore(ignored),
+            lines: entries.lines,
+            keeps_names: false,
+            name: self.given.name.clone(),
+        })
+    }
+
+    /// Reports options that are about trees of links where no file is one.
+    fn report_tables(&self) -> Result<(), Failure> {
+        let is_tree = |path: &Path| Format::of(path).is_none() || has_links(path);
+        let given = self.given;
+        let options = [
+            ("chain", !given.chain.is_empty()),
+            ("ignore", !given.ignore.is_empty()),
+            ("round-angles", given.round_angles.is_some()),
+            ("base", given.base.is_some()),
+        ];
+        match options.iter().find(|(_, is_given)| *is_given) {
+            Some((option, _)) if !is_tree(self.path) && !self.other.is_some_and(is_tree) => {
+                Err(Failure::of_the_command_line(format!(
+                    "`--{option}` is about a URDF file, a tree of links: {} is a table",
+                    self.path.display()
+                )))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Reports that a URDF file is without gravity. A file without joints has a mistake of its own, which is reported when
+    /// it is read.
+    fn report_missing(&self) -> Result<(), Failure> {
+        let is_urdf = Format::of(self.path) == Some(Format::Urdf);
+        if !is_urdf || !self.given.gravity.is_empty() || joints_of(self.path).is_empty() {
+            return Ok(());
+        }
+        Err(Failure::of_the_command_line(format!(
+            "{} is a tree of links: expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link \
+             points up",
+            self.path.display()
+        )))
+    }
+
+    /// The entries that take the place of those of the file, in its words.
+    fn entries(&self) -> Result<Entries, Failure> {
+        let mut entries = Entries::default();
+        let given = self.given;
+        let lists = [
+            ("gravity", &given.gravity[..]),
+            ("functions", self.functions),
+            ("allow", &given.allow),
+        ];
+        for (key, words) in lists.into_iter().filter(|(_, words)| !words.is_empty()) {
+            let option = format!("--{key} {}", words.join(","));
+            let is_vector = key != "gravity" || words.len() == 3;
+            if !is_vector || words.contains(&String::new()) {
+                let expected = match key {
+                    "gravity" => "X,Y,Z, three numbers between commas, for example 0,0,-9.81",
+                    _ => "names between commas",
+                };
+                let message = format!("`{option}`: expected {expected}");
+                return Err(Failure::of_the_command_line(message));
+            }
+            entries.add(&format!("{key} = {words:?}"), option);
+        }
+        if let Some(base) = &given.base {
+            entries.add(&format!("base = {base:?}"), format!("--base {base}"));
+        }
+        let is_meant = self.is_meant();
+        for (joint, position) in assignments(&given.lock, LOCK)? {
+            if is_meant(&joint) {
+                let option = format!("--lock {joint}={position}");
+                entries.add(&format!("lock.{joint:?} = {position:?}"), option);
+            }
+        }
+        Ok(entries)
+    }
 }
 
 /// Whether a value of the file uses the name. A file that cannot be read, which is reported elsewhere, counts as using it.
@@ -141,63 +282,8 @@ fn has_name(path: &Path, name: &str) -> bool {
     }
 }
 
-/// Whether a joint is one of the file: if there is another file, not one that only that has.
-fn is_meant(path: &Path, other: Option<&Path>) -> impl Fn(&str) -> bool {
-    let elsewhere = other.map(|other| (joints_of(path), joints_of(other)));
-    // A table has no joints beside a chain, of which `rest` would be all.
-    let is_table = !has_links(path);
-    move |joint| match &elsewhere {
-        Some((here, there)) => {
-            let has = |names: &[String]| names.iter().any(|name| name == joint);
-            has(here) || !(has(there) || joint == "rest" && is_table)
-        }
-        None => true,
-    }
-}
-
-/// The options about a file beside some entries.
-fn beside(
-    given: &ArgMatches,
-    path: &Path,
-    other: Option<&Path>,
-    chain: &str,
-    entries: Entries,
-) -> Result<Beside, Failure> {
-    let is_meant = is_meant(path, other);
-    let mut ignore = words(given, "ignore");
-    ignore.retain(|joint| is_meant(joint));
-    report_missing(given, path)?;
-    let mut options = ReadOptions::new().entries(&format!("\n{}", entries.text));
-    if let Some(links) = self::chain(given, chain)? {
-        options = options.chain(links);
-    }
-    if let Ok(Some(within)) = given.try_get_one::<f64>("round-angles") {
-        options = options.round_angles(*within);
-    }
-    Ok(Beside {
-        options: options.ignore(ignore),
-        lines: entries.lines,
-        keeps_names: false,
-        name: given.get_one("name").cloned(),
-    })
-}
-
-/// Reports that a URDF file is without gravity. A file without joints has a mistake of its own, which is reported when it
-/// is read.
-fn report_missing(given: &ArgMatches, path: &Path) -> Result<(), Failure> {
-    let is_urdf = Format::of(path) == Some(Format::Urdf);
-    if !is_urdf || !words(given, "gravity").is_empty() || joints_of(path).is_empty() {
-        return Ok(());
-    }
-    Err(Failure::of_the_command_line(format!(
-        "{} is a tree of links: expected `--gravity X,Y,Z`, such as `--gravity 0,0,-9.81` where z of the first link \
-         points up",
-        path.display()
-    )))
-}
-
 /// The fields of `--field NAME=VALUE` with their values as numbers.
-pub(crate) fn fields(given: &ArgMatches) -> Result<Vec<(String, f64)>, Failure> {
+pub(crate) fn fields(given: &[String]) -> Result<Vec<(String, f64)>, Failure> {
     let number = |(name, value): (String, String)| match number(&value) {
         Ok(number) => Ok((name, number)),
         Err(mistake) => Err(no_number(FIELD, &format!("{name}={value}"), &mistake)),
@@ -214,12 +300,12 @@ const LOCK: Assigning = (
 );
 
 /// The names and values of such an option, each name once.
-fn assignments(given: &ArgMatches, what: Assigning) -> Result<Vec<(String, String)>, Failure> {
+fn assignments(given: &[String], what: Assigning) -> Result<Vec<(String, String)>, Failure> {
     let mut read: Vec<(String, String)> = Vec::new();
-    for word in words(given, what.0) {
+    for word in given {
         let parts = word
             .split_once('=')
-            .ok_or_else(|| no_assignment(what, &word))?;
+            .ok_or_else(|| no_assignment(what, word))?;
         let (name, value) = (parts.0.trim(), parts.1.trim());
         if read.iter().any(|(other, _)| other == name) {
             let message = format!("`--{} {word}`: `{name}` has a value already", what.0);
@@ -238,46 +324,4 @@ fn no_assignment((option, expected): Assigning, found: &str) -> Failure {
 fn no_number((option, expected): Assigning, found: &str, mistake: &str) -> Failure {
     let message = format!("`--{option} {found}`: expected {expected}: {mistake}");
     Failure::of_the_command_line(message)
-}
-
-/// The link at which the robot begins and its tips, where an option names them.
-fn chain(given: &ArgMatches, option: &str) -> Result<Option<Vec<String>>, Failure> {
-    let links = words(given, option);
-    if links.contains(&String::new()) {
-        let message = format!("`--{option} {}`: expected BASE,TIP", links.join(","));
-        return Err(Failure::of_the_command_line(message));
-    }
-    Ok((!links.is_empty()).then_some(links))
-}
-
-/// The entries that take the place of those of the file, in its words.
-fn entries(given: &ArgMatches, is_meant: impl Fn(&str) -> bool) -> Result<Entries, Failure> {
-    let mut entries = Entries::default();
-    for key in ["gravity", "functions", "allow"] {
-        let words = words(given, key);
-        let is_vector = key != "gravity" || words.len() == 3;
-        if !words.is_empty() && (!is_vector || words.contains(&String::new())) {
-            let expected = match key {
-                "gravity" => "X,Y,Z, three numbers between commas, for example 0,0,-9.81",
-                _ => "names between commas",
-            };
-            let message = format!("`--{key} {}`: expected {expected}", words.join(","));
-            return Err(Failure::of_the_command_line(message));
-        }
-        if !words.is_empty() {
-            let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
-            let option = format!("--{key} {}", words.join(","));
-            entries.add(&format!("{key} = [{}]", quoted.join(", ")), option);
-        }
-    }
-    if let Ok(Some(base)) = given.try_get_one::<String>("base") {
-        entries.add(&format!("base = {base:?}"), format!("--base {base}"));
-    }
-    for (joint, position) in assignments(given, LOCK)? {
-        if is_meant(&joint) {
-            let option = format!("--lock {joint}={position}");
-            entries.add(&format!("lock.{joint:?} = {position:?}"), option);
-        }
-    }
-    Ok(entries)
 }

@@ -1,37 +1,33 @@
 //! A robot against Newton-Euler, and against another file.
 
 use std::fmt::{Display, Write as _};
-use std::path::PathBuf;
 
-use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::check::Check;
 use dynamics_symbolic::exact::SplitMix64;
 use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Request};
 
+use crate::arguments::Check;
 use crate::compare::compare;
 use crate::failure::Failure;
-use crate::load::{arm, count, file_of, read_both, read_with_names, requests};
+use crate::load::{arm, read_both, read_with_names, requests};
 use crate::progress::Progress;
 
 /// The text of `check`.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let samples = count(given, "samples");
-    let other = given.get_one::<PathBuf>("against");
-    let (model, other) = match other {
-        None => (read_with_names(path, given)?, None),
+pub(crate) fn run(given: &Check) -> Result<String, Failure> {
+    let path = &given.robot.file.file;
+    let (model, other) = match &given.against {
+        None => (read_with_names(&given.robot)?, None),
         Some(other) => {
-            let [model, of_other] = read_both(other, given)?;
+            let [model, of_other] = read_both(&given.robot, other, &given.against_chain)?;
             (model, Some((other, of_other)))
         }
     };
     let asked = requests(&model)?;
     let mut checked = arm(path, &model.robot, &asked)?;
     let mut text = numbers_of_its_own(&mut checked)?;
-    let check = Check::new().samples(samples);
+    let check = dynamics_runtime::check::Check::new().samples(given.samples);
     let progress = Progress::new(1);
     progress.doing("comparing with Newton-Euler");
     let report = check.run_any(&checked);
@@ -55,14 +51,14 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     let Some((path_of_other, other)) = other else {
         return Ok(text);
     };
-    let compared = if given.contains_id("functions") {
-        [asked, requests(&other)?]
-    } else {
+    let compared = if given.robot.functions.is_empty() {
         let have_tips = [&model, &other].map(|model| model.robot.tip_row().is_some());
         let mut compared = COMPARED.to_vec();
         compared.retain(|function| !function.row().of_tip || have_tips == [true; 2]);
         let compared: Vec<_> = compared.into_iter().map(Request::from).collect();
         [compared.clone(), compared]
+    } else {
+        [asked, requests(&other)?]
     };
     if let Some(differs) = freedoms_differ(&model.robot, &other.robot, &path.display()) {
         let message = Failure::of_file(path_of_other, differs).message;
@@ -70,8 +66,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     }
     let one = arm(path, &model.robot, &compared[0])?;
     let other = arm(path_of_other, &other.robot, &compared[1])?;
-    let tolerance = given.get_one::<f64>("tolerance").copied().unwrap_or(1e-9);
-    if !compare(&one, &other, samples, tolerance, &mut text)? {
+    let tolerance = given.tolerance;
+    if !compare(&one, &other, given.samples, tolerance, &mut text)? {
         let message = format!("the two files differ by more than {tolerance:e}");
         return Err(Failure::after(text, message));
     }

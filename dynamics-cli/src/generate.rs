@@ -1,8 +1,7 @@
 //! The functions as source code.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_symbolic::emit::{
     CNumbers, c_project, c_source_in, casadi_requests, casadi_source, inverse_in_c,
@@ -11,24 +10,25 @@ use dynamics_symbolic::emit::{
 };
 use dynamics_symbolic::proven_plan;
 
+use crate::arguments::{FileOptions, Generate};
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read_with_names, requests};
+use crate::load::{programs, read_with_names, requests};
 use crate::progress::Progress;
-use crate::write::{make_folder, write};
+use crate::write::{make_folder, not_over_what_is_read, write};
 
 /// Writes the files, and says which.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
+pub(crate) fn run(given: &Generate) -> Result<String, Failure> {
+    let FileOptions {
+        file: path, name, ..
+    } = &given.robot.file;
+    not_over_what_is_read([path], [&Some(given.out.clone()), &None])?;
     let c = OfC {
         numbers: c_numbers(given)?,
-        is_project: given.get_flag("project"),
+        is_project: given.project,
     };
-    let mut model = read_with_names(path, given)?;
-    let files = match given.get_one::<String>("lang").map(String::as_str) {
-        Some("rust") => {
-            let name = given.get_one::<String>("name");
-            vec![rust(path, model, name.map(String::as_str))?]
-        }
+    let mut model = read_with_names(&given.robot)?;
+    let files = match given.lang.as_str() {
+        "rust" => vec![rust(path, model, name.as_deref())?],
         language => {
             let mut inverses = inverses(language, path, &mut model)?;
             // A file of inverse kinematics alone.
@@ -38,12 +38,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
             inverses
         }
     };
-    let out = given.get_one::<PathBuf>("out");
-    let folder = out.map_or(Path::new("."), PathBuf::as_path);
-    make_folder(folder)?;
+    make_folder(&given.out)?;
     let contents = files.into_iter();
     let placed: Vec<_> = contents
-        .map(|(name, text)| (folder.join(name), text))
+        .map(|(name, text)| (given.out.join(name), text))
         .collect();
     write(&placed)?;
     let names = placed
@@ -70,34 +68,36 @@ struct OfC {
 }
 
 /// The numbers of C. `--scalar`, `--sines` and `--project` are of no other language.
-fn c_numbers(given: &ArgMatches) -> Result<CNumbers, Failure> {
-    let word = |option: &str| given.get_one::<String>(option).map(String::as_str);
-    let (scalar, sines) = (word("scalar"), word("sines"));
-    let language = word("lang").unwrap_or_default();
-    for (option, given) in [("scalar", scalar), ("sines", sines)] {
-        if let (Some(word), true) = (given, language != "c") {
+fn c_numbers(given: &Generate) -> Result<CNumbers, Failure> {
+    let (scalar, sines) = (&given.scalar, &given.sines);
+    let is_c = given.lang == "c";
+    for (option, word) in [("scalar", scalar), ("sines", sines)] {
+        if let (Some(word), false) = (word, is_c) {
             return Err(Failure::of_the_command_line(format!(
                 "`--{option} {word}` is about `--lang c`: Rust's functions take any scalar, and numbers of the other \
                  languages are doubles"
             )));
         }
     }
-    if given.get_flag("project") && language != "c" {
+    if given.project && !is_c {
         return Err(Failure::of_the_command_line(
             "`--project` is about `--lang c`: it writes what C++ and CMake need",
         ));
     }
-    Ok(CNumbers::new(scalar == Some("float"), sines.is_some()))
+    Ok(CNumbers::new(
+        scalar.as_deref() == Some("float"),
+        sines.is_some(),
+    ))
 }
 
 /// Names and texts of the files of inverse kinematics in closed form, in the languages that have them: they are no longer
 /// requested then.
 fn inverses(
-    language: Option<&str>,
+    language: &str,
     path: &Path,
     model: &mut Model,
 ) -> Result<Vec<(String, String)>, Failure> {
-    if model.inverses.is_empty() || !matches!(language, Some("c" | "js")) {
+    if model.inverses.is_empty() || !matches!(language, "c" | "js") {
         return Ok(Vec::new());
     }
     let robot = &model.robot;
@@ -113,21 +113,21 @@ fn inverses(
         plans.push((frame.map(|frame| robot.frames[frame].name.as_str()), plan));
     }
     Ok(match language {
-        Some("c") => inverse_in_c(robot, &plans).to_vec(),
+        "c" => inverse_in_c(robot, &plans).to_vec(),
         _ => vec![inverse_in_javascript(robot, &plans)],
     })
 }
 
 /// Names and texts of the files in another language.
 fn other(
-    language: Option<&str>,
+    language: &str,
     c: OfC,
     path: &Path,
     model: &Model,
 ) -> Result<Vec<(String, String)>, Failure> {
     let robot = &model.robot;
     let requests = requests(model)?;
-    if language == Some("casadi") {
+    if language == "casadi" {
         let programs = programs(path, robot, &casadi_requests(robot, &requests))?;
         let source = casadi_source(robot, &requests, &programs);
         return Ok(vec![(source.name, source.text)]);
@@ -135,7 +135,7 @@ fn other(
     let programs = programs(path, robot, &requests)?;
     let name = snake_case(&robot.name);
     Ok(match language {
-        Some("c") => {
+        "c" => {
             let source = c_source_in(robot, &programs, c.numbers);
             let mut files = vec![
                 (format!("{name}.h"), source.header),
@@ -146,11 +146,11 @@ fn other(
             }
             files
         }
-        Some("python") => vec![(
+        "python" => vec![(
             format!("{}.py", python_module_name(robot)),
             python_module(robot, &programs),
         )],
-        Some("matlab") => matlab_files(robot, &programs),
+        "matlab" => matlab_files(robot, &programs),
         _ => vec![(format!("{name}.mjs"), javascript_module(robot, &programs))],
     })
 }

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ArgMatches;
 use dynamics_codegen::description::Masses;
 use dynamics_codegen::files::Format;
 use dynamics_codegen::lint::judged;
 use dynamics_codegen::{Finding, Severity};
 use dynamics_evaluation::{FileError, FileMistake, ReadOptions, read_source, read_text};
 
+use crate::arguments::Lint;
 use crate::convert::quoted;
 use crate::excerpt::without_controls;
 use crate::failure::Failure;
@@ -21,16 +21,11 @@ struct Row {
 }
 
 /// The text of `lint`.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let files = given.get_many::<PathBuf>("file").into_iter().flatten();
-    let rows: Vec<Row> = files.clone().flat_map(|path| rows(path)).collect();
-    let is_json = given
-        .get_one::<String>("format")
-        .is_some_and(|format| format == "json");
-    let output = if is_json {
-        json(&rows)
-    } else {
-        text(&rows, files.count())
+pub(crate) fn run(given: &Lint) -> Result<String, Failure> {
+    let rows: Vec<Row> = given.file.iter().flat_map(|path| rows(path)).collect();
+    let output = match given.format.as_str() {
+        "json" => json(&rows),
+        _ => text(&rows, given.file.len()),
     };
     match rows.iter().any(|row| row.found.severity == Severity::Error) {
         true => Err(Failure::told_by(output)),

@@ -2,52 +2,43 @@
 
 use std::collections::BTreeSet;
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_codegen::description::Masses;
-use dynamics_codegen::files::Format;
 use dynamics_evaluation::{FileError, FileMistake, RuntimeRobot, read_file};
 use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
-use crate::beside::{Beside, Lines, has_links, with_fields, with_names, with_values};
+use crate::arguments::{FileOptions, RobotOptions};
+use crate::beside::{Beside, Lines, Source, has_links};
 use crate::failure::Failure;
 use crate::progress::Progress;
 
-/// The argument `FILE`.
-pub(crate) fn file_of(given: &ArgMatches) -> &Path {
-    let path = given.get_one::<PathBuf>("file").map(PathBuf::as_path);
-    path.unwrap_or(Path::new(""))
-}
-
-/// A number of the command line that has a default.
-pub(crate) fn count(given: &ArgMatches, name: &str) -> usize {
-    given
-        .get_one::<u32>(name)
-        .map_or(0, |count| *count as usize)
-}
-
 /// The robot of a file on any base, and what is requested. The names of `--field` stand for their values.
-pub(crate) fn read_on_any_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
-    about_links(given, &[path])?;
-    read_any(path, with_values(given, path, None, "chain")?, Vec::new())
+pub(crate) fn read_on_any_base(given: &RobotOptions) -> Result<Model, Failure> {
+    read(Source::from(given).with_values()?, Vec::new())
 }
 
 /// As [`read_on_any_base`], where names that nothing binds are fields of the robot.
-pub(crate) fn read_with_names(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
-    about_links(given, &[path])?;
-    read_any(path, with_names(given, path)?, Vec::new())
+pub(crate) fn read_with_names(given: &RobotOptions) -> Result<Model, Failure> {
+    read(Source::from(given).with_names()?, Vec::new())
 }
 
-/// As [`read_on_any_base`], of an arm whose base must stand and whose masses nothing reads.
-pub(crate) fn read_on_standing_base(path: &Path, given: &ArgMatches) -> Result<Model, Failure> {
-    about_links(given, &[path])?;
-    let beside = with_values(given, path, None, "chain")?;
-    let model = read_any(path, beside.masses(Masses::Never), Vec::new())?;
+/// As [`read_on_any_base`], of an arm whose base must stand and whose masses nothing reads. Links of a URDF file are frames
+/// of the robot where something is asked of them, as here of one that has this name.
+pub(crate) fn read_on_standing_base(
+    given: &FileOptions,
+    frame: Option<&str>,
+) -> Result<Model, Failure> {
+    let beside = || {
+        let beside = Source::from(given).with_values()?;
+        Ok::<_, Failure>(beside.masses(Masses::Never))
+    };
+    let path = &given.file;
+    let model = read(beside()?, Vec::new())?;
     if model.robot.freedoms().has_base() {
         let message = format!(
             "{}: the base moves, which `reach` does not know: all others do",
@@ -55,94 +46,50 @@ pub(crate) fn read_on_standing_base(path: &Path, given: &ArgMatches) -> Result<M
         );
         return Err(Failure::after(String::new(), message));
     }
-    Ok(model)
-}
-
-/// As [`read_on_standing_base`]. Links of a URDF file are frames of the robot where something is asked of them, as here of
-/// one that has this name.
-pub(crate) fn read_with_frame(
-    path: &Path,
-    given: &ArgMatches,
-    frame: &str,
-) -> Result<Model, Failure> {
-    let model = read_on_standing_base(path, given)?;
-    if !has_links(path) {
+    let Some(frame) = frame.filter(|_| has_links(path)) else {
         return Ok(model);
-    }
-    let beside = with_values(given, path, None, "chain")?;
-    let mut beside = beside.masses(Masses::Never);
+    };
+    let mut beside = beside()?;
     let asked = format!("{}({frame:?})", Function::ForwardKinematics.name());
     beside.options = beside.options.functions([asked]);
     // If no link has the name, the frames of the robot alone are there.
-    Ok(read_any(path, beside, Vec::new()).unwrap_or(model))
+    Ok(read(beside, Vec::new()).unwrap_or(model))
 }
 
 /// As [`read_on_any_base`], the names of `--field` being fields of the robot, of which functions are needed besides. A table
 /// may be one of geometry.
 pub(crate) fn read_with_fields(
-    path: &Path,
-    given: &ArgMatches,
+    given: &RobotOptions,
     needed: Vec<Function>,
 ) -> Result<Model, Failure> {
-    about_links(given, &[path])?;
-    let beside = with_fields(given, path)?;
-    read_any(path, beside.masses(Masses::IfAny), needed)
+    let beside = Source::from(given).with_fields()?;
+    read(beside.masses(Masses::IfAny), needed)
 }
 
 /// The robot of the argument `FILE` and that of another one, with the same settings, on any base. A joint that only
 /// one of the files has is locked or left out there.
-pub(crate) fn read_both(other: &Path, given: &ArgMatches) -> Result<[Model; 2], Failure> {
-    let path = file_of(given);
-    let chain_of_other = if given.contains_id("against-chain") {
-        "against-chain"
-    } else {
-        "chain"
-    };
-    about_links(given, &[path, other])?;
-    let read = |path: &Path, other: &Path, chain: &str| {
-        let options = with_values(given, path, Some(other), chain)?;
-        read_any(path, options, Vec::new())
-    };
-    Ok([
-        read(path, other, "chain")?,
-        read(other, path, chain_of_other)?,
-    ])
-}
-
-/// Whether the options that are about trees of links have a file that is one.
-fn about_links(given: &ArgMatches, paths: &[&Path]) -> Result<(), Failure> {
-    if paths
-        .iter()
-        .any(|path| Format::of(path).is_none() || has_links(path))
-    {
-        return Ok(());
-    }
-    let is_given = |option: &&str| matches!(given.try_contains_id(option), Ok(true));
-    let mut options = ["chain", "ignore", "round-angles", "base"].into_iter();
-    options.find(is_given).map_or(Ok(()), |option| {
-        Err(Failure::of_the_command_line(format!(
-            "`--{option}` is about a URDF file, a tree of links: {} is a table",
-            paths[0].display()
-        )))
-    })
+pub(crate) fn read_both(
+    given: &RobotOptions,
+    other: &Path,
+    chain_of_other: &[String],
+) -> Result<[Model; 2], Failure> {
+    let [one, two] = Source::both(given, other, chain_of_other);
+    let one = read(one.with_values()?, Vec::new())?;
+    Ok([one, read(two.with_values()?, Vec::new())?])
 }
 
 /// As [`read_on_any_base`], where links of a URDF file are frames, up to so many. A table may be one of geometry.
-pub(crate) fn read_with_links(
-    path: &Path,
-    given: &ArgMatches,
-    most: usize,
-) -> Result<Model, Failure> {
-    about_links(given, &[path])?;
-    let mut beside = with_values(given, path, None, "chain")?;
+pub(crate) fn read_with_links(given: &RobotOptions, most: usize) -> Result<Model, Failure> {
+    let mut beside = Source::from(given).with_values()?;
     beside.options = beside.options.keep_links(most);
-    read_any(path, beside.masses(Masses::IfAny), Vec::new())
+    read(beside.masses(Masses::IfAny), Vec::new())
 }
 
 /// The model of a file, of which functions are needed besides those that are requested. Its
 /// warnings are told once.
-fn read_any(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
-    let model = read_silently(path, beside, needed)?;
+fn read(beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
+    let path = beside.path;
+    let model = read_silently(beside, needed)?;
     for warning in &model.warnings {
         let told = format!("{}: {}", path.display(), for_command(&warning.message));
         static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
@@ -159,8 +106,9 @@ pub(crate) fn for_command(note: &str) -> String {
     note.trim().replace("`round_angles: ", "`--round-angles ")
 }
 
-fn read_silently(path: &Path, beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
+fn read_silently(beside: Beside, needed: Vec<Function>) -> Result<Model, Failure> {
     let Beside {
+        path,
         options,
         lines,
         keeps_names,
@@ -273,13 +221,11 @@ pub(crate) fn arm(
 
 /// The robot of a file on any base, with single functions.
 pub(crate) fn robot_with(
-    given: &ArgMatches,
+    given: &RobotOptions,
     functions: impl IntoIterator<Item = Function>,
 ) -> Result<RuntimeRobot, Failure> {
-    let path = file_of(given);
     let needed: Vec<_> = functions.into_iter().collect();
     let requests: Vec<_> = needed.iter().copied().map(Request::from).collect();
-    about_links(given, &[path])?;
-    let model = read_any(path, with_values(given, path, None, "chain")?, needed)?;
-    arm(path, &model.robot, &requests)
+    let model = read(Source::from(given).with_values()?, needed)?;
+    arm(&given.file.file, &model.robot, &requests)
 }

@@ -12,7 +12,7 @@ mod evaluate;
 mod excerpt;
 mod failure;
 mod generate;
-mod inverse;
+mod inverse_dynamics;
 mod joints;
 mod lint;
 mod load;
@@ -30,16 +30,14 @@ mod write;
 use std::io::Write as _;
 use std::process::ExitCode;
 
-use clap::ArgMatches;
+use clap::Parser as _;
 
+use arguments::{CommandLine, FileOptions, Output, Subcommand};
 use failure::Failure;
+use write::put_out;
 
 fn main() -> ExitCode {
-    let matches = arguments::command().get_matches();
-    let Some((name, given)) = matches.subcommand() else {
-        return ExitCode::from(2);
-    };
-    let (text, failure) = match output(name, given) {
+    let (text, failure) = match output(&CommandLine::parse().subcommand) {
         Ok(text) => (text, None),
         Err(failure) => (failure.output.clone(), Some(failure)),
     };
@@ -57,27 +55,40 @@ fn main() -> ExitCode {
 }
 
 /// The output of a subcommand, unless it goes to a file.
-fn output(name: &str, given: &ArgMatches) -> Result<String, Failure> {
-    write::not_over_what_is_read(given)?;
-    let text = match name {
-        "show" => show::run(given),
-        "check" => check::run(given),
-        "generate" => return generate::run(given),
-        "evaluate" => evaluate::run(given),
-        "simulate" => simulate::run(given),
-        "inverse-dynamics" => inverse::run(given),
-        "reach" => reach::run(given),
-        "measure" => measure::run(given),
-        "page" => page_file::run(given),
-        "convert" => convert::run(given),
-        "lint" => return lint::run(given),
-        _ => Ok(arguments::completions(given)),
+fn output(given: &Subcommand) -> Result<String, Failure> {
+    let put = |file: &FileOptions, output: &Output, run: &dyn Fn() -> Result<String, Failure>| {
+        put_out([&file.file], [&output.out, &None], run)
     };
-    match text {
-        Ok(text) => write::put_out(text, given),
-        Err(failure) => {
-            let rest = write::put_out(failure.output.clone(), given)?;
-            Err(failure.with_output(rest))
+    match given {
+        Subcommand::Show(given) => put(&given.robot.file, &given.output, &|| show::run(given)),
+        Subcommand::Check(given) => {
+            let read = [&given.robot.file.file].into_iter().chain(&given.against);
+            put_out(read, [&given.output.out, &None], || check::run(given))
         }
+        Subcommand::Generate(given) => generate::run(given),
+        Subcommand::Evaluate(given) => {
+            put(&given.robot.file, &given.output, &|| evaluate::run(given))
+        }
+        Subcommand::Simulate(given) => {
+            let written = [&given.output.text.out, &given.output.plot];
+            put_out([&given.robot.file.file], written, || simulate::run(given))
+        }
+        Subcommand::InverseDynamics(given) => {
+            let read = [&given.robot.file.file].into_iter().chain(&given.waypoints);
+            let written = [&given.output.text.out, &given.output.plot];
+            put_out(read, written, || inverse_dynamics::run(given))
+        }
+        Subcommand::Reach(given) => put(&given.file, &given.output, &|| reach::run(given)),
+        Subcommand::Measure(given) => {
+            put(&given.robot.file, &given.output, &|| measure::run(given))
+        }
+        Subcommand::Convert(given) => {
+            put(&given.robot.file, &given.output, &|| convert::run(given))
+        }
+        Subcommand::Page(given) => put(&given.robot.file, &given.output, &|| page_file::run(given)),
+        Subcommand::Lint(given) => lint::run(given),
+        Subcommand::Completions(given) => put_out([], [&given.output.out, &None], || {
+            Ok(arguments::completions(given))
+        }),
     }
 }

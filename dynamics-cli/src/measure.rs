@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::DoubleDouble;
 
+use crate::arguments::Measure;
 use crate::failure::Failure;
-use crate::load::{arm, file_of, read_on_any_base, requests};
+use crate::load::{arm, read_on_any_base, requests};
 use crate::progress::Progress;
 use crate::state::poses_of;
 
@@ -19,10 +19,9 @@ const STATES: usize = 256;
 const SECONDS: f64 = 0.05;
 
 /// The table of `measure`.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let model = read_on_any_base(path, given)?;
-    let arm = arm(path, &model.robot, &requests(&model)?)?;
+pub(crate) fn run(given: &Measure) -> Result<String, Failure> {
+    let model = read_on_any_base(&given.robot)?;
+    let arm = arm(&given.robot.file.file, &model.robot, &requests(&model)?)?;
     let mut text = format!(
         "{:<32}{:>11}{:>17}{:>11}{:>15}\n",
         "function", "operations", "interpreted, ns", "batch, ns", "largest error"

@@ -2,28 +2,28 @@
 
 use std::io::Write as _;
 
-use clap::ArgMatches;
 use dynamics_cli::page::{FUNCTIONS, Page, Start, shown_poses};
 use dynamics_symbolic::Request;
 use dynamics_symbolic::robot::Robot;
 
+use crate::arguments;
 use crate::beside::fields;
 use crate::failure::Failure;
-use crate::load::{file_of, programs, read_with_fields, read_with_links};
+use crate::load::{programs, read_with_fields, read_with_links};
 use crate::state::{positions, refuse_pose, roll_pitch_yaw, vector};
 
 /// The page.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let mut robot = read_with_fields(path, given, FUNCTIONS.to_vec())?.robot;
+pub(crate) fn run(given: &arguments::Page) -> Result<String, Failure> {
+    let file = &given.robot.file;
+    let mut robot = read_with_fields(&given.robot, FUNCTIONS.to_vec())?.robot;
     let poses = shown_poses(&mut robot);
     let start = start(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
-    read_with_links(path, given, 0)?;
+    read_with_links(&given.robot, 0)?;
     let requests = FUNCTIONS.map(Request::from).into_iter();
     let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
-    let programs = programs(path, &robot, &requests)?;
-    let page = Page::new(&robot, &programs, &poses, &fields(given)?, &start);
+    let programs = programs(&file.file, &robot, &requests)?;
+    let page = Page::new(&robot, &programs, &poses, &fields(&file.field)?, &start);
     if let Some(remark) = remark(page.html.len(), page.equations, robot.freedoms().joints) {
         let _ = writeln!(std::io::stderr(), "{remark}");
     }
@@ -47,29 +47,26 @@ fn remark(bytes: usize, equations: usize, joints: usize) -> Option<String> {
 }
 
 /// The motion of the command line.
-fn start(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
-    let positions_of = |name: &str| {
-        let is_given = given.contains_id(name);
-        is_given.then(|| positions(given, name, robot)).transpose()
+fn start(given: &arguments::Page, robot: &Robot) -> Result<Start, Failure> {
+    let positions_of = |name: &str, numbers: &[f64]| {
+        let is_given = !numbers.is_empty();
+        is_given
+            .then(|| positions(numbers, name, robot))
+            .transpose()
     };
     let freedoms = robot.freedoms();
-    let velocity = given
-        .contains_id("velocity")
-        .then(|| vector(given, "velocity", [freedoms.base, freedoms.joints]));
+    let is_fast = !given.velocity.is_empty();
+    let freedoms_of_each = [freedoms.base, freedoms.joints];
+    let velocity = is_fast.then(|| vector(&given.velocity, "velocity", freedoms_of_each));
     if !freedoms.has_base() {
-        refuse_pose(given)?;
+        refuse_pose(&given.pose)?;
     }
-    let start = Start {
-        from: positions_of("from")?,
-        to: positions_of("to")?,
-        velocity: velocity.transpose()?,
-        pose: roll_pitch_yaw(given)?,
-        ..Start::default()
-    };
-    let duration = given.get_one::<f64>("duration").copied();
     Ok(Start {
-        duration: duration.unwrap_or(start.duration),
-        ..start
+        from: positions_of("from", &given.from)?,
+        to: positions_of("to", &given.to)?,
+        velocity: velocity.transpose()?,
+        pose: roll_pitch_yaw(&given.pose)?,
+        duration: given.duration,
     })
 }
 

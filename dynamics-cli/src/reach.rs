@@ -1,6 +1,5 @@
 //! The positions of the joints at which the tip or a frame has a pose.
 
-use clap::ArgMatches;
 use dynamics_cli::poses::poses;
 use dynamics_evaluation::RuntimePlace;
 use dynamics_runtime::inverse_kinematics::{InverseKinematics, Reached, Target};
@@ -9,27 +8,25 @@ use dynamics_runtime::{JointVector as _, SizedKinematics as _};
 use dynamics_symbolic::robot::{JointType, Robot};
 use dynamics_symbolic::{Function, Request};
 
+use crate::arguments::Reach;
 use crate::beside::has_links;
 use crate::columns::{aligned, significant};
 use crate::failure::Failure;
 use crate::joints::note_degrees_of_pose;
-use crate::load::{arm, count, file_of, read_on_standing_base, read_with_frame};
+use crate::load::{arm, read_on_standing_base};
 use crate::state::positions;
 
 /// The most solutions that are printed, and the most of families without end.
 const MOST: [usize; 2] = [64, 8];
 
 /// The text of `reach`.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let model = match given.get_one::<String>("frame") {
-        Some(frame) => read_with_frame(path, given, frame)?,
-        None => read_on_standing_base(path, given)?,
-    };
-    let mut robot = model.robot;
-    let start = DVector::from_vec(positions(given, "from", &robot)?);
-    let (target, rows) = target(given)?;
-    let frame = frame(given, has_links(path), &mut robot)?;
+pub(crate) fn run(given: &Reach) -> Result<String, Failure> {
+    let path = &given.file.file;
+    let wanted = given.frame.as_deref();
+    let mut robot = read_on_standing_base(&given.file, wanted)?.robot;
+    let start = DVector::from_vec(positions(&given.from, "from", &robot)?);
+    let (target, rows) = target(&given.pose)?;
+    let frame = frame(wanted, has_links(path), &mut robot)?;
     let functions = [Function::ForwardKinematics, Function::Jacobian];
     let requests = functions.map(|function| match &frame {
         None => function.into(),
@@ -37,17 +34,16 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
     });
     let arm = arm(path, &robot, &requests)?;
     let place = arm.place(frame.as_ref().map(|(_, name)| name.as_str()))?;
-    let digits = count(given, "digits");
-    let solver = InverseKinematics::new(&place).attempts(count(given, "starts"));
+    let digits = given.digits;
+    let solver = InverseKinematics::new(&place).attempts(given.starts);
     match solver.solutions(&[target], &start, MOST[0]) {
-        Ok(found) => Ok(solutions(
-            &robot,
-            &place,
-            rows,
-            &found,
-            count(given, "starts"),
-            digits,
-        )),
+        Ok(found) => {
+            let table = solutions(&robot, &place, rows, &found, digits);
+            Ok(format!(
+                "{table}\nfound from {} starts, which prove nothing about others\n",
+                given.starts
+            ))
+        }
         Err(error) if error.attempts == 0 => Err(Failure::from(error)),
         Err(error) => {
             let table = table(&robot, [("nearest".to_owned(), &error.q)], digits);
@@ -59,10 +55,8 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 }
 
 /// The target of `--pose`, and how many numbers it gives.
-fn target(given: &ArgMatches) -> Result<(Target, usize), Failure> {
-    let numbers = given.get_many::<f64>("pose").unwrap_or_default();
-    let numbers: Vec<f64> = numbers.copied().collect();
-    match numbers[..] {
+fn target(numbers: &[f64]) -> Result<(Target, usize), Failure> {
+    match *numbers {
         [x, y, z] => Ok((Target::position(Vector3::new(x, y, z)), 3)),
         [x, y, z, roll, pitch, yaw] => {
             note_degrees_of_pose([roll, pitch, yaw]);
@@ -78,7 +72,7 @@ fn target(given: &ArgMatches) -> Result<(Target, usize), Failure> {
 
 /// The frame of `--frame`, by its index and its name; `None` of the tip.
 fn frame(
-    given: &ArgMatches,
+    wanted: Option<&str>,
     has_links: bool,
     robot: &mut Robot,
 ) -> Result<Option<(usize, String)>, Failure> {
@@ -87,8 +81,8 @@ fn frame(
     let mut frames = robot.frames.iter().enumerate();
     let names = robot.frames.iter().map(|frame| format!("`{}`", frame.name));
     let names = names.collect::<Vec<_>>().join(", ");
-    match given.get_one::<String>("frame") {
-        Some(name) => match frames.find(|(_, frame)| frame.name == *name) {
+    match wanted {
+        Some(name) => match frames.find(|(_, frame)| frame.name == name) {
             Some((index, frame)) => Ok(Some((index, frame.name.clone()))),
             None => Err(Failure::of_the_command_line(match &names[..] {
                 "" if has_links => format!("`--frame {name}`: the robot has no link of that name"),
@@ -113,7 +107,6 @@ fn solutions(
     place: &RuntimePlace<'_>,
     rows: usize,
     found: &[Reached<Dyn>],
-    starts: usize,
     digits: usize,
 ) -> String {
     let jacobian = place.tip_jacobian(&found[0].q);
@@ -135,10 +128,7 @@ fn solutions(
         rows.map(|(k, reached)| ((k + 1).to_string(), &reached.q)),
         digits,
     );
-    format!(
-        "{}: {what}\n\n{table}\nfound from {starts} starts, which prove nothing about others\n",
-        robot.name
-    )
+    format!("{}: {what}\n\n{table}", robot.name)
 }
 
 /// Joint positions with the names of the joints and their units.

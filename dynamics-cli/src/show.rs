@@ -4,14 +4,14 @@ mod table;
 
 use std::fmt::Write as _;
 
-use clap::ArgMatches;
 use dynamics_symbolic::emit::description;
 use dynamics_symbolic::formula::{Budget, Format, Formulas, MOST_JOINTS, TooLong};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
 
+use crate::arguments::Show;
 use crate::failure::Failure;
-use crate::load::{count, file_of, for_command, programs, read_with_names, requests};
+use crate::load::{for_command, programs, read_with_names, requests};
 use table::table;
 
 /// How far the formulas of one function are multiplied out before they are given up, for each term that a formula may
@@ -19,18 +19,17 @@ use table::table;
 const PRODUCTS_FOR_EACH_TERM: usize = 30;
 
 /// The text of `show`.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let model = read_with_names(path, given)?;
+pub(crate) fn run(given: &Show) -> Result<String, Failure> {
+    let model = read_with_names(&given.robot)?;
     let robot = &model.robot;
-    let programs = programs(path, robot, &requests(&model)?)?;
-    let terms = count(given, "terms");
+    let programs = programs(&given.robot.file.file, robot, &requests(&model)?)?;
+    let terms = given.terms;
     let budget = Budget {
         terms,
         products: PRODUCTS_FOR_EACH_TERM.saturating_mul(terms),
     };
     let mut left_out = LeftOut::default();
-    if let Some(format) = format(given) {
+    if let Some(format) = given.format {
         let text = formulas(robot, &programs, format, budget, &mut left_out);
         return Ok(text + &left_out.sentence(terms));
     }
@@ -80,15 +79,6 @@ impl LeftOut {
             "not printed, because of more than {most_terms} terms: {}; {enough} prints them\n",
             names.join(", ")
         )
-    }
-}
-
-/// The format in which formulas alone are requested.
-fn format(given: &ArgMatches) -> Option<Format> {
-    match given.get_one::<String>("format")?.as_str() {
-        "text" => Some(Format::Text),
-        "latex" => Some(Format::Latex),
-        _ => Some(Format::MathMl),
     }
 }
 

@@ -1,6 +1,5 @@
 //! The motion of an arm.
 
-use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::nalgebra::{DVector, Dyn};
 use dynamics_runtime::simulation::{
@@ -11,22 +10,23 @@ use dynamics_runtime::{Friction, Simulation};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
+use crate::arguments::Simulate;
 use crate::csv::{shortest, written};
 use crate::failure::Failure;
-use crate::load::{count, robot_with};
+use crate::load::robot_with;
 use crate::plot;
 use crate::progress::Progress;
 use crate::state::{pose, positions, refuse_pose, vector};
 
 /// The motion as CSV.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let robot = robot_with(given, Function::default_set(false))?;
+pub(crate) fn run(given: &Simulate) -> Result<String, Failure> {
+    let robot = robot_with(&given.robot, Function::default_set(false))?;
     let Start {
         q,
         velocity,
         torque,
     } = Start::read(given, robot.robot())?;
-    let duration = number(given, "duration");
+    let duration = given.duration;
     let progress = Progress::new(STEPS);
     let torque = |t: f64| {
         progress.done((t / duration * STEPS as f64) as usize);
@@ -36,10 +36,10 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         let in_motion = robot.dynamics_on_base()?;
         let motion = Simulation::new(&in_motion)
             .torque(|t, _base, _q, _v| torque(t))
-            .initial(pose(given)?, q, velocity);
+            .initial(pose(&given.pose)?, q, velocity);
         return told(planned(motion, given).run(), &in_motion, &robot, given);
     }
-    refuse_pose(given)?;
+    refuse_pose(&given.pose)?;
     let in_motion = robot.dynamics()?;
     let motion = Simulation::new(&in_motion)
         .torque(|t, _q, _qd| torque(t))
@@ -55,13 +55,13 @@ struct Start {
 }
 
 impl Start {
-    fn read(given: &ArgMatches, robot: &Robot) -> Result<Start, Failure> {
+    fn read(given: &Simulate, robot: &Robot) -> Result<Start, Failure> {
         let freedoms = robot.freedoms();
         let freedoms = [freedoms.base, freedoms.joints];
         Ok(Start {
-            q: positions(given, "from", robot)?.into(),
-            velocity: vector(given, "velocity", freedoms)?.into(),
-            torque: vector(given, "torque", freedoms)?.into(),
+            q: positions(&given.from, "from", robot)?.into(),
+            velocity: vector(&given.velocity, "velocity", freedoms)?.into(),
+            torque: vector(&given.torque, "torque", freedoms)?.into(),
         })
     }
 }
@@ -69,21 +69,16 @@ impl Start {
 /// Steps in which progress is shown.
 const STEPS: usize = 1000;
 
-/// A number that has a default.
-fn number(given: &ArgMatches, name: &str) -> f64 {
-    given.get_one::<f64>(name).copied().unwrap_or(1.0)
-}
-
 /// A simulation with the settings of the command line.
 fn planned<'a, R: SizedModel<K> + EquationsOfMotion<K>, L, W, S, K: Stand>(
     simulation: Simulation<'a, R, L, K, W, S>,
-    given: &ArgMatches,
+    given: &Simulate,
 ) -> Simulation<'a, R, L, K, W, S> {
     simulation
-        .method(DormandPrince::with_tolerance(number(given, "tolerance")))
+        .method(DormandPrince::with_tolerance(given.tolerance))
         .friction(Friction::Sticking)
-        .duration(number(given, "duration"))
-        .samples(count(given, "samples"))
+        .duration(given.duration)
+        .samples(given.samples)
 }
 
 /// A run as a table, and as a figure where one is requested; the failure of one that ended early.
@@ -91,20 +86,20 @@ fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     run: Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>,
     in_motion: &impl SizedModel<K>,
     robot: &RuntimeRobot,
-    given: &ArgMatches,
+    given: &Simulate,
 ) -> Result<String, Failure> {
     let motion = run.map_err(|error| stopped(error.naming(in_motion), given))?;
     let text = written(&motion, in_motion)?;
-    plot::put(given, || {
+    plot::put(given.output.plot.as_deref(), || {
         motion.figure(in_motion).title(&robot.robot().name)
     })?;
     Ok(text)
 }
 
 /// The failure of a motion that was not followed to its end, and the option to blame.
-fn stopped<K: Stand>(error: SizedSimulationError<K>, given: &ArgMatches) -> Failure {
+fn stopped<K: Stand>(error: SizedSimulationError<K>, given: &Simulate) -> Failure {
     let time = error.time;
-    let duration = number(given, "duration");
+    let duration = given.duration;
     let lost = 16.0 * f64::EPSILON * duration;
     let reason = match error.cause {
         Cause::StepTooSmall if lost > SHORT => format!(

@@ -1,6 +1,5 @@
 //! States of the command line.
 
-use clap::ArgMatches;
 use dynamics_runtime::Pose;
 use dynamics_runtime::nalgebra::{Rotation3, Vector3};
 use dynamics_symbolic::robot::Robot;
@@ -8,30 +7,24 @@ use dynamics_symbolic::robot::Robot;
 use crate::failure::Failure;
 use crate::joints::{note_degrees, note_degrees_of_pose};
 
-/// Positions of the command line, zeros where it has none.
-pub(crate) fn positions(
-    given: &ArgMatches,
-    name: &str,
-    robot: &Robot,
-) -> Result<Vec<f64>, Failure> {
+/// Positions of an option, zeros where it has none.
+pub(crate) fn positions(given: &[f64], name: &str, robot: &Robot) -> Result<Vec<f64>, Failure> {
     let positions = vector(given, name, [0, robot.freedoms().joints])?;
     note_degrees(&format!("--{name}"), robot, &positions);
     Ok(positions)
 }
 
-/// A vector of the command line, with so many numbers of the base and of the joints; zeros where it has none.
+/// The numbers of an option, so many of the base and of the joints; zeros where it has none.
 pub(crate) fn vector(
-    given: &ArgMatches,
+    given: &[f64],
     name: &str,
     [base, joints]: [usize; 2],
 ) -> Result<Vec<f64>, Failure> {
-    let expected = base + joints;
-    let Some(entries) = given.get_many::<f64>(name) else {
+    let (found, expected) = (given.len(), base + joints);
+    if found == 0 {
         return Ok(vec![0.0; expected]);
-    };
-    let entries: Vec<f64> = entries.copied().collect();
-    if entries.len() != expected {
-        let found = entries.len();
+    }
+    if found != expected {
         let plural = if found == 1 { "" } else { "s" };
         let of_base = if base > 0 {
             "six of the base, then "
@@ -43,11 +36,11 @@ pub(crate) fn vector(
         );
         return Err(Failure::of_the_command_line(message));
     }
-    Ok(entries)
+    Ok(given.to_vec())
 }
 
 /// The pose of `--pose`: roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other.
-pub(crate) fn pose(given: &ArgMatches) -> Result<Pose<f64>, Failure> {
+pub(crate) fn pose(given: &[f64]) -> Result<Pose<f64>, Failure> {
     let [x, y, z, roll, pitch, yaw] = roll_pitch_yaw(given)?.unwrap_or_default();
     Ok(Pose {
         rotation: Rotation3::from_euler_angles(roll, pitch, yaw).into_inner(),
@@ -56,13 +49,12 @@ pub(crate) fn pose(given: &ArgMatches) -> Result<Pose<f64>, Failure> {
 }
 
 /// The six numbers of `--pose`.
-pub(crate) fn roll_pitch_yaw(given: &ArgMatches) -> Result<Option<[f64; 6]>, Failure> {
-    let Some(entries) = given.get_many::<f64>("pose") else {
+pub(crate) fn roll_pitch_yaw(given: &[f64]) -> Result<Option<[f64; 6]>, Failure> {
+    if given.is_empty() {
         return Ok(None);
-    };
-    let entries: Vec<f64> = entries.copied().collect();
-    let found = entries.len();
-    let entries: [f64; 6] = entries.try_into().map_err(|_| {
+    }
+    let entries: [f64; 6] = given.try_into().map_err(|_| {
+        let found = given.len();
         let message = format!("`--pose` has {found} numbers: expected six, X,Y,Z,ROLL,PITCH,YAW");
         Failure::of_the_command_line(message)
     })?;
@@ -83,8 +75,8 @@ pub(crate) fn poses_of(turns: &[f64]) -> Vec<f64> {
 }
 
 /// Refuses the pose of a base that stands.
-pub(crate) fn refuse_pose(given: &ArgMatches) -> Result<(), Failure> {
-    if given.contains_id("pose") {
+pub(crate) fn refuse_pose(given: &[f64]) -> Result<(), Failure> {
+    if !given.is_empty() {
         let message = "`--pose` is of a robot whose base moves: this one stands";
         return Err(Failure::of_the_command_line(message));
     }
@@ -102,42 +94,33 @@ pub(crate) struct State {
 }
 
 impl State {
-    /// The state of `--at`, `--torque` and `--pose`.
-    pub(crate) fn read(given: &ArgMatches, robot: &Robot) -> Result<State, Failure> {
+    /// The state of `--at`, `--pose` and `--torque`.
+    pub(crate) fn new(robot: &Robot, [at, pose, torque]: [&[f64]; 3]) -> Result<State, Failure> {
         let freedoms = robot.freedoms();
-        let mut state = State::without_torque(given, robot)?;
-        state.tau = vector(given, "torque", [freedoms.base, freedoms.joints])?;
-        Ok(state)
-    }
-
-    /// The state of `--at` and `--pose`.
-    pub(crate) fn without_torque(given: &ArgMatches, robot: &Robot) -> Result<State, Failure> {
-        let freedoms = robot.freedoms();
-        let [q, qd, qdd] = at(given, [freedoms.joints, freedoms.all()])?;
+        let [q, qd, qdd] = states(at, [freedoms.joints, freedoms.all()])?;
         note_degrees("--at", robot, &q);
         let base = if freedoms.has_base() {
-            Some(pose(given)?)
+            Some(self::pose(pose)?)
         } else {
-            refuse_pose(given)?;
+            refuse_pose(pose)?;
             None
         };
+        let tau = vector(torque, "torque", [freedoms.base, freedoms.joints])?;
         Ok(State {
             q,
             qd,
             qdd,
-            tau: vec![0.0; freedoms.all()],
+            tau,
             base,
         })
     }
 }
 
 /// The positions, velocities and accelerations of `--at`: zeros where the list ends, or is left out.
-fn at(given: &ArgMatches, [joints, freedoms]: [usize; 2]) -> Result<[Vec<f64>; 3], Failure> {
-    let numbers = given.get_many::<f64>("at");
-    let mut numbers: Vec<f64> = numbers.map_or_else(Vec::new, |numbers| numbers.copied().collect());
+fn states(at: &[f64], [joints, freedoms]: [usize; 2]) -> Result<[Vec<f64>; 3], Failure> {
     let ends = [joints, joints + freedoms, joints + 2 * freedoms];
-    if !(numbers.is_empty() || ends.contains(&numbers.len())) {
-        let found = numbers.len();
+    let found = at.len();
+    if !(found == 0 || ends.contains(&found)) {
         let plural = if found == 1 { "" } else { "s" };
         let of_base = if freedoms > joints {
             ", six of the base before those of the joints"
@@ -151,8 +134,9 @@ fn at(given: &ArgMatches, [joints, freedoms]: [usize; 2]) -> Result<[Vec<f64>; 3
              too{of_base}"
         )));
     }
-    numbers.resize(ends[2], 0.0);
-    let qdd = numbers.split_off(ends[1]);
-    let qd = numbers.split_off(ends[0]);
-    Ok([numbers, qd, qdd])
+    let mut q = at.to_vec();
+    q.resize(ends[2], 0.0);
+    let qdd = q.split_off(ends[1]);
+    let qd = q.split_off(ends[0]);
+    Ok([q, qd, qdd])
 }

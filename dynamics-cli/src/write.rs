@@ -3,33 +3,53 @@
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
-use clap::ArgMatches;
 use dynamics_runtime::replace_files;
 
 use crate::failure::Failure;
 
-/// Refuses to write over a file that is read, whichever of its names is given.
-pub(crate) fn not_over_what_is_read(given: &ArgMatches) -> Result<(), Failure> {
-    const READ: [&str; 3] = ["file", "against", "waypoints"];
-    let named = |option: &str| given.try_get_one::<PathBuf>(option).ok().flatten();
-    for option in ["out", "plot"] {
-        let Some(out) = named(option) else {
+/// Refuses to write the files of `--out` and `--plot` over one that is read, whichever of its names is given.
+pub(crate) fn not_over_what_is_read<'a>(
+    read: impl IntoIterator<Item = &'a PathBuf> + Clone,
+    [out, plot]: [&Option<PathBuf>; 2],
+) -> Result<(), Failure> {
+    for (option, path) in [("out", out), ("plot", plot)] {
+        let Some((path, written)) = path.as_ref().and_then(|path| Some((path, identity(path)?)))
+        else {
             continue;
         };
-        let written = identity(out);
-        let mut read = READ.into_iter().filter_map(named);
-        if written.is_some() && read.any(|path| identity(path) == written) {
+        let mut read = read.clone().into_iter().filter_map(|path| identity(path));
+        if read.any(|read| read == written) {
             return Err(Failure::of_the_command_line(format!(
                 "`--{option} {}` is a file that is read, and would be lost: write to another one",
-                out.display()
+                path.display()
             )));
         }
     }
-    match (named("out"), named("plot")) {
-        (Some(out), Some(plot)) if out == plot => Err(Failure::of_the_command_line(
-            "`--out` and `--plot` are one file: give the figure another one",
-        )),
-        _ => Ok(()),
+    if out.is_some() && out == plot {
+        let message = "`--out` and `--plot` are one file: give the figure another one";
+        return Err(Failure::of_the_command_line(message));
+    }
+    Ok(())
+}
+
+/// Writes the text of a subcommand to the file of `--out`, or hands it back where there is none, or no text. Neither that
+/// file nor the one of `--plot` is one that is read.
+pub(crate) fn put_out<'a>(
+    read: impl IntoIterator<Item = &'a PathBuf> + Clone,
+    [out, plot]: [&Option<PathBuf>; 2],
+    run: impl FnOnce() -> Result<String, Failure>,
+) -> Result<String, Failure> {
+    not_over_what_is_read(read, [out, plot])?;
+    let put = |text: String| match out {
+        Some(path) if !text.is_empty() => write(&[(path.clone(), text)]).map(|()| String::new()),
+        _ => Ok(text),
+    };
+    match run() {
+        Ok(text) => put(text),
+        Err(failure) => {
+            let rest = put(failure.output.clone())?;
+            Err(failure.with_output(rest))
+        }
     }
 }
 
@@ -45,14 +65,6 @@ fn identity(path: &Path) -> Option<(u64, u64)> {
 #[cfg(not(unix))]
 fn identity(path: &Path) -> Option<PathBuf> {
     path.canonicalize().ok()
-}
-
-/// Writes a text to the file that `--out` names; hands it back where it names none, or there is no text.
-pub(crate) fn put_out(text: String, given: &ArgMatches) -> Result<String, Failure> {
-    match given.get_one::<PathBuf>("out") {
-        Some(path) if !text.is_empty() => write(&[(path.clone(), text)]).map(|()| String::new()),
-        _ => Ok(text),
-    }
 }
 
 /// Writes a text to standard output.

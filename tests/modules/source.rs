@@ -38,15 +38,21 @@ pub(crate) struct Import {
 }
 
 impl Crate {
-    /// Reads all modules that are not tests.
-    pub(crate) fn read(folder: &Path) -> Self {
+    /// Reads all modules that are not tests: of a library, of a program, or of both.
+    pub(crate) fn read_all(folder: &Path) -> Vec<Self> {
+        let roots = ["lib.rs", "main.rs"].into_iter();
+        let roots = roots.filter(|root| folder.join(root).exists());
+        let crates: Vec<_> = roots.map(|root| Crate::read(folder, root)).collect();
+        assert!(!crates.is_empty(), "a library or a program: {folder:?}");
+        crates
+    }
+
+    fn read(folder: &Path, root: &str) -> Self {
         let mut sources = Crate {
             files: Vec::new(),
             modules: BTreeMap::new(),
         };
-        let mut roots = ["lib.rs", "main.rs"].into_iter();
-        let root = roots.find(|root| folder.join(root).exists());
-        sources.read_file(folder, root.expect("a library or a program"), Vec::new());
+        sources.read_file(folder, root, Vec::new());
         sources
     }
 

@@ -20,17 +20,17 @@ mod toml;
 mod urdf;
 mod written;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::ArgMatches;
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
 use dynamics_runtime::table::MOST_FRAMES;
-use dynamics_symbolic::robot::{Convention, Robot};
+use dynamics_symbolic::robot::Robot;
 
+use crate::arguments::{Convert, WITHOUT};
 use crate::beside::has_links;
 use crate::failure::Failure;
-use crate::load::{file_of, for_command, read_with_links};
+use crate::load::{for_command, read_with_links};
 use arm::Arm;
 use document::{Allowed, Document, frame_names};
 use number::DIGITS;
@@ -38,42 +38,35 @@ use read_back::{refusals, refused_words};
 pub(crate) use string::quoted;
 use table::Table;
 
-/// The parts of joints that URDF has no words for, as the option `--without` names them.
-pub(crate) const WITHOUT: [&str; 3] = urdf::WITHOUT;
-
 /// The text of the other file.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let target = target(given, path);
+pub(crate) fn run(given: &Convert) -> Result<String, Failure> {
+    let path = &given.robot.file.file;
+    let target = target(given);
     let room = match target {
         Format::Urdf => usize::MAX,
         _ => MOST_FRAMES,
     };
-    let model = read_with_links(path, given, room)?;
+    let model = read_with_links(&given.robot, room)?;
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };
     let stem = path.file_stem().and_then(|stem| stem.to_str());
     let name = stem.unwrap_or("robot");
     match target {
-        Format::Urdf => as_urdf(name, &arm, &model, (path, given)),
-        format => as_table(name, &arm, &model, (path, format), given),
+        Format::Urdf => as_urdf(name, &arm, &model, given),
+        format => as_table(name, &arm, &model, format, given),
     }
 }
 
 /// The format that is requested: by name, by that of the file that is written, or the other one.
-fn target(given: &ArgMatches, path: &Path) -> Format {
-    let of_option = given
-        .get_one::<String>("to")
-        .and_then(|word| Format::of(&Path::new("robot").with_extension(word)));
-    let out = given.get_one::<PathBuf>("out");
-    let of_name = out.and_then(|out| Format::of(out));
-    let other = if has_links(path) {
+fn target(given: &Convert) -> Format {
+    let of_name = given.output.out.as_deref().and_then(Format::of);
+    let other = if has_links(&given.robot.file.file) {
         Format::Toml
     } else {
         Format::Urdf
     };
-    of_option.or(of_name).unwrap_or(other)
+    given.to.or(of_name).unwrap_or(other)
 }
 
 /// The comments at the head of the file.
@@ -120,14 +113,11 @@ fn as_table(
     name: &str,
     arm: &Arm,
     model: &Model,
-    (path, format): (&Path, Format),
-    given: &ArgMatches,
+    format: Format,
+    given: &Convert,
 ) -> Result<String, Failure> {
-    let convention = match given.get_one::<String>("convention").map(String::as_str) {
-        Some("standard") => Convention::Standard,
-        Some(_) => Convention::Modified,
-        None => model.robot.convention,
-    };
+    let path = &given.robot.file.file;
+    let convention = given.convention.unwrap_or(model.robot.convention);
     let impossible = || Failure::of_file(path, "no table was found that has the arm's geometry");
     let is_kept = convention == model.robot.convention
         && model.robot.rows.iter().all(|row| row.mount.is_none());
@@ -177,20 +167,10 @@ fn as_table(
     }
 }
 
-fn as_urdf(
-    name: &str,
-    arm: &Arm,
-    model: &Model,
-    (path, given): (&Path, &ArgMatches),
-) -> Result<String, Failure> {
-    let without: Vec<&str> = given
-        .get_many::<String>("without")
-        .into_iter()
-        .flatten()
-        .map(String::as_str)
-        .collect();
+fn as_urdf(name: &str, arm: &Arm, model: &Model, given: &Convert) -> Result<String, Failure> {
+    let path = &given.robot.file.file;
     let without_words = urdf::without_words(arm);
-    let is_missing = |word: &str| !without.contains(&word);
+    let is_missing = |word: &str| !given.without.iter().any(|known| known == word);
     let parts = without_words.iter().filter(|(word, _)| is_missing(word));
     let missing: Vec<_> = parts.map(|(_, what)| what.as_str()).collect();
     if !missing.is_empty() {

@@ -15,10 +15,7 @@ use super::number::{decimal, radians};
 /// The first link and the one at the tip, if no frame has the name.
 const CHAIN: [&str; 2] = ["base", "tip"];
 
-/// The options for parts of an arm that URDF has no words for.
-pub(super) const WITHOUT: [&str; 3] = ["motor", "spring", "friction"];
-
-/// The parts of joints that URDF has no words for: a word of [`WITHOUT`], and a sentence.
+/// The parts of joints that URDF has no words for: a word of [`crate::arguments::WITHOUT`], and a sentence.
 pub(super) fn without_words(arm: &Arm) -> Vec<(&'static str, String)> {
     let mut parts = Vec::new();
     for joint in &arm.joints {

@@ -5,24 +5,23 @@ mod tables;
 
 use std::fmt::Write as _;
 
-use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_symbolic::Request;
 use dynamics_symbolic::emit::quantities;
 use dynamics_symbolic::function::Argument;
 
+use crate::arguments::Evaluate;
 use crate::failure::Failure;
-use crate::load::{arm, count, file_of, read_on_any_base, requests};
+use crate::load::{arm, read_on_any_base, requests};
 use crate::state::State;
 use dynamics_cli::poses::poses;
 use labels::Labels;
 use tables::{Tables, state_table};
 
 /// The text of `evaluate`.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let path = file_of(given);
-    let model = read_on_any_base(path, given)?;
-    let state = State::read(given, &model.robot)?;
+pub(crate) fn run(given: &Evaluate) -> Result<String, Failure> {
+    let model = read_on_any_base(&given.robot)?;
+    let state = State::new(&model.robot, [&given.at, &given.pose, &given.torque])?;
     let mut robot = model.robot.clone();
     let mut asked = poses(&mut robot);
     for request in requests(&model)? {
@@ -31,11 +30,11 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
         }
     }
     let (known, left_out): (Vec<_>, Vec<_>) = asked.into_iter().partition(is_known);
-    let arm = arm(path, &robot, &known)?;
+    let arm = arm(&given.robot.file.file, &robot, &known)?;
     let labels = Labels::new(&robot);
     let tables = Tables {
         labels: &labels,
-        digits: count(given, "digits"),
+        digits: given.digits,
     };
     let mut text = state_table(&robot, &state, &tables);
     let mut failed = Vec::new();

@@ -2,9 +2,8 @@
 
 mod moving_base;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use clap::ArgMatches;
 use dynamics_evaluation::RuntimeRobot;
 use dynamics_runtime::Cycloidal;
 use dynamics_runtime::check::Checked;
@@ -14,9 +13,10 @@ use dynamics_runtime::table::RuntimeTable;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
+use crate::arguments::InverseDynamics;
 use crate::csv::{read, shortest, written};
 use crate::failure::Failure;
-use crate::load::{count, robot_with};
+use crate::load::robot_with;
 use crate::plot;
 use crate::spline::Spline;
 use crate::state::{State, pose, positions, refuse_pose};
@@ -24,16 +24,15 @@ use crate::state::{State, pose, positions, refuse_pose};
 type Motion = SizedTrajectory<Dyn>;
 
 /// The motion and its torques as CSV.
-pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
-    let robot = robot_with(given, [Function::InverseDynamics])?;
-    let samples = count(given, "samples");
+pub(crate) fn run(given: &InverseDynamics) -> Result<String, Failure> {
+    let robot = robot_with(&given.robot, [Function::InverseDynamics])?;
     if robot.robot().floating().is_some() {
-        return told(on_base(robot.robot(), given, samples)?, &robot, given);
+        return told(on_base(robot.robot(), given)?, &robot, given);
     }
-    refuse_pose(given)?;
-    let motion = match given.get_one::<PathBuf>("waypoints") {
-        Some(path) => through_waypoints(path, robot.robot(), samples)?,
-        None => joints(given, robot.robot(), samples)?,
+    refuse_pose(&given.pose)?;
+    let motion = match &given.waypoints {
+        Some(path) => through_waypoints(path, robot.robot(), given.samples)?,
+        None => joints(given, robot.robot())?,
     };
     told(motion, &robot, given)
 }
@@ -42,28 +41,29 @@ pub(crate) fn run(given: &ArgMatches) -> Result<String, Failure> {
 fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     mut motion: SizedTrajectory<K>,
     robot: &RuntimeRobot,
-    given: &ArgMatches,
+    given: &InverseDynamics,
 ) -> Result<String, Failure> {
     let columns = Columns(robot);
     motion.tau = torques(robot, &motion)?;
     let text = written(&motion, &columns)?;
-    plot::put(given, || motion.figure(&columns).title(&robot.robot().name))?;
+    plot::put(given.output.plot.as_deref(), || {
+        motion.figure(&columns).title(&robot.robot().name)
+    })?;
     Ok(text)
 }
 
 /// The motion on a base that moves.
-fn on_base(
-    robot: &Robot,
-    given: &ArgMatches,
-    samples: usize,
-) -> Result<moving_base::Motion, Failure> {
-    if let Some(path) = given.get_one::<PathBuf>("waypoints") {
-        moving_base::through_waypoints(path, robot, samples)
-    } else if given.contains_id("at") {
-        Ok(moving_base::one_state(State::without_torque(given, robot)?))
+fn on_base(robot: &Robot, given: &InverseDynamics) -> Result<moving_base::Motion, Failure> {
+    if let Some(path) = &given.waypoints {
+        moving_base::through_waypoints(path, robot, given.samples)
+    } else if !given.at.is_empty() {
+        Ok(moving_base::one_state(State::new(
+            robot,
+            [&given.at, &given.pose, &[]],
+        )?))
     } else {
-        let base = pose(given)?;
-        Ok(moving_base::held(&base, cycloidal(given, robot, samples)?))
+        let base = pose(&given.pose)?;
+        Ok(moving_base::held(&base, cycloidal(given, robot)?))
     }
 }
 
@@ -105,11 +105,11 @@ fn torques<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
 }
 
 /// The motion of the joints that the command line says.
-fn joints(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
-    if !given.contains_id("at") {
-        return cycloidal(given, robot, samples);
+fn joints(given: &InverseDynamics, robot: &Robot) -> Result<Motion, Failure> {
+    if given.at.is_empty() {
+        return cycloidal(given, robot);
     }
-    let state = State::without_torque(given, robot)?;
+    let state = State::new(robot, [&given.at, &given.pose, &[]])?;
     let mut motion = Motion::default();
     let states = state.q.iter().zip(&state.qd).zip(&state.qdd);
     let states: Vec<_> = states.map(|((q, qd), qdd)| [*q, *qd, *qdd]).collect();
@@ -133,9 +133,9 @@ fn times(first: f64, last: f64, samples: usize) -> impl Iterator<Item = f64> {
 }
 
 /// Refuses as many numbers as the position or the pose of a tip has, where the joints are not as many.
-fn refuse_pose_of_tip(given: &ArgMatches, robot: &Robot) -> Result<(), Failure> {
+fn refuse_pose_of_tip(to: &[f64], robot: &Robot) -> Result<(), Failure> {
     let joints = robot.freedoms().joints;
-    let found = given.get_many::<f64>("to").map_or(joints, Iterator::count);
+    let found = to.len();
     if found == joints || ![3, 6].contains(&found) {
         return Ok(());
     }
@@ -148,19 +148,22 @@ fn refuse_pose_of_tip(given: &ArgMatches, robot: &Robot) -> Result<(), Failure> 
 }
 
 /// Each joint by itself from one position to another, in the same time.
-fn cycloidal(given: &ArgMatches, robot: &Robot, samples: usize) -> Result<Motion, Failure> {
-    refuse_pose_of_tip(given, robot)?;
-    let from = positions(given, "from", robot)?;
-    let to = positions(given, "to", robot)?;
-    let duration = given.get_one::<f64>("duration").copied().unwrap_or(1.0);
+fn cycloidal(given: &InverseDynamics, robot: &Robot) -> Result<Motion, Failure> {
+    refuse_pose_of_tip(&given.to, robot)?;
+    let from = positions(&given.from, "from", robot)?;
+    let to = positions(&given.to, "to", robot)?;
     let path = |(from, to): (&f64, &f64)| {
-        Cycloidal::new(Vector1::new(*from), Vector1::new(*to), duration)
+        Cycloidal::new(Vector1::new(*from), Vector1::new(*to), given.duration)
             .map_err(Failure::of_the_command_line)
     };
     let paths: Vec<Cycloidal<1>> = from.iter().zip(&to).map(path).collect::<Result<_, _>>()?;
     let mut motion = Motion::default();
     // The samples of one path have the times of all.
-    for (t, _) in paths.iter().take(1).flat_map(|path| path.samples(samples)) {
+    for (t, _) in paths
+        .iter()
+        .take(1)
+        .flat_map(|path| path.samples(given.samples))
+    {
         let states = paths.iter().map(|path| path.at(t));
         let states: Vec<_> = states
             .map(|state| [state.q[0], state.qd[0], state.qdd[0]])
