@@ -2,9 +2,8 @@
 //! a file.
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::function::{INVERSE_KINEMATICS, inverse_method, plain};
-use dynamics_symbolic::robot::{self, Convention, JointType, Mount};
+use dynamics_symbolic::robot::{self, Convention, JointType, Mount, Value};
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -522,8 +521,8 @@ pub struct Row {
     pub torque_limit: Given<Expr>,
     /// The greatest speed in either direction.
     pub velocity_limit: Given<Expr>,
-    /// Whether the range is that of a `<limit>`.
-    pub limits_of_urdf: bool,
+    /// Whether the range is that of a tree of links, in which many files have it wrong.
+    pub limits_of_file: bool,
     /// Where a file begins the row on the link that carries it, each place in the one before it.
     pub places: Vec<robot::Placement>,
     /// The joint's axis, in a file that has no cells a, alpha, d and theta.
@@ -665,28 +664,19 @@ pub struct Expr {
     pub place: Place,
 }
 
-#[cfg(feature = "files")]
 impl Expr {
-    /// A number, its sign apart.
-    pub(crate) fn signed(value: Rational, place: Place) -> Expr {
-        let is_negative = value < Rational::ZERO;
-        let number = |value| Expr {
-            kind: ExprKind::Number(value),
-            place,
-        };
-        if is_negative {
-            let kind = ExprKind::Minus(Box::new(number(-value)));
-            Expr { kind, place }
-        } else {
-            number(value)
-        }
+    /// A value that is known, without fields.
+    pub fn known(value: Value, place: Place) -> Expr {
+        let kind = ExprKind::Value(value);
+        Expr { kind, place }
     }
 
     /// Puts all of it at one place.
+    #[cfg(feature = "files")]
     pub(crate) fn put(&mut self, place: Place) {
         self.place = place;
         match &mut self.kind {
-            ExprKind::Number(_) | ExprKind::Name(_) => {}
+            ExprKind::Value(_) | ExprKind::Name(_) => {}
             ExprKind::Degrees(value) | ExprKind::Function(_, value) | ExprKind::Minus(value) => {
                 value.put(place);
             }
@@ -701,8 +691,8 @@ impl Expr {
 /// The kinds of constant expression.
 #[derive(Clone, Debug)]
 pub enum ExprKind {
-    /// A number literal.
-    Number(Rational),
+    /// A number literal, or what a file is known to say.
+    Value(Value),
     /// `PI`, a field or a `let`.
     Name(String),
     /// `deg(x)`

@@ -22,6 +22,10 @@ pub enum Place {
 }
 
 impl Place {
+    /// The start of a file, for what is wrong in all of it.
+    #[cfg(feature = "files")]
+    pub(crate) const START: Place = Place::File { line: 1, column: 1 };
+
     /// From the start of this place to the end of the other.
     pub(crate) fn to(self, end: impl Into<Place>) -> Place {
         match (self, end.into()) {

@@ -3,7 +3,7 @@
 use core::fmt;
 use std::path::{Path, PathBuf};
 
-use dynamics_codegen::description::{Entry, Expr, ExprKind, FileName, Masses, Name, Place, Table};
+use dynamics_codegen::description::{Entry, Expr, FileName, Masses, Name, Place, Table};
 use dynamics_codegen::files::{
     Format, MOST_BYTES, Request, bytes, file_named, joined, model_beside, table, text,
 };
@@ -11,6 +11,7 @@ use dynamics_codegen::{Audience, Error, Model};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::neglect::neglect;
+use dynamics_symbolic::robot::Value;
 
 use crate::{BuildError, RuntimeRobot};
 
@@ -271,10 +272,8 @@ impl ReadOptions {
         }
         if let Some(within) = self.round_angles {
             let number = Rational::try_from(within).unwrap_or(Rational::ZERO);
-            let kind = ExprKind::Number(number);
-            table
-                .entries
-                .push(Entry::RoundAngles(Some(Expr { kind, place })));
+            let number = Expr::known(Value::Rational(number), place);
+            table.entries.push(Entry::RoundAngles(Some(number)));
         }
         Ok(table)
     }

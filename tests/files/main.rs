@@ -9,10 +9,10 @@ mod tables;
 mod trees;
 mod urdf;
 
-use dynamics_codegen::description::{Entry, Expr, ExprKind, Place};
+use dynamics_codegen::description::{Entry, Expr, Place};
 use dynamics_codegen::files::{Format, Request, table};
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::robot::Robot;
+use dynamics_symbolic::robot::{Robot, Value};
 
 /// The engine's robot that a text describes.
 fn robot(name: &str, text: &str, format: Format) -> Robot {
@@ -32,10 +32,8 @@ fn check(name: &str, text: &str, format: Format, request: &Request) -> Robot {
 }
 
 fn number(x: f64) -> Expr {
-    Expr {
-        kind: ExprKind::Number(Rational::try_from(x).expect("a number")),
-        place: Place::File { line: 1, column: 1 },
-    }
+    let number = Value::Rational(Rational::try_from(x).expect("a number"));
+    Expr::known(number, Place::File { line: 1, column: 1 })
 }
 
 /// The text of a file of `tests/data`.

@@ -80,6 +80,35 @@ fn modules_form_no_circles() {
     }
 }
 
+/// Words of a format of files.
+const OF_FORMATS: [&str; 6] = ["urdf", "xacro", "mimic", "xml", "toml", "json"];
+
+/// So that a further format is a reader alone.
+#[test]
+fn the_tree_of_links_knows_no_format() {
+    let sources = read("dynamics-codegen");
+    let path = |file: usize| sources.files[file].path.as_str();
+    let is_of_links = |file: usize| path(file).starts_with("files/links/");
+    let edges = Names::of(&sources).edges();
+    let used = edges.iter().filter(|(file, _)| is_of_links(*file));
+    let used = used.map(|(file, on)| (path(*file), path(*on)));
+    let files = (0..sources.files.len()).filter(|&file| is_of_links(file));
+    let texts: Vec<_> = files
+        .map(|file| {
+            let text = fs::read_to_string(folder("dynamics-codegen").join(path(file)));
+            (path(file), text.expect("a source").to_lowercase())
+        })
+        .collect();
+    for word in OF_FORMATS {
+        let used: Vec<_> = used.clone().filter(|(_, on)| on.contains(word)).collect();
+        assert!(used.is_empty(), "{word}: {used:?}");
+        let mut naming = texts.iter().filter(|(_, text)| text.contains(word));
+        assert_eq!(naming.next().map(|(file, _)| file), None, "{word}");
+    }
+    let is_read = |(file, on): &(usize, usize)| path(*file).contains("urdf") && is_of_links(*on);
+    assert!(texts.len() > 5 && edges.iter().any(is_read));
+}
+
 /// A longer function has more than one idea.
 const LONGEST: usize = 100;
 

@@ -65,7 +65,7 @@ fn no_row(name: &Name, rows: &[Row], all: &[String]) -> Mistake {
 
 /// Replaces the cells of a row by those that are given.
 fn replace(row: &mut Row, cells: Row) {
-    row.limits_of_urdf &= cells.limits.is_absent();
+    row.limits_of_file &= cells.limits.is_absent();
     replace_cell(&mut row.motor, cells.motor);
     replace_cell(&mut row.friction, cells.friction);
     replace_cell(&mut row.spring, cells.spring);

@@ -17,7 +17,7 @@ pub(super) fn complete(table: &mut Table, names_are_fields: bool) {
             table.fields.extend(free);
         }
         None if names_are_fields => {
-            let place = Place::File { line: 1, column: 1 };
+            let place = Place::START;
             let names = free_names(table).into_iter();
             // A name beside the file is meant for one of the file's.
             let names = names.filter(|name| table.mentions.contains(name));

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::beside;
 use super::reading::{
-    ADDING, START, bytes, decoded, forget_locks, is_bare_base, joint_names, read, request,
+    ADDING, bytes, decoded, forget_locks, is_bare_base, joint_names, read, request,
 };
 use super::report_without_file;
 use super::request::Format;
@@ -15,6 +15,7 @@ use crate::description::{Entry, FileName, Joints};
 use crate::diagnose::Diagnostics;
 use crate::limits::MOST_BYTES;
 use crate::mistake::file as mistake;
+use crate::place::Place;
 
 /// Entries in place of which a file stands.
 const INSTEAD: [&str; 2] = ["convention", "joints"];
@@ -79,7 +80,7 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
         let complete = true;
         let rows = Vec::new();
         let none = Joints { rows, complete };
-        table.entries.push(Entry::Joints(START, Some(none)));
+        table.entries.push(Entry::Joints(Place::START, Some(none)));
     }
     if in_front > at {
         beside::move_rows(&mut table.entries, behind);

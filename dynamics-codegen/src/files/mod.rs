@@ -11,6 +11,8 @@ mod fields;
 #[cfg(feature = "files")]
 pub(crate) mod json;
 #[cfg(feature = "files")]
+mod links;
+#[cfg(feature = "files")]
 mod load;
 #[cfg(feature = "files")]
 mod number;

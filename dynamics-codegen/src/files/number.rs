@@ -14,7 +14,7 @@ pub fn number(text: &str) -> Result<f64, String> {
         return Ok(number);
     }
     let diagnostics = Diagnostics::new();
-    let place = Place::File { line: 1, column: 1 };
+    let place = Place::START;
     let expr = read::written_value(text, place, &diagnostics);
     let value = expr.and_then(|expr| validate::value(&expr, &diagnostics));
     let errors = diagnostics.into_errors();

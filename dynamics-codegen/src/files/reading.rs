@@ -7,7 +7,7 @@ use std::path::Path;
 use dynamics_symbolic::exact::Rational;
 
 use super::request::{Format, MovingBase, Request};
-use super::{beside, fields, json, toml, urdf};
+use super::{beside, fields, json, links, toml, urdf};
 use crate::audience::Audience;
 use crate::description::{Entry, Expr, FileName, Masses, Name, Place, Positioned, Row, Table};
 use crate::diagnose::{Diagnostics, Error};
@@ -71,7 +71,7 @@ pub(super) fn decoded(bytes: Vec<u8>) -> Result<String, (Place, Mistake)> {
         _ => false,
     };
     if is_utf_16 {
-        return Err((START, mistake::utf_16()));
+        return Err((Place::START, mistake::utf_16()));
     }
     String::from_utf8(bytes).map_err(|error| {
         let (good, rest) = error.as_bytes().split_at(error.utf8_error().valid_up_to());
@@ -99,16 +99,13 @@ pub fn table(
     let diagnostics = Diagnostics::new();
     let used = &mut Vec::new();
     let mut table = read(text, format, request, used, &diagnostics).unwrap_or_default();
-    put_name(name, START, &mut table);
+    put_name(name, Place::START, &mut table);
     if diagnostics.is_empty() {
         Ok(table)
     } else {
         Err(diagnostics.shown_to(table.audience))
     }
 }
-
-/// Where a file begins.
-pub(super) const START: Place = Place::File { line: 1, column: 1 };
 
 /// Entries that are missing are reported at the place of the name.
 fn put_name(name: &str, place: Place, table: &mut Table) {
@@ -130,7 +127,7 @@ pub fn model_beside(
     beside: Table,
 ) -> Result<Model, Vec<Error>> {
     let diagnostics = Diagnostics::new();
-    let start = beside.name.as_ref().map_or(START, Place::from);
+    let start = beside.name.as_ref().map_or(Place::START, Place::from);
     let mut table = put_beside(text, format, beside, &diagnostics);
     put_name(name, start, &mut table);
     let model = validate::model(&table, &diagnostics);
@@ -325,7 +322,10 @@ pub(super) fn forget_locks(entries: &mut Vec<Entry>, used: &[String]) {
 /// be read.
 pub fn joint_names(text: &str, format: Format) -> Vec<String> {
     if format == Format::Urdf {
-        return Diagnostics::without(|diagnostics| urdf::joint_names(text, diagnostics));
+        let request = Request::default();
+        let tree = Diagnostics::without(|diagnostics| urdf::read(text, &request, diagnostics));
+        let joints = tree.into_iter().flat_map(|tree| tree.joints);
+        return joints.map(|joint| joint.name).collect();
     }
     let table = unjudged(text, format).unwrap_or_default();
     let names = table.rows().iter().filter_map(|row| row.name.as_ref());
@@ -353,7 +353,7 @@ pub fn names_in_values(text: &str, format: Format) -> BTreeSet<String> {
 /// missing. A file that names another one is none.
 pub(crate) fn alone(text: &str, format: Format) -> Option<(Table, Model)> {
     let mut table = unjudged(text, format)?;
-    put_name("robot", START, &mut table);
+    put_name("robot", Place::START, &mut table);
     table.masses = Masses::IfAny;
     fields::complete(&mut table, true);
     let model = Diagnostics::without(|diagnostics| validate::model(&table, diagnostics))?;
@@ -377,7 +377,10 @@ pub(super) fn read(
     let (root, language) = match format {
         Format::Toml => (toml::document(text, diagnostics), Language::Toml),
         Format::Json => (json::document(text, diagnostics), Language::Json),
-        Format::Urdf => return urdf::read(text, request, used, diagnostics),
+        Format::Urdf => {
+            let tree = urdf::read(text, request, diagnostics)?;
+            return links::table(tree, request, used, diagnostics);
+        }
     };
     root.map(|root| crate::read::table(&root, language, diagnostics))
 }

@@ -13,7 +13,7 @@ mod urdf;
 pub use rule::{RULES, Rule};
 
 use crate::diagnose::Diagnostics;
-use crate::files::urdf::document::parsed;
+use crate::files::urdf::xml::parsed;
 use crate::files::{Format, alone};
 use crate::finding::Finding;
 

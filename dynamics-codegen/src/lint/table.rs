@@ -9,9 +9,6 @@ use crate::description::{self, Given, Inertia, Table};
 use crate::finding::Finding;
 use crate::place::Place;
 
-/// The place of what is said nowhere.
-const START: Place = Place::File { line: 1, column: 1 };
-
 /// A centre of mass is beside its link if it is further away than this share of its way from the frame.
 const BESIDE: f64 = 0.25;
 
@@ -49,7 +46,7 @@ pub(super) fn findings(table: &Table, robot: &Robot) -> Vec<Finding> {
 fn place_of_key(table: &Table, key: &str) -> Place {
     let mut keys = table.keys.iter();
     keys.find(|(known, _)| *known == key)
-        .map_or(START, |(_, place)| *place)
+        .map_or(Place::START, |(_, place)| *place)
 }
 
 fn number(value: &Value) -> Option<f64> {
@@ -70,7 +67,7 @@ fn body(
     table: &Table,
 ) -> Option<Body> {
     let row = robot.rows.get(index)?;
-    let start = written.name.as_ref().map_or(START, Place::from);
+    let start = written.name.as_ref().map_or(Place::START, Place::from);
     let com = written.body.com.value().and_then(|com| com[0].as_ref());
     let tensor = match (&written.body.inertia, &written.body.inertia_at_origin) {
         (Given::As(Inertia::Tensor(tensor)), _) | (_, Given::As(tensor)) => tensor.place,

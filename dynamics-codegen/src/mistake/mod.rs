@@ -45,6 +45,8 @@ pub(crate) mod expected;
 pub(crate) mod file;
 pub(crate) mod joint;
 pub(crate) mod link;
+#[cfg(feature = "files")]
+pub(crate) mod links;
 pub(crate) mod number;
 pub(crate) mod size;
 pub(crate) mod structure;

@@ -1,5 +1,6 @@
 //! Constant expressions.
 
+use dynamics_symbolic::robot::Value;
 use proc_macro2::{Delimiter, Ident, Literal, Span, TokenTree};
 
 use super::cursor::{Cursor, Group};
@@ -128,10 +129,7 @@ fn plain_operand(cursor: &mut Cursor, limits: &mut Limits) -> Result<Expr, Repor
 fn number_literal(cursor: &mut Cursor, literal: &Literal) -> Result<Expr, Reported> {
     let place = Place::from(literal.span());
     let value = number(literal).map_err(|mistake| cursor.error(place, mistake))?;
-    Ok(Expr {
-        kind: ExprKind::Number(value),
-        place,
-    })
+    Ok(Expr::known(Value::Rational(value), place))
 }
 
 /// Reports what is no operand; a number may lack the digit in front of its point.

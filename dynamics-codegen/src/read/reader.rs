@@ -2,6 +2,9 @@
 
 use std::collections::BTreeSet;
 
+#[cfg(feature = "files")]
+use dynamics_symbolic::robot::Value;
+
 use super::unknown::{unknown, unknown_key};
 use crate::description::{Allow, Expr, Given, Name, Part as Values};
 use crate::diagnose::{Diagnostics, Reported};
@@ -235,7 +238,7 @@ impl<'d> Reader<'d> {
             Kind::Number(text) => {
                 let value = number::in_file(text);
                 let value = value.map_err(|mistake| self.error(node.place, mistake))?;
-                Ok(Expr::signed(value, node.place))
+                Ok(Expr::known(Value::Rational(value), node.place))
             }
             Kind::Value(value) => Ok(value.clone()),
             Kind::Word(name) => word_alone(&name.to_string(), node.place)

@@ -34,7 +34,7 @@ macro_rules! cells {
         impl Reader<'_> {
             fn cell(&mut self, item: &Item, row: &mut Row) -> Read<()> {
                 let Row {
-                    name: _, joint_type: _, places: _, mount: _, limits_of_urdf: _, body, $($($cell),*),*
+                    name: _, joint_type: _, places: _, mount: _, limits_of_file: _, body, $($($cell),*),*
                 } = row;
                 match item.name {
                     $($(stringify!($cell) => put($cell, self.$read(item.node, $($with),*)),)*)*

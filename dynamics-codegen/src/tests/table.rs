@@ -14,7 +14,7 @@ fn at(line: usize, column: usize) -> Place {
 
 fn number(value: i64, place: Place) -> Expr {
     Expr {
-        kind: ExprKind::Number(Rational::from(value)),
+        kind: ExprKind::Value(Value::Rational(Rational::from(value))),
         place,
     }
 }

@@ -158,7 +158,7 @@ fn follow(rows: &mut [Option<Row>], row: usize, coupling: Coupling, place: Place
 
 fn report_limits(row: &description::Row, leader: &str, scope: &Scope) {
     let range = match &row.limits {
-        Given::As([Some(lower), Some(upper)]) if !row.limits_of_urdf => {
+        Given::As([Some(lower), Some(upper)]) if !row.limits_of_file => {
             Some(lower.place.to(upper.place))
         }
         _ => None,

@@ -14,7 +14,7 @@ const MANY_TURNS: f64 = 10.0 * core::f64::consts::PI;
 /// Both limits. Outer `None`: in error; inner `None`: not written. A file's limits that make no sense may be none.
 pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option<[Value; 2]>> {
     row.limits.read(None, |limits| {
-        if row.limits_of_urdf
+        if row.limits_of_file
             && let Some((place, size)) = many_turns_of_either(limits, row, scope)
         {
             if scope.allowed().odd_limits {
@@ -33,7 +33,7 @@ pub(super) fn limits(row: &description::Row, scope: &mut Scope) -> Option<Option
         if scope.allowed().odd_limits {
             return Some(None);
         }
-        let mistake = if row.limits_of_urdf {
+        let mistake = if row.limits_of_file {
             mistake::limits_of_a_file_swapped()
         } else {
             mistake::limits_swapped()

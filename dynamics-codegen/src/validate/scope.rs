@@ -344,7 +344,15 @@ impl<'d> Scope<'d> {
     /// A value that is no result of an operator of two.
     fn operand(&mut self, expr: &Expr) -> Option<Measured> {
         let measured = match &expr.kind {
-            ExprKind::Number(number) => Measured::new(Value::Rational(number.clone())),
+            ExprKind::Value(value) => {
+                let terms = size_of(value, |_| 1);
+                self.limit(terms, expr.place)?;
+                Measured {
+                    terms,
+                    is_computed: terms > 1,
+                    ..Measured::new(value.clone())
+                }
+            }
             ExprKind::Name(name) => return self.lookup(name, expr.place),
             ExprKind::Degrees(angle) => self.degrees(angle, expr.place)?,
             ExprKind::Function(function, argument) => {

@@ -2,7 +2,7 @@
 //!
 //! The way of a mount:
 //!
-//! 1. `files::urdf` makes a mount of each joint: `places` in the link frame before, the axis by two angles, and
+//! 1. `files::links` makes a mount of each joint: `places` in the link frame before, the axis by two angles, and
 //!    behind the last link frame the `tip`. All numbers are those of the file. No later step makes rows of them.
 //! 2. The joint's own frame has the origin of the link frame and the joint's axis as its z axis. `Robot::mounted`
 //!    places it behind the joint that carries it.

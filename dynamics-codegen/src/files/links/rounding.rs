@@ -20,7 +20,7 @@ const MOST_QUARTERS: f64 = 4.0;
 
 /// Which numbers are taken as others, and how many were.
 #[derive(Default)]
-pub(super) struct Rounding {
+pub(crate) struct Rounding {
     /// How near the call wants angles to be to a quarter turn that they are taken for, rad.
     within: f64,
     /// Numbers that were noise.
@@ -34,7 +34,7 @@ pub(super) struct Rounding {
 }
 
 impl Rounding {
-    pub(super) fn new(within: f64) -> Rounding {
+    pub(crate) fn new(within: f64) -> Rounding {
         Rounding {
             within,
             ..Rounding::default()
@@ -42,7 +42,7 @@ impl Rounding {
     }
 
     /// An angle, or the multiple of a quarter turn that it is taken for.
-    pub(super) fn angle(&mut self, angle: Rational) -> Value {
+    pub(crate) fn angle(&mut self, angle: Rational) -> Value {
         let radians = angle.to_f64().value();
         let quarters = (radians / FRAC_PI_2).round();
         let apart = (radians - quarters * FRAC_PI_2).abs();
@@ -62,7 +62,7 @@ impl Rounding {
     }
 
     /// The axis without those of its parts that are taken for zero.
-    pub(super) fn axis(&mut self, axis: Vector) -> Vector {
+    pub(crate) fn axis(&mut self, axis: Vector) -> Vector {
         let parts = axis.each_ref().map(|part| part.to_f64().value().abs());
         let largest = parts.iter().fold(0.0_f64, |a, b| a.max(*b));
         let mut index = 0;
@@ -76,7 +76,7 @@ impl Rounding {
     }
 
     /// A length, or zero where it is noise.
-    pub(super) fn length(&mut self, length: Rational) -> Rational {
+    pub(crate) fn length(&mut self, length: Rational) -> Rational {
         let is_noise = !length.is_zero() && self.is_noise(length.to_f64().value().abs(), NO_LENGTH);
         if is_noise { Rational::ZERO } else { length }
     }

@@ -1,48 +1,50 @@
-//! Joints that follow others: `<mimic>`.
+//! Joints that follow others.
 //!
 //! A joint of the tree that follows another one of it is coupled to it, on whatever branch it is. A joint that follows one which stands
 //! still beside the tree stands still itself.
 
 use dynamics_symbolic::exact::bit_length;
-use dynamics_symbolic::robot::Value;
+use dynamics_symbolic::robot::{JointType, Placement, Value};
 
-use super::assembly::{Assembly, expression};
-use super::document::{Joint, Kind, Mimic};
+use super::assembly::Assembly;
+use super::tree::{Follows, Joint, Kind};
 use crate::description::{Expr, Name, Positioned};
 use crate::limits::MOST_BITS;
-use crate::mistake::size;
-use crate::mistake::urdf::{self as mistake, Still};
+use crate::mistake::links::{self as mistake, Still};
+use crate::mistake::{Mistake, size};
 use crate::words;
 
 impl<'a> Assembly<'a> {
     /// Couples a joint of the tree to the one that it follows, where it does.
     pub(super) fn follow(&mut self, joint: &'a Joint) {
-        let mimic = joint.mimic.as_ref();
-        let Some(mimic) = mimic.filter(|_| self.lock_of(joint).is_none()) else {
+        let follows = joint.follows.as_ref();
+        let Some(follows) = follows.filter(|_| self.lock_of(joint).is_none()) else {
             return;
         };
-        let Some(leader) = self.leader(joint, mimic) else {
+        let Some(leader) = self.leader(joint, follows) else {
             return;
         };
-        let name = Name::new(&joint.name, mimic.place);
+        let (place, known) = (follows.place, |value| Expr::known(value, follows.place));
+        let name = Name::new(&joint.name, place);
         if self.is_on_tree(leader) {
-            let factor = Expr::signed(mimic.multiplier.clone(), mimic.place);
-            let offset = expression(&mimic.offset, mimic.place);
-            let leader = Name::new(&leader.name, mimic.place);
+            let factor = known(Value::Rational(follows.factor.clone()));
+            let (leader, offset) = (
+                Name::new(&leader.name, place),
+                known(follows.offset.clone()),
+            );
             self.coupled
                 .push(Positioned::following(name, factor, &leader, offset));
         } else if !self.stands_still(leader) {
-            let mistake = mistake::leader_off_chain(Still::of(joint), Still::of(leader));
-            self.error(mimic.place, mistake);
+            self.error(place, self.leader_off_chain(joint, leader));
         } else if let Some((position, _)) = self.position_beside(joint) {
-            let position = Some(expression(&position, mimic.place));
+            let position = Some(known(position));
             self.locked.push(Positioned { name, position });
         }
     }
 
     /// Where a joint stands still that is locked, or follows one that is, and by which lock. A joint off the tree that
     /// moves by itself is reported, as any other mistake is.
-    pub(super) fn position_beside(&mut self, joint: &'a Joint) -> Option<(Value, &'a Name)> {
+    fn position_beside(&mut self, joint: &'a Joint) -> Option<(Value, &'a Name)> {
         let (mut factor, mut offset) = (Value::integer(1), Value::zero());
         let mut at = joint;
         for _ in 0..=self.tree.joints.len() {
@@ -50,26 +52,29 @@ impl<'a> Assembly<'a> {
                 let position = self.locked_position(at, lock)?;
                 return Some((factor * position + offset, &lock.0));
             }
-            let Some(mimic) = &at.mimic else {
+            let Some(follows) = &at.follows else {
                 let mistake = match (self.is_on_tree(at), core::ptr::eq(at, joint)) {
-                    (true, _) => mistake::follower_off_chain(Still::of(joint), &at.name),
+                    (true, _) => {
+                        let follower = self.tree.words.follower;
+                        mistake::follower_off_chain(Still::of(joint), &at.name, follower)
+                    }
                     (false, true) => mistake::off_chain(Still::of(joint)),
-                    (false, false) => mistake::leader_off_chain(Still::of(joint), Still::of(at)),
+                    (false, false) => self.leader_off_chain(joint, at),
                 };
                 self.error(joint.place, mistake);
                 return None;
             };
             // k (k' q + c') + c
-            offset = factor.clone() * mimic.offset.clone() + offset;
-            factor = factor * Value::Rational(mimic.multiplier.clone());
+            offset = factor.clone() * follows.offset.clone() + offset;
+            factor = factor * Value::Rational(follows.factor.clone());
             let mut numbers = [&factor, &offset]
                 .into_iter()
                 .filter_map(Value::as_rational);
             if numbers.any(|x| bit_length(x) > MOST_BITS) {
-                self.error(mimic.place, size::digits());
+                self.error(follows.place, size::digits());
                 return None;
             }
-            at = self.leader(at, mimic)?;
+            at = self.leader(at, follows)?;
         }
         self.error(joint.place, mistake::circle(&joint.name));
         None
@@ -90,34 +95,8 @@ impl<'a> Assembly<'a> {
         false
     }
 
-    /// The lock that makes a joint stand still by itself: that of its name, or that of the rest.
-    fn lock_of(&self, joint: &Joint) -> Option<&'a (Name, Option<Value>)> {
-        let mut locks = self.request.lock.iter();
-        let lock = locks.find(|(name, _)| name.plain() == joint.name);
-        lock.or_else(|| {
-            let rest = self.rest_locked()?;
-            let is_of_rest = self.is_beside(joint) && !self.follows_beside(joint);
-            is_of_rest.then_some(rest)
-        })
-    }
-
-    /// Whether a joint is beside the tree, and not left out by its name.
-    fn is_beside(&self, joint: &Joint) -> bool {
-        !self.is_on_tree(joint) && !self.is_ignored_by_name(joint)
-    }
-
-    /// Whether a joint follows one that stands still by its name or as one of the rest, and so is none of the rest.
-    fn follows_beside(&self, joint: &Joint) -> bool {
-        let leader = self.leader_of(joint);
-        leader.is_some_and(|leader| {
-            let mut locks = self.request.lock.iter();
-            let is_named = locks.any(|(name, _)| name.plain() == leader.name);
-            has_position(leader) && (is_named || self.is_beside(leader))
-        })
-    }
-
     /// Reports a joint that stands still beside the tree, beyond its limits, where it is locked.
-    pub(super) fn report_out_of_limits(&self, joint: &Joint, position: &Value, lock: &Name) {
+    fn report_out_of_limits(&self, joint: &Joint, position: &Value, lock: &Name) {
         let (still, position) = (Still::of(joint), position.to_f64(&[]));
         let is_beyond = |[lower, upper]: &[f64; 2]| !(*lower..=*upper).contains(&position);
         if let Some(limits) = still.limits.filter(is_beyond) {
@@ -126,34 +105,27 @@ impl<'a> Assembly<'a> {
     }
 
     /// The joint that another one follows, which has a position.
-    fn leader(&self, joint: &Joint, mimic: &Mimic) -> Option<&'a Joint> {
-        let leader = self.named(&mimic.joint);
-        let why = match leader {
-            Some(leader) if has_position(leader) => return Some(leader),
+    fn leader(&self, joint: &Joint, follows: &Follows) -> Option<&'a Joint> {
+        let word = &follows.leader;
+        let why = match self.named(word) {
+            Some(leader) if leader.moves() => return Some(leader),
             Some(_) => mistake::WITHOUT_POSITION.to_owned(),
-            None => {
-                let known: Vec<&str> = self.tree.joints.iter().map(|j| j.name.as_str()).collect();
-                mistake::unknown_leader(words::nearest(&mimic.joint, &known))
-            }
+            None => mistake::unknown_leader(words::nearest(word, &self.tree.joint_names())),
         };
-        let is_beside = !self.is_on_tree(joint);
-        let mistake = mistake::no_leader(Still::of(joint), is_beside, &mimic.joint, &why);
-        self.error(mimic.place, mistake);
+        let (is_beside, follower) = (!self.is_on_tree(joint), self.tree.words.follower);
+        let mistake = mistake::no_leader(Still::of(joint), is_beside, word, &why, follower);
+        self.error(follows.place, mistake);
         None
     }
 
+    fn leader_off_chain(&self, joint: &Joint, leader: &Joint) -> Mistake {
+        let follower = self.tree.words.follower;
+        mistake::leader_off_chain(Still::of(joint), Still::of(leader), follower)
+    }
+
     /// The joint that another one follows, whatever it is.
-    fn leader_of(&self, joint: &Joint) -> Option<&'a Joint> {
-        self.named(&joint.mimic.as_ref()?.joint)
-    }
-
-    pub(super) fn named(&self, name: &str) -> Option<&'a Joint> {
-        self.tree.joints.iter().find(|joint| joint.name == name)
-    }
-
-    pub(super) fn is_on_tree(&self, joint: &Joint) -> bool {
-        let inward = self.inward.get(joint.child.as_str());
-        inward.is_some_and(|index| self.on_tree.contains(index))
+    pub(super) fn leader_of(&self, joint: &Joint) -> Option<&'a Joint> {
+        self.named(&joint.follows.as_ref()?.leader)
     }
 
     /// The position of a joint that the call locks.
@@ -171,10 +143,31 @@ impl<'a> Assembly<'a> {
         }
         position.clone()
     }
-}
 
-fn has_position(joint: &Joint) -> bool {
-    matches!(joint.kind, Kind::Revolute | Kind::Prismatic)
+    /// The displacement by a joint beside the tree, which stands still.
+    pub(super) fn displacement(&mut self, joint: &'a Joint) -> Option<[Placement; 4]> {
+        let (position, lock) = self.position_beside(joint)?;
+        self.report_out_of_limits(joint, &position, lock);
+        let [azimuth, polar] = joint.axis.clone();
+        let turn = |roll, pitch, yaw| Placement {
+            xyz: [(); 3].map(|()| Value::zero()),
+            rpy: [roll, pitch, yaw],
+        };
+        let zero = Value::zero;
+        let along = match joint.kind {
+            Kind::Moves(JointType::Prismatic) => Placement {
+                xyz: [zero(), zero(), position],
+                ..turn(zero(), zero(), zero())
+            },
+            _ => turn(zero(), zero(), position),
+        };
+        Some([
+            turn(zero(), polar.clone(), azimuth.clone()),
+            along,
+            turn(zero(), -polar, zero()),
+            turn(zero(), zero(), -azimuth),
+        ])
+    }
 }
 
 impl<'a> Still<'a> {

@@ -2,10 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::assembly::{Assembly, START};
-use super::document::{Joint, Kind};
+use super::assembly::Assembly;
+use super::tree::{Joint, Kind};
 use crate::description::Name;
-use crate::mistake::urdf as mistake;
+use crate::mistake::links as mistake;
+use crate::place::Place;
 use crate::words;
 
 impl<'a> Assembly<'a> {
@@ -65,7 +66,7 @@ impl<'a> Assembly<'a> {
                 let joints_of = |root: &&&str| self.carried(root, |_| true).len();
                 let largest = roots.iter().max_by_key(joints_of).copied()?;
                 let beside = roots.iter().copied().find(|root| *root != largest);
-                let place = beside.map_or(START, |root| self.place_of(root));
+                let place = beside.map_or(Place::START, |root| self.place_of(root));
                 self.error(place, mistake::several_trees(&roots, largest));
                 return None;
             }
@@ -110,8 +111,7 @@ impl<'a> Assembly<'a> {
 
     /// Reports names of `chain` that no link has, and those that stand in it twice.
     fn report_links(&self, links: &[Name]) -> Option<()> {
-        let known = self.tree.links.iter().map(|link| link.name.as_str());
-        let known: Vec<&str> = known.collect();
+        let known = self.tree.link_names();
         let mut seen = BTreeSet::new();
         let mut is_good = true;
         for link in links {
