@@ -185,7 +185,7 @@ fn items(call: &call::Call, generated: Option<Generated>, diagnostics: Diagnosti
             } = generated;
             expand::robot(structure, model, methods, inverses, &call.path)
         }
-        (Some(structure), None) => expand::stubs(structure, &call.table.entries, &call.path),
+        (Some(structure), None) => expand::stubs(structure, &call.table, &call.path),
         (None, _) => TokenStream::new(),
     };
     let errors = diagnostics.into_compile_errors();

@@ -23,7 +23,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::call::Structure;
-use crate::description::{Asked, Entry, Name, Row};
+use crate::description::{Asked, Entry, Name, Table};
 use crate::validate::Model;
 use crate::validate::functions::{RESERVED, fused, one};
 use evaluate::Evaluation;
@@ -83,20 +83,18 @@ pub(crate) fn robot(
 
 /// After an error: the same items with methods that have no body, for the type check
 /// of the code around the call.
-pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream) -> TokenStream {
-    let names = joint_names(entries);
+pub(crate) fn stubs(structure: &Structure, table: &Table, path: &TokenStream) -> TokenStream {
+    let names = joint_names(table);
     let is_known = names.is_some();
     let names = names.unwrap_or_default();
     let joints = names.len();
-    let is_moving_base =
-        |entry: &Entry| matches!(entry, Entry::Base(Some(base)) if base.floating().is_some());
-    let base_moves = entries.iter().any(is_moving_base);
+    let base_moves = table.floating().is_some();
     let base = if base_moves { Base::FREEDOMS } else { 0 };
     let target = Target {
         is_known: is_known && base + joints > 0,
         ..Target::new(structure, Freedoms { base, joints }, path)
     };
-    let mut requests = requests_to_stub(entries);
+    let mut requests = requests_to_stub(table);
     if base_moves {
         requests = requests.into_iter().map(Request::on_moving_base).collect();
     }
@@ -119,7 +117,7 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
         table: unimplemented.clone(),
         bodies: {
             let methods = requests.iter().map(|r| stub(r, target.stubbed(), path));
-            methods.chain(stubs_of_inverses(entries, &target)).collect()
+            methods.chain(stubs_of_inverses(table, &target)).collect()
         },
         provided: provided.collect(),
         functions: functions
@@ -137,23 +135,17 @@ pub(crate) fn stubs(structure: &Structure, entries: &[Entry], path: &TokenStream
     quote!(#item #implementations)
 }
 
-/// Names of the joints; `None` where an error left their number unknown.
-fn joint_names(entries: &[Entry]) -> Option<Vec<String>> {
-    let names = entries.iter().find_map(|entry| match entry {
-        Entry::Joints(_, Some(joints)) if joints.complete => {
-            let names = joints.rows.iter().map(Row::word);
-            Some(names.map(str::to_owned).collect())
-        }
-        _ => None,
-    });
-    without_others(names?, entries)
-}
-
-/// The names without those of joints that are locked or follow others, or `None` where it is not known
-/// which these are.
-fn without_others(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<String>> {
+/// Names of the joints that move by themselves; `None` where an error left their number unknown.
+fn joint_names(table: &Table) -> Option<Vec<String>> {
+    let joints = table.joints().filter(|joints| joints.complete)?;
+    let mut names: Vec<_> = joints
+        .rows
+        .iter()
+        .map(|row| row.word().to_owned())
+        .collect();
+    // Joints that are locked or follow others are none.
     let mut others = BTreeSet::new();
-    for entry in entries {
+    for entry in &table.entries {
         match entry {
             Entry::Lock(joints) | Entry::Couple(joints) => {
                 others.extend(joints.as_ref()?.iter().map(|joint| joint.name.plain()));
@@ -170,13 +162,9 @@ fn without_others(mut names: Vec<String>, entries: &[Entry]) -> Option<Vec<Strin
 
 /// The methods that the user's code may call: those requested, or all functions where that is not known. Where nothing
 /// was requested it is the default set.
-fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
-    let asked = entries.iter().find_map(|entry| match entry {
-        Entry::Functions(functions) => Some(functions),
-        _ => None,
-    });
+fn requests_to_stub(table: &Table) -> Vec<Request> {
     let default_set = || Function::default_set(true).into_iter().map(Request::from);
-    let requests: Vec<Request> = match asked {
+    let requests: Vec<Request> = match table.functions() {
         None => default_set().collect(),
         Some(None) => Function::ALL.map(Request::from).to_vec(),
         Some(Some(asked)) => {
@@ -201,16 +189,13 @@ fn requests_to_stub(entries: &[Entry]) -> Vec<Request> {
 }
 
 /// Inverse kinematics that are requested, each once.
-fn stubs_of_inverses(entries: &[Entry], target: &Target) -> Vec<TokenStream> {
-    let asked = entries.iter().find_map(|entry| match entry {
-        Entry::Functions(Some(functions)) => Some(functions),
+fn stubs_of_inverses(table: &Table, target: &Target) -> Vec<TokenStream> {
+    let asked = table.functions().flatten().unwrap_or_default();
+    let frames = asked.iter().filter_map(|asked| match asked {
+        Asked::One(wanted) if wanted.is_inverse => Some(wanted.frame.as_ref().map(Name::plain)),
         _ => None,
     });
-    let frames = asked.into_iter().flatten().filter_map(|asked| match asked {
-        Asked::One(wanted) if wanted.is_inverse => Some(wanted.frame.as_ref()),
-        _ => None,
-    });
-    let frames: BTreeSet<Option<&str>> = frames.map(|name| name.map(Name::plain)).collect();
+    let frames: BTreeSet<Option<&str>> = frames.collect();
     let stub = |frame| stub_of_inverse(frame, target.freedoms.joints, target.path);
     frames.into_iter().map(stub).collect()
 }

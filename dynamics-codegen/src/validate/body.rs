@@ -3,7 +3,8 @@
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{self, Value};
 
-use super::scope::{Scope, all};
+use super::known::all;
+use super::scope::Scope;
 use super::solid;
 use crate::description::{Body, Expr, Given, Inertia, Solid, Tensor};
 use crate::mistake::joint as mistake;

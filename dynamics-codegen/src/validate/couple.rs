@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::robot::{Coupling, JointType, Row, Value};
 
 use super::angle::Odd;
+use super::known::is_identically_zero;
 use super::lock::report_out_of_limits;
 use super::measured::Measured;
-use super::scope::{Scope, is_identically_zero};
+use super::scope::Scope;
 use crate::description::{self, Given, Name, Positioned};
 use crate::limits::MOST_FOLLOWERS;
 use crate::mistake::couple as mistake;

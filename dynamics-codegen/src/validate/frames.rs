@@ -5,8 +5,9 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::robot::{Frame, Row, Tool, Value};
 
 use super::body::body;
+use super::known::norm;
 use super::link::{self, placement};
-use super::scope::{Scope, norm};
+use super::scope::Scope;
 use crate::description::{self, Table, Vector};
 use crate::mistake::{entry as mistake, link as wrong};
 

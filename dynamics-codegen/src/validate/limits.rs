@@ -2,7 +2,8 @@
 
 use dynamics_symbolic::robot::{JointType, Value};
 
-use super::scope::{Scope, all};
+use super::known::all;
+use super::scope::Scope;
 use crate::description::{self, Expr, Given};
 use crate::mistake::joint as mistake;
 use crate::place::Place;

@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::robot::{JointType, Row, Value};
 
 use super::angle::Odd;
-use super::scope::{Scope, number};
+use super::known::number;
+use super::scope::Scope;
 use crate::description::{self, Name};
 use crate::mistake::entry as mistake;
 use crate::place::Place;

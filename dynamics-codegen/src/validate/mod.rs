@@ -12,6 +12,7 @@ mod couple;
 mod elementary;
 mod frames;
 pub(crate) mod functions;
+mod known;
 mod limits;
 mod link;
 mod lock;

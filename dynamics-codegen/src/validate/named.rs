@@ -2,7 +2,7 @@
 
 use dynamics_symbolic::Function;
 
-use crate::description::{Asked, Entry, Masses, Table, Wanted};
+use crate::description::{Asked, Masses, Table, Wanted};
 
 /// Every function that is named, parts of tuples too.
 pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = &Wanted> + Clone {
@@ -15,10 +15,7 @@ pub(super) fn named(asked: &[Asked]) -> impl Iterator<Item = &Wanted> + Clone {
 
 /// Whether a function that a table requests, or that is needed besides, reads masses. The default set does.
 pub(crate) fn read_masses(table: &Table) -> bool {
-    let asked = table.entries.iter().find_map(|entry| match entry {
-        Entry::Functions(asked) => Some(asked.as_deref().unwrap_or_default()),
-        _ => None,
-    });
+    let asked = table.functions().map(Option::unwrap_or_default);
     let is_default = |asked: &Asked| matches!(asked, Asked::Default(_));
     let has_default = asked.is_none_or(|asked| asked.iter().any(is_default));
     let named = named(asked.unwrap_or_default()).map(|wanted| wanted.function);

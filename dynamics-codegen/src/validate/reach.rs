@@ -3,7 +3,8 @@
 use dynamics_symbolic::robot::{Base, JointType, Row, Value};
 
 use super::Parts;
-use super::scope::{Scope, norm, number};
+use super::known::{norm, number};
+use super::scope::Scope;
 use crate::description::{Body, Table};
 use crate::mistake::joint as mistake;
 

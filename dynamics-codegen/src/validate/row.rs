@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use dynamics_symbolic::robot::{Body, JointType, Row, Spring, Stribeck, Value};
 
 use super::body::body;
-use super::scope::{Scope, all, number};
+use super::known::{all, number};
+use super::scope::Scope;
 use super::{limits, link};
 use crate::description::{self, Coulomb, Given, Part, Table};
 use crate::mistake::joint as mistake;

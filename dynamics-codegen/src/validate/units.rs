@@ -4,7 +4,8 @@
 use dynamics_symbolic::robot::{self, Base, Value};
 
 use super::Parts;
-use super::scope::{Scope, norm, number};
+use super::known::{norm, number};
+use super::scope::Scope;
 use crate::audience::AT_THE_END;
 use crate::description::{Body, Expr, Given, Row, Table, Vector};
 use crate::mistake::joint as mistake;

@@ -3,7 +3,6 @@
 use std::collections::BTreeSet;
 
 use super::assembly::Assembly;
-use crate::description::Name;
 
 impl Assembly<'_> {
     /// Puts the tip where it is, if there is one: in the second of two links of `chain`, or else in the only end of the
