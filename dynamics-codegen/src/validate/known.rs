@@ -1,4 +1,4 @@
-//! What is known of values.
+//! Values that are known.
 
 use dynamics_symbolic::exact::{Residue, SplitMix64};
 use dynamics_symbolic::robot::Value;

@@ -16,7 +16,7 @@ pub(crate) struct Forces {
 }
 
 impl Forces {
-    /// Those of a joint at which nothing acts.
+    /// The forces of a joint at which nothing acts.
     pub(super) fn none() -> Self {
         let zero = Value::zero;
         Forces {

@@ -3,7 +3,7 @@
 use crate::linear::{Ring, Vector3};
 use core::ops::{Add, Mul};
 
-/// What a joint's axis, the z axis of its frame, lets the link do.
+/// The motion that a joint's axis, the z axis of its frame, lets the link have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisMotion {
     /// The link turns about the axis.

@@ -1,4 +1,4 @@
-//! What is gathered of a tree: rows, frames of links, followers and locks.
+//! All that is gathered of a tree: rows, frames of links, followers and locks.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,7 +15,7 @@ use crate::geometry::{Mass, tidy};
 use crate::mistake::Mistake;
 use crate::place::Place;
 
-/// What is gathered of the tree that is requested.
+/// All that is gathered of the tree that is requested.
 pub(super) struct Assembly<'a> {
     pub(super) tree: &'a Tree,
     pub(super) request: &'a Request,

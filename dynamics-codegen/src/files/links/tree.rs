@@ -24,12 +24,12 @@ pub(crate) struct Tree {
     pub(crate) words: Words,
 }
 
-/// What messages call the parts of a file, in the words of its format.
+/// Names for the parts of a file in messages, in the words of its format.
 #[derive(Clone, Copy)]
 pub(crate) struct Words {
-    /// What says that a joint follows another one.
+    /// The part that says that a joint follows another one.
     pub(crate) follower: &'static str,
-    /// What says the body of a link.
+    /// The part that says the body of a link.
     pub(crate) body: &'static str,
 }
 

@@ -28,7 +28,7 @@ const UNBOUNDED: f64 = 1e9;
 /// Angles of more turns are meant in degrees, rad. Files have a turn that is rounded up.
 const MOST_RADIANS: f64 = 2.0 * core::f64::consts::TAU;
 
-/// What messages call the parts of a file.
+/// Names for the parts of a file in messages.
 const WORDS: Words = Words {
     follower: "<mimic>",
     body: "<inertial>",

@@ -1,4 +1,4 @@
-//! What elements say: attributes, words and numbers, each with its place.
+//! Attributes, words and numbers of elements, each with its place.
 
 use std::cell::Cell;
 

@@ -1,4 +1,4 @@
-//! What a value comes to.
+//! The values of expressions.
 
 use dynamics_symbolic::exact::bit_length;
 use dynamics_symbolic::robot::Value;
