@@ -4,16 +4,17 @@ use std::path::Path;
 
 use dynamics_codegen::description::Masses;
 use dynamics_codegen::files::{Format, joint_names, names_in_values, number};
-use dynamics_evaluation::{FileMistake, ReadOptions, read_text, text_of_joints};
+use dynamics_evaluation::{ReadOptions, read_text, text_of_joints};
 
 use crate::arguments::{FileOptions, RobotOptions};
 use crate::failure::Failure;
 
-/// Options about a file, and the option for which each line of their entries stands.
+/// Options about a file, as it is read.
 pub(crate) struct Beside<'a> {
     pub(crate) path: &'a Path,
     pub(crate) options: ReadOptions,
-    pub(crate) lines: Lines,
+    /// The options for which the lines of entries stand, in their order.
+    pub(crate) lines: Vec<String>,
     /// Whether fields may be left without a value.
     pub(crate) keeps_names: bool,
     /// The name of the robot, if it is not that of the file.
@@ -28,27 +29,11 @@ impl Beside<'_> {
     }
 }
 
-/// The options for which the lines of entries stand, in their order.
-#[derive(Default)]
-pub(crate) struct Lines(Vec<String>);
-
-impl Lines {
-    /// The message of a mistake in the options: behind the option that it is about.
-    pub(crate) fn message(&self, mistake: &FileMistake) -> String {
-        // Chains and joints that are left out are reported at the first line, which is empty.
-        let line = mistake.line.checked_sub(2);
-        match line.and_then(|line| self.0.get(line)) {
-            Some(option) => format!("`{option}`: {}", mistake.message),
-            None => mistake.message.clone(),
-        }
-    }
-}
-
 /// Entries in the words of a file, and the option of each line.
 #[derive(Default)]
 struct Entries {
     text: String,
-    lines: Lines,
+    lines: Vec<String>,
 }
 
 impl Entries {
@@ -56,7 +41,7 @@ impl Entries {
     fn add(&mut self, line: &str, option: String) {
         self.text.push_str(line);
         self.text.push('\n');
-        self.lines.0.push(option);
+        self.lines.push(option);
     }
 }
 
@@ -84,31 +69,22 @@ pub(crate) struct Source<'a> {
     chain: (&'static str, &'a [String]),
 }
 
-impl<'a> From<&'a FileOptions> for Source<'a> {
-    fn from(given: &'a FileOptions) -> Self {
+impl<'a> Source<'a> {
+    /// The file of a robot, of which functions are requested.
+    pub(crate) fn new(given: &'a FileOptions, functions: &'a [String]) -> Self {
         Source {
             given,
-            functions: &[],
+            functions,
             path: &given.file,
             other: None,
             chain: ("chain", &given.chain),
         }
     }
-}
 
-impl<'a> From<&'a RobotOptions> for Source<'a> {
-    fn from(RobotOptions { file, functions }: &'a RobotOptions) -> Self {
-        Source {
-            functions,
-            ..Source::from(file)
-        }
-    }
-}
-
-impl<'a> Source<'a> {
     /// The file and another one, whose links may have other names, with the same settings.
     pub(crate) fn both(given: &'a RobotOptions, other: &'a Path, chain: &'a [String]) -> [Self; 2] {
-        let [mut one, mut two] = [given, given].map(Source::from);
+        let source = || Source::new(&given.file, &given.functions);
+        let [mut one, mut two] = [source(), source()];
         one.other = Some(other);
         (two.path, two.other) = (other, Some(one.path));
         if !chain.is_empty() {

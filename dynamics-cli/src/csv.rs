@@ -1,6 +1,6 @@
 //! Motions as tables of comma-separated values.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use dynamics_codegen::description::Place;
 use dynamics_codegen::files;
@@ -9,15 +9,33 @@ use dynamics_runtime::simulation::{CsvMistake, SizedModel, SizedTrajectory, Stan
 use dynamics_symbolic::robot::Robot;
 
 use crate::failure::Failure;
-use crate::joints::note_degrees;
+use crate::state::note_degrees;
+use crate::write::write;
 
 pub(crate) use dynamics_runtime::simulation::shortest;
 
 /// Bytes of a file that is read: 100,000 rows of seven joints have about 15 million.
 const MOST_BYTES: usize = 100_000_000;
 
+/// The motion as a table. It is drawn as well, into the file of `--plot`, if there is one.
+pub(crate) fn put<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+    motion: &SizedTrajectory<K>,
+    columns: &impl SizedModel<K>,
+    robot: &Robot,
+    plot: Option<&PathBuf>,
+) -> Result<String, Failure> {
+    let text = written(motion, columns)?;
+    if let Some(path) = plot {
+        let svg = motion.figure(columns).title(&robot.name).svg();
+        let svg =
+            svg.map_err(|error| Failure::after(String::new(), format!("`--plot`: {error}")))?;
+        write(&[(path.clone(), svg)])?;
+    }
+    Ok(text)
+}
+
 /// The motion as a table. A number that is not finite is a failure, which names its time and its column.
-pub(crate) fn written<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
+fn written<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     motion: &SizedTrajectory<K>,
     robot: &impl SizedModel<K>,
 ) -> Result<String, Failure> {

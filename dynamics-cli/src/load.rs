@@ -13,18 +13,22 @@ use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 
 use crate::arguments::{FileOptions, RobotOptions};
-use crate::beside::{Beside, Lines, Source, has_links};
+use crate::beside::{Beside, Source, has_links};
 use crate::failure::Failure;
 use crate::progress::Progress;
 
+fn source(given: &RobotOptions) -> Source<'_> {
+    Source::new(&given.file, &given.functions)
+}
+
 /// The robot of a file on any base, and what is requested. The names of `--field` stand for their values.
 pub(crate) fn read_on_any_base(given: &RobotOptions) -> Result<Model, Failure> {
-    read(Source::from(given).with_values()?, Vec::new())
+    read(source(given).with_values()?, Vec::new())
 }
 
 /// As [`read_on_any_base`], where names that nothing binds are fields of the robot.
 pub(crate) fn read_with_names(given: &RobotOptions) -> Result<Model, Failure> {
-    read(Source::from(given).with_names()?, Vec::new())
+    read(source(given).with_names()?, Vec::new())
 }
 
 /// As [`read_on_any_base`], of an arm whose base must stand and whose masses nothing reads. Links of a URDF file are frames
@@ -34,7 +38,7 @@ pub(crate) fn read_on_standing_base(
     frame: Option<&str>,
 ) -> Result<Model, Failure> {
     let beside = || {
-        let beside = Source::from(given).with_values()?;
+        let beside = Source::new(given, &[]).with_values()?;
         Ok::<_, Failure>(beside.masses(Masses::Never))
     };
     let path = &given.file;
@@ -62,7 +66,7 @@ pub(crate) fn read_with_fields(
     given: &RobotOptions,
     needed: Vec<Function>,
 ) -> Result<Model, Failure> {
-    let beside = Source::from(given).with_fields()?;
+    let beside = source(given).with_fields()?;
     read(beside.masses(Masses::IfAny), needed)
 }
 
@@ -80,7 +84,7 @@ pub(crate) fn read_both(
 
 /// As [`read_on_any_base`], where links of a URDF file are frames, up to so many. A table may be one of geometry.
 pub(crate) fn read_with_links(given: &RobotOptions, most: usize) -> Result<Model, Failure> {
-    let mut beside = Source::from(given).with_values()?;
+    let mut beside = source(given).with_values()?;
     beside.options = beside.options.keep_links(most);
     read(beside.masses(Masses::IfAny), Vec::new())
 }
@@ -142,10 +146,13 @@ fn without_values(path: &Path, fields: &[String]) -> Failure {
 }
 
 /// The failure of mistakes in a file and in options. A mistake without a file is one of the command line.
-fn mistaken(mut mistakes: Vec<FileMistake>, lines: &Lines) -> Failure {
+fn mistaken(mut mistakes: Vec<FileMistake>, lines: &[String]) -> Failure {
     for mistake in &mut mistakes {
-        if mistake.file.is_none() {
-            mistake.message = lines.message(mistake);
+        // Chains and joints that are left out are reported at the first line, which is empty.
+        let line = mistake.line.checked_sub(2);
+        let option = line.and_then(|line| lines.get(line));
+        if let (None, Some(option)) = (&mistake.file, option) {
+            mistake.message = format!("`{option}`: {}", mistake.message);
         }
     }
     let is_of_options = mistakes.iter().all(|mistake| mistake.file.is_none());
@@ -226,6 +233,6 @@ pub(crate) fn robot_with(
 ) -> Result<RuntimeRobot, Failure> {
     let needed: Vec<_> = functions.into_iter().collect();
     let requests: Vec<_> = needed.iter().copied().map(Request::from).collect();
-    let model = read(Source::from(given).with_values()?, needed)?;
+    let model = read(source(given).with_values()?, needed)?;
     arm(&given.file.file, &model.robot, &requests)
 }

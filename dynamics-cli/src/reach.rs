@@ -12,9 +12,8 @@ use crate::arguments::Reach;
 use crate::beside::has_links;
 use crate::columns::{aligned, significant};
 use crate::failure::Failure;
-use crate::joints::note_degrees_of_pose;
 use crate::load::{arm, read_on_standing_base};
-use crate::state::positions;
+use crate::state::{note_degrees_of_pose, positions};
 
 /// The most solutions that are printed, and the most of families without end.
 const MOST: [usize; 2] = [64, 8];

@@ -11,10 +11,9 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
 use crate::arguments::Simulate;
-use crate::csv::{shortest, written};
+use crate::csv::{put, shortest};
 use crate::failure::Failure;
 use crate::load::robot_with;
-use crate::plot;
 use crate::progress::Progress;
 use crate::state::{pose, positions, refuse_pose, vector};
 
@@ -89,11 +88,12 @@ fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     given: &Simulate,
 ) -> Result<String, Failure> {
     let motion = run.map_err(|error| stopped(error.naming(in_motion), given))?;
-    let text = written(&motion, in_motion)?;
-    plot::put(given.output.plot.as_deref(), || {
-        motion.figure(in_motion).title(&robot.robot().name)
-    })?;
-    Ok(text)
+    put(
+        &motion,
+        in_motion,
+        robot.robot(),
+        given.output.plot.as_ref(),
+    )
 }
 
 /// The failure of a motion that was not followed to its end, and the option to blame.

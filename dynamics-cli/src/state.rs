@@ -1,11 +1,13 @@
 //! States of the command line.
 
+use std::io::Write as _;
+
+use dynamics_codegen::{angle_in_degrees, positions_in_degrees};
 use dynamics_runtime::Pose;
 use dynamics_runtime::nalgebra::{Rotation3, Vector3};
 use dynamics_symbolic::robot::Robot;
 
 use crate::failure::Failure;
-use crate::joints::{note_degrees, note_degrees_of_pose};
 
 /// Positions of an option, zeros where it has none.
 pub(crate) fn positions(given: &[f64], name: &str, robot: &Robot) -> Result<Vec<f64>, Failure> {
@@ -139,4 +141,25 @@ fn states(at: &[f64], [joints, freedoms]: [usize; 2]) -> Result<[Vec<f64>; 3], F
     let qdd = q.split_off(ends[1]);
     let qd = q.split_off(ends[0]);
     Ok([q, qd, qdd])
+}
+
+/// Remarks on the first angle that was perhaps meant in degrees; whether there is one.
+pub(crate) fn note_degrees(source: &str, robot: &Robot, positions: &[f64]) -> bool {
+    let remark = positions_in_degrees(robot, positions);
+    tell(source, remark.as_deref());
+    remark.is_some()
+}
+
+/// Remarks on the first of roll, pitch and yaw of a pose that was perhaps meant in degrees.
+pub(crate) fn note_degrees_of_pose(angles: [f64; 3]) {
+    let mut named = ["ROLL", "PITCH", "YAW"].into_iter().zip(angles);
+    let remark = named.find_map(|(name, angle)| angle_in_degrees(name, angle));
+    tell("--pose", remark.as_deref());
+}
+
+fn tell(source: &str, remark: Option<&str>) {
+    if let Some(remark) = remark {
+        // A remark that cannot be written is no failure.
+        let _ = writeln!(std::io::stderr(), "`{source}`: {remark}");
+    }
 }

@@ -13,12 +13,11 @@ pub(crate) fn not_over_what_is_read<'a>(
     [out, plot]: [&Option<PathBuf>; 2],
 ) -> Result<(), Failure> {
     for (option, path) in [("out", out), ("plot", plot)] {
-        let Some((path, written)) = path.as_ref().and_then(|path| Some((path, identity(path)?)))
-        else {
-            continue;
-        };
-        let mut read = read.clone().into_iter().filter_map(|path| identity(path));
-        if read.any(|read| read == written) {
+        let written = path.as_deref().and_then(identity);
+        let mut read = read.clone().into_iter();
+        if let (Some(path), Some(_)) = (path, &written)
+            && read.any(|path| identity(path) == written)
+        {
             return Err(Failure::of_the_command_line(format!(
                 "`--{option} {}` is a file that is read, and would be lost: write to another one",
                 path.display()

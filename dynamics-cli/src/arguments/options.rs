@@ -7,7 +7,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use dynamics_codegen::description::Allow;
 
-use super::values::{Kind as _, robot_name, small_angle, svg, trimmed};
+use super::values::{Kind as _, robot_name, small_angle, svg, trimmed, words};
 
 /// The heading of options about a file.
 const ABOUT: &str = "About the file";
@@ -24,10 +24,10 @@ pub(crate) struct FileOptions {
     pub(crate) name: Option<String>,
     /// The link of a URDF file at which the robot begins, and its tips; without tips all that the link carries. The whole
     /// tree of the file where this is left out
-    #[arg(long, help_heading = ABOUT, words(Set, "BASE,TIP"))]
+    #[arg(long, help_heading = ABOUT, kind = words(Set, "BASE,TIP"))]
     pub(crate) chain: Vec<String>,
     /// Acceleration of gravity, m/s^2, in place of the file's; a URDF file has none
-    #[arg(long, help_heading = ABOUT, words(Set, "X,Y,Z"), allow_hyphen_values = true)]
+    #[arg(long, help_heading = ABOUT, kind = words(Set, "X,Y,Z"), allow_hyphen_values = true)]
     pub(crate) gravity: Vec<String>,
     /// The base moves: the root link of a URDF file is its body. All but `reach` know such robots
     #[arg(long, help_heading = ABOUT, value_parser = ["floating"])]
@@ -37,11 +37,11 @@ pub(crate) struct FileOptions {
     #[arg(long, help_heading = ABOUT, value_name = "NAME=VALUE", value_parser = trimmed)]
     pub(crate) field: Vec<String>,
     /// Joints that stand still, rad or m, beside those that the file locks; `rest` as for --ignore
-    #[arg(long, help_heading = ABOUT, words(Append, "JOINT=POSITION"))]
+    #[arg(long, help_heading = ABOUT, kind = words(Append, "JOINT=POSITION"))]
     pub(crate) lock: Vec<String>,
     /// Joints of a URDF file that are left out, with all that hangs on them; `rest` is all beside the chain that are not
     /// named
-    #[arg(long, help_heading = ABOUT, words(Append, "JOINT"))]
+    #[arg(long, help_heading = ABOUT, kind = words(Append, "JOINT"))]
     pub(crate) ignore: Vec<String>,
     /// The largest distance at which an angle or axis of a URDF file is taken for a multiple of a quarter turn, such as
     /// 1e-4
@@ -58,7 +58,7 @@ pub(crate) struct RobotOptions {
     #[command(flatten)]
     pub(crate) file: FileOptions,
     /// The functions, in place of the file's; `default` is the set of a file that names none
-    #[arg(long, words(Append, "A,B,C"))]
+    #[arg(long, kind = words(Append, "A,B,C"))]
     pub(crate) functions: Vec<String>,
 }
 

@@ -10,7 +10,7 @@ use dynamics_symbolic::formula::Format;
 use dynamics_symbolic::robot::Convention;
 
 use super::options::{FileOptions, MotionOutput, Output, RobotOptions};
-use super::values::{Kind as _, between, choice, positive};
+use super::values::{Kind as _, between, choice, count, numbers, positive, words};
 
 /// The subcommand that is called, with its options.
 #[derive(Subcommands)]
@@ -63,7 +63,7 @@ pub(crate) struct Show {
     #[arg(long, value_parser = choice([("text", Format::Text), ("latex", Format::Latex), ("mathml", Format::MathMl)]))]
     pub(crate) format: Option<Format>,
     /// The most terms of a formula that is printed
-    #[arg(long, count("1000", 1, 100_000))]
+    #[arg(long, kind = count("1000", 1, 100_000))]
     pub(crate) terms: usize,
     #[command(flatten)]
     pub(crate) output: Output,
@@ -88,13 +88,13 @@ pub(crate) struct Check {
     #[arg(long, value_name = "PATH")]
     pub(crate) against: Option<PathBuf>,
     /// The link at which the robot begins in the other file, and its tips, where they have other names there
-    #[arg(long, words(Set, "BASE,TIP"), requires = "against")]
+    #[arg(long, kind = words(Set, "BASE,TIP"), requires = "against")]
     pub(crate) against_chain: Vec<String>,
     /// Random states
-    #[arg(long, count("100", 1, 1_000_000))]
+    #[arg(long, kind = count("100", 1, 1_000_000))]
     pub(crate) samples: usize,
     /// Largest difference to the other file, relative to the largest entry
-    #[arg(long, number(positive), default_value = "1e-9")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = positive, default_value = "1e-9")]
     pub(crate) tolerance: f64,
     #[command(flatten)]
     pub(crate) output: Output,
@@ -156,16 +156,16 @@ pub(crate) struct Evaluate {
     #[command(flatten)]
     pub(crate) robot: RobotOptions,
     /// Positions, rad or m, then velocities, then accelerations; zeros where they are left out
-    #[arg(long, numbers(Append, "Q,...[,QD,...[,QDD,...]]"))]
+    #[arg(long, kind = numbers(Append, "Q,...[,QD,...[,QDD,...]]"))]
     pub(crate) at: Vec<f64>,
     /// Where a base that moves is: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) pose: Vec<f64>,
     /// Torques and forces at the joints, N m or N; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) torque: Vec<f64>,
     /// Significant digits that are printed; 17 tell doubles apart
-    #[arg(long, count("6", 1, 17))]
+    #[arg(long, kind = count("6", 1, 17))]
     pub(crate) digits: usize,
     #[command(flatten)]
     pub(crate) output: Output,
@@ -186,25 +186,25 @@ pub(crate) struct Simulate {
     #[command(flatten)]
     pub(crate) robot: RobotOptions,
     /// Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) pose: Vec<f64>,
     /// Positions at the start, rad or m; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) from: Vec<f64>,
     /// Velocities at the start, rad/s or m/s; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) velocity: Vec<f64>,
     /// Torques and forces at the joints, N m or N; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) torque: Vec<f64>,
     /// Time simulated, s
-    #[arg(long, number(positive), default_value = "1")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = positive, default_value = "1")]
     pub(crate) duration: f64,
     /// Rows of the output
-    #[arg(long, count("101", 2, 10_000_000))]
+    #[arg(long, kind = count("101", 2, 10_000_000))]
     pub(crate) samples: usize,
     /// Relative and absolute tolerance of a step
-    #[arg(long, number(between(1e-15, 1.0)), default_value = "1e-9")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = between(1e-15, 1.0), default_value = "1e-9")]
     pub(crate) tolerance: f64,
     #[command(flatten)]
     pub(crate) output: MotionOutput,
@@ -234,10 +234,10 @@ pub(crate) struct InverseDynamics {
     #[command(flatten)]
     pub(crate) robot: RobotOptions,
     /// Positions of the joints at the start of a cycloidal motion, rad or m; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) from: Vec<f64>,
     /// Positions of the joints at its end, rad or m: no pose of the tip
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) to: Vec<f64>,
     /// A CSV file of times, s, and positions, rad or m
     #[arg(long, value_name = "PATH", conflicts_with_all = ["from", "to", "duration"])]
@@ -245,18 +245,18 @@ pub(crate) struct InverseDynamics {
     /// One state: positions, rad or m, then velocities, then accelerations; zeros where they are left out
     #[arg(
         long,
-        numbers(Append, "Q,...[,QD,...[,QDD,...]]"),
+        kind = numbers(Append, "Q,...[,QD,...[,QDD,...]]"),
         conflicts_with_all = ["from", "duration", "samples", "plot"]
     )]
     pub(crate) at: Vec<f64>,
     /// Where a base that moves is: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."), conflicts_with = "waypoints")]
+    #[arg(long, kind = numbers(Set, "X,Y,..."), conflicts_with = "waypoints")]
     pub(crate) pose: Vec<f64>,
     /// Time of a cycloidal motion, s
-    #[arg(long, number(positive), default_value = "1")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = positive, default_value = "1")]
     pub(crate) duration: f64,
     /// Rows of the output
-    #[arg(long, count("101", 2, 10_000_000))]
+    #[arg(long, kind = count("101", 2, 10_000_000))]
     pub(crate) samples: usize,
     #[command(flatten)]
     pub(crate) output: MotionOutput,
@@ -280,19 +280,19 @@ pub(crate) struct Reach {
     #[command(flatten)]
     pub(crate) file: FileOptions,
     /// Where the tip is to be: X,Y,Z,ROLL,PITCH,YAW, m and rad, or X,Y,Z alone
-    #[arg(long, numbers(Set, "X,Y,..."), required = true)]
+    #[arg(long, kind = numbers(Set, "X,Y,..."), required = true)]
     pub(crate) pose: Vec<f64>,
     /// The frame that is to be there, in place of the tip
     #[arg(long, value_name = "NAME")]
     pub(crate) frame: Option<String>,
     /// Positions at the start, rad or m; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) from: Vec<f64>,
     /// How many descents there are
-    #[arg(long, count("200", 1, 1_000_000))]
+    #[arg(long, kind = count("200", 1, 1_000_000))]
     pub(crate) starts: usize,
     /// Significant digits that are printed; 17 tell doubles apart
-    #[arg(long, count("6", 1, 17))]
+    #[arg(long, kind = count("6", 1, 17))]
     pub(crate) digits: usize,
     #[command(flatten)]
     pub(crate) output: Output,
@@ -363,20 +363,20 @@ pub(crate) struct Page {
     #[command(flatten)]
     pub(crate) robot: RobotOptions,
     /// Where a base that moves is at the start: X,Y,Z,ROLL,PITCH,YAW, m and rad; zeros where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) pose: Vec<f64>,
     /// Positions at the start, rad or m; zeros, or the middle of limits without zero, where this is left out
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) from: Vec<f64>,
     /// Positions at the end of the prescribed motion, rad or m
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) to: Vec<f64>,
     /// Velocities at the start of free motion, first the six of a base that moves. If this is left out: zeros, and a spin of
     /// such a base
-    #[arg(long, numbers(Set, "X,Y,..."))]
+    #[arg(long, kind = numbers(Set, "X,Y,..."))]
     pub(crate) velocity: Vec<f64>,
     /// Time of the motions, s
-    #[arg(long, number(between(1e-3, 1e3)), default_value = "3")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true, value_parser = between(1e-3, 1e3), default_value = "3")]
     pub(crate) duration: f64,
     #[command(flatten)]
     pub(crate) output: Output,

@@ -7,49 +7,39 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Arg, ArgAction};
 use dynamics_codegen::files::number as number_of;
 
-/// Kinds of options.
-pub(super) trait Kind {
-    /// Words between commas.
-    fn words(self, action: ArgAction, shown: &'static str) -> Self;
-
-    /// Numbers between commas, of each joint that moves or of a pose.
-    fn numbers(self, action: ArgAction, shown: &'static str) -> Self;
-
-    /// A number that a parser takes.
-    fn number(
-        self,
-        parser: impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static,
-    ) -> Self;
-
-    /// A whole number from `least` to `most`.
-    fn count(self, default: &'static str, least: usize, most: usize) -> Self;
+/// An option of a kind, as the functions below make it.
+pub(super) trait Kind: Sized {
+    fn kind(self, kind: impl FnOnce(Self) -> Self) -> Self {
+        kind(self)
+    }
 }
 
-impl Kind for Arg {
-    fn words(self, action: ArgAction, shown: &'static str) -> Self {
-        let option = self.value_name(shown).value_delimiter(',').num_args(1);
+impl Kind for Arg {}
+
+/// Words between commas.
+pub(super) fn words(action: ArgAction, shown: &'static str) -> impl FnOnce(Arg) -> Arg {
+    move |option| {
+        let option = option.value_name(shown).value_delimiter(',').num_args(1);
         option.action(action).value_parser(trimmed)
     }
+}
 
-    fn numbers(self, action: ArgAction, shown: &'static str) -> Self {
-        let option = self.words(action, shown).allow_hyphen_values(true);
+/// Numbers between commas, of each joint that moves or of a pose.
+pub(super) fn numbers(action: ArgAction, shown: &'static str) -> impl FnOnce(Arg) -> Arg {
+    move |option| {
+        let option = words(action, shown)(option).allow_hyphen_values(true);
         option.value_parser(finite)
     }
+}
 
-    fn number(
-        self,
-        parser: impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static,
-    ) -> Self {
-        let option = self.value_name("NUMBER").allow_hyphen_values(true);
-        option.required(false).value_parser(parser)
-    }
-
-    fn count(self, default: &'static str, least: usize, most: usize) -> Self {
-        let count = move |text: &str| match text.trim().parse::<u32>() {
-            Ok(count) if (least..=most).contains(&(count as usize)) => Ok(count as usize),
-            _ => Err(format!("expected a whole number from {least} to {most}")),
-        };
-        let option = self.value_name("COUNT").allow_hyphen_values(true);
+/// A whole number from `least` to `most`.
+pub(super) fn count(default: &'static str, least: usize, most: usize) -> impl FnOnce(Arg) -> Arg {
+    let count = move |text: &str| match text.trim().parse::<u32>() {
+        Ok(count) if (least..=most).contains(&(count as usize)) => Ok(count as usize),
+        _ => Err(format!("expected a whole number from {least} to {most}")),
+    };
+    move |option| {
+        let option = option.value_name("COUNT").allow_hyphen_values(true);
         let option = option.required(false).default_value(default);
         option.value_parser(count)
     }

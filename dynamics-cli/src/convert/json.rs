@@ -1,7 +1,9 @@
 //! A table as JSON, in the shape in which tables are published: all cells, the tensor as a list, motor and
 //! friction beside the other cells.
 
-use super::document::{Document, Entries, Language, Node, TENSOR};
+use super::cells::TENSOR;
+use super::document::Document;
+use super::node::{Entries, Language, Node};
 use super::number::{decimal, radians};
 use super::string::quoted;
 

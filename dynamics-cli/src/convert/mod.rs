@@ -1,15 +1,18 @@
 //! One kind of robot file as another: URDF as a Denavit-Hartenberg table, a table as URDF, and tables of one
 //! convention as those of the other.
 //!
-//! `arm` puts the axes and bodies of a file in space, exactly where angles are quarter turns and in fifty
-//! digits where they are not; `table` finds rows for them, or `urdf` writes them as they are. A table that stays in
-//! its convention keeps its rows. `document` says a table in the macro's words, `toml` and `json` write it, and the
-//! macro's own reader reads it back.
+//! `arm` puts the axes and bodies of a file in space, exactly where angles are quarter turns and in fifty digits where they
+//! are not; `axes` finds the normals between them and `table` the rows, or `urdf` writes them as they are. A table that
+//! stays in its convention keeps its rows. `document` says a table in the macro's words, `toml` and `json` write it, and
+//! the macro's own reader reads it back.
 
 mod angle;
 mod arm;
+mod axes;
+mod cells;
 mod document;
 mod json;
+mod node;
 mod normal;
 mod number;
 mod parameters;

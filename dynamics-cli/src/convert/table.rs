@@ -1,31 +1,21 @@
 //! The Denavit-Hartenberg table of a robot in space.
 //!
-//! The z axes of a table's frames are the axes of the joints, in their directions, so that positions keep their signs and
-//! zeros; the x axes are along the common normals of neighbours. A modified table puts frame i at the foot of the normal
-//! on axis i, a standard table at the foot on axis i + 1. Four numbers take a frame to the next one, because x is across
-//! the next axis and meets it. `base` and `tool` have the rest of the first link and of the tip.
+//! `axes` has the axes of its rows and their frames. `base` and `tool` have the rest of the first link and of the tip.
 //!
-//! The normal of two axes that are nearly parallel is far away, and numbers that describe the arm by it lose as many
-//! digits. A row that stands still leads from the one axis to the other then: its own axis meets both. So does one where
-//! an angle is within 1e-9 of a quarter turn, which no single cell can say.
-//!
-//! Numbers lose digits if axes are nearly parallel, because their normal is far away. If a foot is further away than
-//! ten times the length of the arm, or the sine between the axes is below 1e-15, a locked row goes from the one axis
-//! straight to the other. The rows are multiplied out and compared with the frames they came from before anything is
-//! written. The text is read back by the macro's reader: if it refuses what the file had already, an unphysical
-//! tensor or an odd angle, `allow` is put into that row.
+//! A row that stands still has an axis that leads from one joint to the next, where their normal is far away. So does one
+//! where an angle is within 1e-9 of a quarter turn, which no single cell can say. The rows are multiplied out and compared
+//! with the frames they came from before anything is written. The text is read back by the macro's reader: if it refuses
+//! what the file had already, an unphysical tensor or an odd angle, `allow` is put into that row.
 
-use dynamics_codegen::geometry::{Body, Mass, Matrix, Transform, Vector, cross, dot, tidy};
+use dynamics_codegen::geometry::{Body, Mass, Transform};
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{Carrier, Convention};
 
-use super::angle::{Origin, is_same, is_zero, origins, roll_pitch_yaw};
-use super::arm::{Arm, Joint, between, length};
-use super::normal::{Axis, Normal, across, common_normal};
+use super::angle::{Origin, is_same, origins, roll_pitch_yaw};
+use super::arm::{Arm, Joint};
+use super::axes::{Axes, start};
+use super::normal::Axis;
 use super::parameters::Parameters;
-
-/// A normal further away than so many times the length of the arm is not used.
-const FARTHEST: u8 = 10;
 
 /// A Denavit-Hartenberg table that was found.
 pub(super) struct Table<'a> {
@@ -52,12 +42,6 @@ pub(super) struct Row<'a> {
     pub(super) parameters: Parameters,
     /// The link in its frame.
     pub(super) body: Body,
-}
-
-/// The axis of a row.
-struct Line<'a> {
-    axis: Axis,
-    joint: Option<&'a Joint<'a>>,
 }
 
 /// At which ends a row that stands still takes up the rotation that roll, pitch and yaw cannot say: see
@@ -143,14 +127,14 @@ impl<'a> Branches<'a> {
         } else {
             world
         };
-        let mut lines = Lines::new(arm);
+        let mut axes = Axes::new(arm);
         if ends.base {
-            lines.start(&base, Axis::of(&base), None);
-            lines.lead_to(axis, Some(&arm.joints[0]));
+            axes.start(&base, Axis::of(&base), None);
+            axes.lead_to(axis, Some(&arm.joints[0]));
         } else {
-            lines.start(&base, axis, Some(&arm.joints[0]));
+            axes.start(&base, axis, Some(&arm.joints[0]));
         }
-        self.follow(lines, &base, 0, ends.tool)?;
+        self.follow(axes, &base, 0, ends.tool)?;
         self.others(&base)?;
         Some(self.table(base))
     }
@@ -171,34 +155,34 @@ impl<'a> Branches<'a> {
         let joint = &self.arm.joints[first];
         let carrier = joint.parent.map_or(base, |parent| &self.links[parent]);
         let mut axis = Axis::of(&joint.frame);
-        let mut lines = Lines::new(self.arm);
+        let mut axes = Axes::new(self.arm);
         let beginning = match self.convention {
             Convention::Modified => {
-                lines.start(carrier, Axis::of(carrier), None);
-                lines.lead_to(axis, Some(joint));
-                lines.without_first()
+                axes.start(carrier, Axis::of(carrier), None);
+                axes.lead_to(axis, Some(joint));
+                axes.without_first()
             }
             Convention::Standard => {
                 if joint.slides() {
                     axis.point = carrier.origin.clone();
                 }
                 let beginning = start(self.convention, carrier, &axis);
-                lines.start(&beginning, axis, Some(joint));
+                axes.start(&beginning, axis, Some(joint));
                 beginning
             }
         };
         let at = carrier.inverse().then(&beginning).tidy();
-        self.follow(lines, &beginning, first, has_end)?;
+        self.follow(axes, &beginning, first, has_end)?;
         if !is_same(&at, &Transform::identity()) {
             self.begin(first, &at);
         }
         Some(())
     }
 
-    /// The rows of a joint, to which `lines` lead from a frame, and of the first joint on each link behind it.
+    /// The rows of a joint, to which `axes` lead from a frame, and of the first joint on each link behind it.
     fn follow(
         &mut self,
-        mut lines: Lines<'a>,
+        mut axes: Axes<'a>,
         start: &Transform,
         first: usize,
         has_end: bool,
@@ -206,20 +190,19 @@ impl<'a> Branches<'a> {
         let arm = self.arm;
         let mut joints = vec![first];
         while let Some(next) = arm.children(joints.last().copied()).next() {
-            lines.lead_to(Axis::of(&arm.joints[next].frame), Some(&arm.joints[next]));
+            axes.lead_to(Axis::of(&arm.joints[next].frame), Some(&arm.joints[next]));
             joints.push(next);
         }
         let last = joints[joints.len() - 1];
         let tip = arm.tip.as_ref().filter(|tip| tip.on == Some(last));
         let tip = tip.map(|tip| &tip.frame);
         if let Some(tip) = tip.filter(|_| has_end) {
-            lines.lead_to(Axis::of(tip), None);
+            axes.lead_to(Axis::of(tip), None);
         }
-        let Lines { lines, normals, .. } = lines;
-        let frames = frames(self.convention, &lines, &normals, start, tip);
+        let frames = axes.frames(self.convention, start, tip);
         // Rows that stand still belong to the joint behind them, and at the end to the last one.
         let (mut joints, mut still) = (joints.into_iter(), Vec::new());
-        for (line, pair) in lines.iter().zip(frames.windows(2)) {
+        for (line, pair) in axes.rows.iter().zip(frames.windows(2)) {
             still.extend(rows_between(
                 self.convention,
                 &pair[0],
@@ -332,169 +315,4 @@ fn rows_between<'a>(
         row
     };
     Some(steps.into_iter().enumerate().map(row).collect())
-}
-
-/// The frame with those x and z axes.
-fn frame(x: &Vector, z: &Vector, origin: &Vector) -> Transform {
-    let y = cross(z, x);
-    let columns = [x, &y, z];
-    let rotation: Matrix = [0, 1, 2].map(|i| columns.map(|axis| axis[i].clone()));
-    Transform {
-        rotation,
-        origin: origin.clone(),
-    }
-    .tidy()
-}
-
-/// The frame in which a chain begins: `from`, that of the world or of a link, where four numbers lead from it to the first
-/// axis, or else one on that axis. Its x axis is a direction across the first axis, and meets it.
-fn start(convention: Convention, from: &Transform, first: &Axis) -> Transform {
-    let is_reached = match convention {
-        Convention::Modified => meeting(from, first).is_some(),
-        Convention::Standard => is_along(from, first),
-    };
-    if is_reached {
-        return from.clone();
-    }
-    let [x, y, z] = [0, 1, 2].map(|axis| from.axis(axis));
-    let is_across = |axis: &Vector| is_zero(&dot(axis, &first.direction));
-    let across_both = cross(&z, &first.direction);
-    let x = match (is_across(&x), is_across(&y)) {
-        (true, _) => x,
-        (_, true) => y,
-        _ => across(&across_both, &first.direction).unwrap_or(x),
-    };
-    frame(&x, &first.direction, &first.point)
-}
-
-/// Where the x axis of a frame meets an axis that it is across.
-fn meeting(frame: &Transform, axis: &Axis) -> Option<Vector> {
-    let x = frame.axis(0);
-    if !is_zero(&dot(&x, &axis.direction)) {
-        return None;
-    }
-    let along = dot(&between(&frame.origin, &axis.point), &x);
-    let point = [0, 1, 2].map(|k| tidy(&frame.origin[k] + &x[k] * &along));
-    axis.passes(&point).then_some(point)
-}
-
-/// Whether the z axis of a frame is an axis, in its direction.
-fn is_along(frame: &Transform, axis: &Axis) -> bool {
-    let z = frame.axis(2);
-    let is_parallel = cross(&z, &axis.direction).iter().all(is_zero);
-    is_parallel && dot(&z, &axis.direction) > Rational::ZERO && axis.passes(&frame.origin)
-}
-
-/// The axes of all rows, and the normals between them.
-struct Lines<'a> {
-    lines: Vec<Line<'a>>,
-    normals: Vec<Normal>,
-    /// The direction that the next normal's is to be near to.
-    like: Vector,
-    /// Where on the last axis the next normal starts, where it may start anywhere.
-    near: Vector,
-    farthest: Rational,
-}
-
-impl<'a> Lines<'a> {
-    fn new(arm: &Arm) -> Self {
-        let nothing = || [Rational::ZERO; 3];
-        Lines {
-            lines: Vec::new(),
-            normals: Vec::new(),
-            like: nothing(),
-            near: nothing(),
-            farthest: Rational::from(FARTHEST) * arm.size()
-                + Rational::ONE / Rational::from(10).pow(30),
-        }
-    }
-
-    /// The first axis, which the x axis of frame 0 meets.
-    fn start(&mut self, start: &Transform, axis: Axis, joint: Option<&'a Joint<'a>>) {
-        self.like = start.axis(0);
-        self.near = meeting(start, &axis).unwrap_or_else(|| axis.point.clone());
-        self.lines.push(Line { axis, joint });
-    }
-
-    /// The next axis, by way of another one where their normal is far away.
-    fn lead_to(&mut self, mut axis: Axis, joint: Option<&'a Joint<'a>>) {
-        if joint.is_some_and(Joint::slides) {
-            axis.point = self.near.clone();
-        }
-        let last = &self.lines[self.lines.len() - 1].axis;
-        let normal = common_normal(last, &axis, &self.like, &self.near);
-        let is_far = |from: &Vector, to: &Vector| length(&between(from, to)) > self.farthest;
-        if normal.is_vague || is_far(&self.near, &normal.from) || is_far(&axis.point, &normal.to) {
-            let leading = leading(&self.near, &axis, &self.like);
-            let normal = common_normal(last, &leading, &self.like, &self.near);
-            self.add(leading, None, normal);
-            let last = &self.lines[self.lines.len() - 1].axis;
-            let normal = common_normal(last, &axis, &self.like, &self.near);
-            self.add(axis, joint, normal);
-        } else {
-            self.add(axis, joint, normal);
-        }
-    }
-
-    /// Leaves out the first axis. Returns the frame on it at the foot of the normal that leads from it to the next one.
-    fn without_first(&mut self) -> Transform {
-        let axis = self.lines.remove(0).axis;
-        let normal = self.normals.remove(0);
-        frame(&normal.direction, &axis.direction, &normal.from)
-    }
-
-    fn add(&mut self, axis: Axis, joint: Option<&'a Joint<'a>>, normal: Normal) {
-        self.like = normal.direction.clone();
-        self.near = normal.to.clone();
-        self.normals.push(normal);
-        self.lines.push(Line { axis, joint });
-    }
-}
-
-/// The axis from a point to the nearest one of another axis, across that; through a point of it like a direction that is
-/// across another axis, nearly parallel to it.
-fn leading(from: &Vector, to: &Axis, like: &Vector) -> Axis {
-    let way = between(from, &to.nearest(from));
-    let direction = across(&way, &to.direction).or_else(|| across(like, &to.direction));
-    Axis {
-        point: from.clone(),
-        direction: direction.unwrap_or_else(|| like.clone()),
-    }
-}
-
-/// The frame in which a chain begins, and those of all its rows.
-fn frames(
-    convention: Convention,
-    lines: &[Line],
-    normals: &[Normal],
-    start: &Transform,
-    tip: Option<&Transform>,
-) -> Vec<Transform> {
-    let mut frames = vec![start.clone()];
-    for (index, normal) in normals.iter().enumerate() {
-        let (line, foot) = match convention {
-            Convention::Modified => (&lines[index], &normal.from),
-            Convention::Standard => (&lines[index + 1], &normal.to),
-        };
-        frames.push(frame(&normal.direction, &line.axis.direction, foot));
-    }
-    let before = &frames[frames.len() - 1];
-    let last = &lines[lines.len() - 1].axis;
-    let is_end = |tip: &&Transform| match convention {
-        Convention::Modified => is_along(tip, last),
-        Convention::Standard => meeting(tip, last).is_some(),
-    };
-    let end = match (tip.filter(is_end), convention) {
-        (Some(tip), _) => tip.clone(),
-        (None, Convention::Standard) => before.clone(),
-        (None, Convention::Modified) => {
-            let origin = match normals.last() {
-                Some(normal) => normal.to.clone(),
-                None => meeting(start, last).unwrap_or_else(|| last.point.clone()),
-            };
-            frame(&before.axis(0), &last.direction, &origin)
-        }
-    };
-    frames.push(end);
-    frames
 }

@@ -1,6 +1,7 @@
 //! A table as TOML.
 
-use super::document::{Document, Entries, Language, Node};
+use super::document::Document;
+use super::node::{Entries, Language, Node};
 use super::number::{decimal, fraction, radians, turns};
 use super::string::quoted;
 

@@ -14,10 +14,9 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
 use crate::arguments::InverseDynamics;
-use crate::csv::{read, shortest, written};
+use crate::csv::{put, read, shortest};
 use crate::failure::Failure;
 use crate::load::robot_with;
-use crate::plot;
 use crate::spline::Spline;
 use crate::state::{State, pose, positions, refuse_pose};
 
@@ -45,11 +44,7 @@ fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
 ) -> Result<String, Failure> {
     let columns = Columns(robot);
     motion.tau = torques(robot, &motion)?;
-    let text = written(&motion, &columns)?;
-    plot::put(given.output.plot.as_deref(), || {
-        motion.figure(&columns).title(&robot.robot().name)
-    })?;
-    Ok(text)
+    put(&motion, &columns, robot.robot(), given.output.plot.as_ref())
 }
 
 /// The motion on a base that moves.
