@@ -75,7 +75,7 @@ impl<'a> Source<'a> {
         Source {
             given,
             functions,
-            path: &given.file,
+            path: &given.path,
             other: None,
             chain: ("chain", &given.chain),
         }

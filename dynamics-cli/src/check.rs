@@ -16,7 +16,7 @@ use crate::progress::Progress;
 
 /// The text of `check`.
 pub(crate) fn run(given: &Check) -> Result<String, Failure> {
-    let path = &given.robot.file.file;
+    let path = &given.robot.file.path;
     let (model, other) = match &given.against {
         None => (read_with_names(&given.robot)?, None),
         Some(other) => {

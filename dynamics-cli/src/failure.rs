@@ -33,7 +33,7 @@ impl Failure {
     }
 
     /// A failure that the output tells.
-    pub(crate) fn told_by(output: String) -> Self {
+    pub(crate) fn within(output: String) -> Self {
         Failure::after(output, "")
     }
 

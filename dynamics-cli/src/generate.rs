@@ -18,9 +18,7 @@ use crate::write::{make_folder, not_over_what_is_read, write};
 
 /// Writes the files, and says which.
 pub(crate) fn run(given: &Generate) -> Result<String, Failure> {
-    let FileOptions {
-        file: path, name, ..
-    } = &given.robot.file;
+    let FileOptions { path, name, .. } = &given.robot.file;
     not_over_what_is_read([path], [&Some(given.out.clone()), &None])?;
     let c = OfC {
         numbers: c_numbers(given)?,

@@ -28,7 +28,7 @@ pub(crate) fn run(given: &Lint) -> Result<String, Failure> {
         _ => text(&rows, given.file.len()),
     };
     match rows.iter().any(|row| row.found.severity == Severity::Error) {
-        true => Err(Failure::told_by(output)),
+        true => Err(Failure::within(output)),
         false => Ok(output),
     }
 }

@@ -41,7 +41,7 @@ pub(crate) fn read_on_standing_base(
         let beside = Source::new(given, &[]).with_values()?;
         Ok::<_, Failure>(beside.masses(Masses::Never))
     };
-    let path = &given.file;
+    let path = &given.path;
     let model = read(beside()?, Vec::new())?;
     if model.robot.freedoms().has_base() {
         let message = format!(
@@ -234,5 +234,5 @@ pub(crate) fn robot_with(
     let needed: Vec<_> = functions.into_iter().collect();
     let requests: Vec<_> = needed.iter().copied().map(Request::from).collect();
     let model = read(source(given).with_values()?, needed)?;
-    arm(&given.file.file, &model.robot, &requests)
+    arm(&given.file.path, &model.robot, &requests)
 }

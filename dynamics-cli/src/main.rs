@@ -55,12 +55,12 @@ fn main() -> ExitCode {
 /// The output of a subcommand, unless it goes to a file.
 fn output(given: &Subcommand) -> Result<String, Failure> {
     let put = |file: &FileOptions, output: &Output, run: &dyn Fn() -> Result<String, Failure>| {
-        put_out([&file.file], [&output.out, &None], run)
+        put_out([&file.path], [&output.out, &None], run)
     };
     match given {
         Subcommand::Show(given) => put(&given.robot.file, &given.output, &|| show::run(given)),
         Subcommand::Check(given) => {
-            let read = [&given.robot.file.file].into_iter().chain(&given.against);
+            let read = [&given.robot.file.path].into_iter().chain(&given.against);
             put_out(read, [&given.output.out, &None], || check::run(given))
         }
         Subcommand::Generate(given) => generate::run(given),
@@ -69,10 +69,10 @@ fn output(given: &Subcommand) -> Result<String, Failure> {
         }
         Subcommand::Simulate(given) => {
             let written = [&given.output.text.out, &given.output.plot];
-            put_out([&given.robot.file.file], written, || simulate::run(given))
+            put_out([&given.robot.file.path], written, || simulate::run(given))
         }
         Subcommand::InverseDynamics(given) => {
-            let read = [&given.robot.file.file].into_iter().chain(&given.waypoints);
+            let read = [&given.robot.file.path].into_iter().chain(&given.waypoints);
             let written = [&given.output.text.out, &given.output.plot];
             put_out(read, written, || inverse_dynamics::run(given))
         }

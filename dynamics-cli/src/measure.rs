@@ -21,7 +21,7 @@ const SECONDS: f64 = 0.05;
 /// The table of `measure`.
 pub(crate) fn run(given: &Measure) -> Result<String, Failure> {
     let model = read_on_any_base(&given.robot)?;
-    let arm = arm(&given.robot.file.file, &model.robot, &requests(&model)?)?;
+    let arm = arm(&given.robot.file.path, &model.robot, &requests(&model)?)?;
     let mut text = format!(
         "{:<32}{:>11}{:>17}{:>11}{:>15}\n",
         "function", "operations", "interpreted, ns", "batch, ns", "largest error"

@@ -22,7 +22,7 @@ pub(crate) fn run(given: &arguments::Page) -> Result<String, Failure> {
     read_with_links(&given.robot, 0)?;
     let requests = FUNCTIONS.map(Request::from).into_iter();
     let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
-    let programs = programs(&file.file, &robot, &requests)?;
+    let programs = programs(&file.path, &robot, &requests)?;
     let page = Page::new(&robot, &programs, &poses, &fields(&file.field)?, &start);
     if let Some(remark) = remark(page.html.len(), page.equations, robot.freedoms().joints) {
         let _ = writeln!(std::io::stderr(), "{remark}");

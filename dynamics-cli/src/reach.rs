@@ -20,12 +20,12 @@ const MOST: [usize; 2] = [64, 8];
 
 /// The text of `reach`.
 pub(crate) fn run(given: &Reach) -> Result<String, Failure> {
-    let path = &given.file.file;
-    let wanted = given.frame.as_deref();
-    let mut robot = read_on_standing_base(&given.file, wanted)?.robot;
+    let path = &given.file.path;
+    let named = given.frame.as_deref();
+    let mut robot = read_on_standing_base(&given.file, named)?.robot;
     let start = DVector::from_vec(positions(&given.from, "from", &robot)?);
     let (target, rows) = target(&given.pose)?;
-    let frame = frame(wanted, has_links(path), &mut robot)?;
+    let frame = frame(named, has_links(path), &mut robot)?;
     let functions = [Function::ForwardKinematics, Function::Jacobian];
     let requests = functions.map(|function| match &frame {
         None => function.into(),
@@ -71,7 +71,7 @@ fn target(numbers: &[f64]) -> Result<(Target, usize), Failure> {
 
 /// The frame of `--frame`, by its index and its name; `None` of the tip.
 fn frame(
-    wanted: Option<&str>,
+    named: Option<&str>,
     has_links: bool,
     robot: &mut Robot,
 ) -> Result<Option<(usize, String)>, Failure> {
@@ -80,7 +80,7 @@ fn frame(
     let mut frames = robot.frames.iter().enumerate();
     let names = robot.frames.iter().map(|frame| format!("`{}`", frame.name));
     let names = names.collect::<Vec<_>>().join(", ");
-    match wanted {
+    match named {
         Some(name) => match frames.find(|(_, frame)| frame.name == name) {
             Some((index, frame)) => Ok(Some((index, frame.name.clone()))),
             None => Err(Failure::of_the_command_line(match &names[..] {

@@ -22,7 +22,7 @@ const PRODUCTS_FOR_EACH_TERM: usize = 30;
 pub(crate) fn run(given: &Show) -> Result<String, Failure> {
     let model = read_with_names(&given.robot)?;
     let robot = &model.robot;
-    let programs = programs(&given.robot.file.file, robot, &requests(&model)?)?;
+    let programs = programs(&given.robot.file.path, robot, &requests(&model)?)?;
     let terms = given.terms;
     let budget = Budget {
         terms,

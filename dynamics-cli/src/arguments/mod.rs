@@ -32,6 +32,23 @@ pub(crate) struct CommandLine {
     pub(crate) subcommand: Subcommand,
 }
 
+/// The subcommand that is called, with its options.
+#[derive(clap::Subcommand)]
+pub(crate) enum Subcommand {
+    Show(Show),
+    Check(Check),
+    Generate(Generate),
+    Evaluate(Evaluate),
+    Simulate(Simulate),
+    InverseDynamics(InverseDynamics),
+    Reach(Reach),
+    Measure(Measure),
+    Convert(Convert),
+    Page(Page),
+    Lint(Lint),
+    Completions(Completions),
+}
+
 /// The text of `completions`.
 pub(crate) fn completions(given: &Completions) -> String {
     let mut text = Vec::new();

@@ -16,8 +16,8 @@ const ABOUT: &str = "About the file";
 #[derive(Args)]
 pub(crate) struct FileOptions {
     /// The robot: a file in TOML, JSON or URDF
-    #[arg(value_name = "FILE")]
-    pub(crate) file: PathBuf,
+    #[arg(id = "file", value_name = "FILE")]
+    pub(crate) path: PathBuf,
     /// The name of the robot, of its struct, of the files and functions that are written; that of the file where this is
     /// left out
     #[arg(long, help_heading = ABOUT, value_parser = robot_name)]

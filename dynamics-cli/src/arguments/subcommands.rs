@@ -1,9 +1,9 @@
-//! The subcommands, with an example of each.
+//! The options of each subcommand, and its help with an example.
 
 use std::path::PathBuf;
 
 use clap::ArgAction::{Append, Set};
-use clap::{Arg, ArgGroup, Args, Subcommand as Subcommands};
+use clap::{Arg, ArgGroup, Args};
 use clap_complete::Shell;
 use dynamics_codegen::files::Format as FileFormat;
 use dynamics_symbolic::formula::Format;
@@ -11,23 +11,6 @@ use dynamics_symbolic::robot::Convention;
 
 use super::options::{FileOptions, MotionOutput, Output, RobotOptions};
 use super::values::{Kind as _, between, choice, count, numbers, positive, words};
-
-/// The subcommand that is called, with its options.
-#[derive(Subcommands)]
-pub(crate) enum Subcommand {
-    Show(Show),
-    Check(Check),
-    Generate(Generate),
-    Evaluate(Evaluate),
-    Simulate(Simulate),
-    InverseDynamics(InverseDynamics),
-    Reach(Reach),
-    Measure(Measure),
-    Convert(Convert),
-    Page(Page),
-    Lint(Lint),
-    Completions(Completions),
-}
 
 /// The help on the list of functions if a subcommand knows which ones it needs.
 const BESIDES: &str = "The functions, in place of the file's: their names are checked, and what is needed here is derived";

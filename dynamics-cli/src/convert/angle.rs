@@ -26,7 +26,7 @@ impl Angle {
     pub(super) const ZERO: Angle = Angle::Quarters(0);
 
     /// The angle whose sine and cosine are those numbers, or in proportion to them.
-    pub(super) fn of(sine: &Rational, cosine: &Rational) -> Angle {
+    pub(super) fn atan2(sine: &Rational, cosine: &Rational) -> Angle {
         let is_positive = |x: &Rational| *x > Rational::ZERO;
         match (is_zero(sine), is_zero(cosine)) {
             (true, _) if is_positive(cosine) => Angle::ZERO,
@@ -75,15 +75,15 @@ impl Angle {
 pub(super) fn roll_pitch_yaw(m: &Matrix) -> [Angle; 3] {
     let square = &m[0][0] * &m[0][0] + &m[1][0] * &m[1][0];
     let cosine = square_root(&square).unwrap_or(Rational::ZERO);
-    let pitch = Angle::of(&-&m[2][0], &cosine);
+    let pitch = Angle::atan2(&-&m[2][0], &cosine);
     if is_zero(&cosine) {
         // Roll and yaw turn about one axis: yaw is zero.
-        return [Angle::of(&-&m[1][2], &m[1][1]), pitch, Angle::ZERO];
+        return [Angle::atan2(&-&m[1][2], &m[1][1]), pitch, Angle::ZERO];
     }
     [
-        Angle::of(&m[2][1], &m[2][2]),
+        Angle::atan2(&m[2][1], &m[2][2]),
         pitch,
-        Angle::of(&m[1][0], &m[0][0]),
+        Angle::atan2(&m[1][0], &m[0][0]),
     ]
 }
 

@@ -40,7 +40,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// A row that was read. That of a table begins at one place.
+    /// A row that was read. The row of a table begins at one place.
     pub(super) fn as_written(convention: Convention, row: &'a Joint) -> Self {
         let parameters = [&row.a, &row.alpha, &row.d, &row.theta].map(Node::from);
         let at = row.at.first().map(|at| [nodes(&at.xyz), nodes(&at.rpy)]);
@@ -63,7 +63,7 @@ impl<'a> Line<'a> {
         let mut cells = vec![entry("name", &*self.name), entry("type", joint_type)];
         cells.extend(on.map(|on| entry("on", on)));
         cells.extend(self.cells);
-        cells.extend(self.joint.into_iter().flat_map(of_joint));
+        cells.extend(self.joint.into_iter().flat_map(joint_cells));
         cells
     }
 }
@@ -134,11 +134,11 @@ where
 
 pub(super) const TENSOR: [&str; 6] = ["xx", "yy", "zz", "xy", "yz", "xz"];
 
-// Each cell is written by `Line::as_written` or by `of_joint`.
+// Each cell is written by `Line::as_written` or by `joint_cells`.
 const _: () = assert!(Joint::CELLS == 11);
 
 /// The motor, friction, spring and limits of a joint.
-fn of_joint(joint: &Joint) -> Entries {
+fn joint_cells(joint: &Joint) -> Entries {
     let named = |word, x: &Value| unless_zero(word, x.into());
     let pair =
         |word, [(a, x), (b, y)]: [(&str, &Value); 2]| entry(word, vec![entry(a, x), entry(b, y)]);

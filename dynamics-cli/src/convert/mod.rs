@@ -2,7 +2,7 @@
 //! convention as those of the other.
 //!
 //! `arm` puts the axes and bodies of a file in space, exactly where angles are quarter turns and in fifty digits where they
-//! are not; `axes` finds the normals between them and `table` the rows, or `urdf` writes them as they are. A table that
+//! are not. `axes` finds the normals between them and `table` the rows, or `urdf` writes them as they are. A table that
 //! stays in its convention keeps its rows. `document` says a table in the macro's words, `toml` and `json` write it, and
 //! the macro's own reader reads it back.
 
@@ -43,7 +43,7 @@ use table::Table;
 
 /// The text of the other file.
 pub(crate) fn run(given: &Convert) -> Result<String, Failure> {
-    let path = &given.robot.file.file;
+    let path = &given.robot.file.path;
     let target = target(given);
     let room = match target {
         Format::Urdf => usize::MAX,
@@ -64,7 +64,7 @@ pub(crate) fn run(given: &Convert) -> Result<String, Failure> {
 /// The format that is requested: by name, by that of the file that is written, or the other one.
 fn target(given: &Convert) -> Format {
     let of_name = given.output.out.as_deref().and_then(Format::of);
-    let other = if has_links(&given.robot.file.file) {
+    let other = if has_links(&given.robot.file.path) {
         Format::Toml
     } else {
         Format::Urdf
@@ -119,7 +119,7 @@ fn as_table(
     format: Format,
     given: &Convert,
 ) -> Result<String, Failure> {
-    let path = &given.robot.file.file;
+    let path = &given.robot.file.path;
     let convention = given.convention.unwrap_or(model.robot.convention);
     let impossible = || Failure::of_file(path, "no table was found that has the arm's geometry");
     let is_kept = convention == model.robot.convention
@@ -127,7 +127,7 @@ fn as_table(
     let table = if is_kept {
         None
     } else {
-        Some(Table::of(arm, convention).ok_or_else(impossible)?)
+        Some(Table::find(arm, convention).ok_or_else(impossible)?)
     };
     let mut remarks = remarks(path, !is_kept, model);
     let frames = model.robot.frames.iter();
@@ -171,7 +171,7 @@ fn as_table(
 }
 
 fn as_urdf(name: &str, arm: &Arm, model: &Model, given: &Convert) -> Result<String, Failure> {
-    let path = &given.robot.file.file;
+    let path = &given.robot.file.path;
     let without_words = urdf::without_words(arm);
     let is_missing = |word: &str| !given.without.iter().any(|known| known == word);
     let parts = without_words.iter().filter(|(word, _)| is_missing(word));

@@ -26,7 +26,7 @@ pub(super) struct Normal {
 
 impl Axis {
     /// The z axis of a frame.
-    pub(super) fn of(frame: &Transform) -> Axis {
+    pub(super) fn z(frame: &Transform) -> Axis {
         Axis {
             point: frame.origin.clone(),
             direction: frame.axis(2),

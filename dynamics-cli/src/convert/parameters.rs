@@ -17,7 +17,7 @@ pub(super) struct Parameters {
 
 impl Parameters {
     /// The parameters of a step from a frame to the next one.
-    pub(super) fn of(convention: Convention, step: &Transform) -> Parameters {
+    pub(super) fn from_step(convention: Convention, step: &Transform) -> Parameters {
         let Transform {
             rotation: r,
             origin: [x, y, z],
@@ -26,16 +26,16 @@ impl Parameters {
             // Rz(theta) Tz(d) Tx(a) Rx(alpha), of which the origin is (a cos theta, a sin theta, d).
             Convention::Standard => Parameters {
                 a: tidy(x * &r[0][0] + y * &r[1][0]),
-                alpha: Angle::of(&r[2][1], &r[2][2]),
+                alpha: Angle::atan2(&r[2][1], &r[2][2]),
                 d: z.clone(),
-                theta: Angle::of(&r[1][0], &r[0][0]),
+                theta: Angle::atan2(&r[1][0], &r[0][0]),
             },
             // Rx(alpha) Tx(a) Rz(theta) Tz(d), of which the origin is (a, -d sin alpha, d cos alpha).
             Convention::Modified => Parameters {
                 a: x.clone(),
-                alpha: Angle::of(&-&r[1][2], &r[2][2]),
+                alpha: Angle::atan2(&-&r[1][2], &r[2][2]),
                 d: tidy(y * &r[1][2] + z * &r[2][2]),
-                theta: Angle::of(&-&r[0][1], &r[0][0]),
+                theta: Angle::atan2(&-&r[0][1], &r[0][0]),
             },
         }
     }

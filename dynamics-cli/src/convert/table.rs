@@ -61,7 +61,7 @@ fn is_sayable(frame: Option<&Transform>) -> bool {
 
 impl<'a> Table<'a> {
     /// The table of an arm that has a joint, or a base that moves; none where the numbers found are not those of the arm.
-    pub(super) fn of(arm: &'a Arm<'a>, convention: Convention) -> Option<Table<'a>> {
+    pub(super) fn find(arm: &'a Arm<'a>, convention: Convention) -> Option<Table<'a>> {
         let table = Table::with(arm, convention, Ends::default())?;
         let ends = Ends {
             base: !is_sayable(table.base.as_ref()),
@@ -112,7 +112,7 @@ impl<'a> Branches<'a> {
     /// The table on a base that stands where the first joint needs it.
     fn on_standing_base(mut self, ends: Ends) -> Option<Table<'a>> {
         let (arm, convention) = (self.arm, self.convention);
-        let mut axis = Axis::of(&arm.joints.first()?.frame);
+        let mut axis = Axis::z(&arm.joints.first()?.frame);
         if arm.joints[0].slides() {
             // A joint that slides may have its axis anywhere.
             axis.point = [Rational::ZERO; 3];
@@ -129,7 +129,7 @@ impl<'a> Branches<'a> {
         };
         let mut axes = Axes::new(arm);
         if ends.base {
-            axes.start(&base, Axis::of(&base), None);
+            axes.start(&base, Axis::z(&base), None);
             axes.lead_to(axis, Some(&arm.joints[0]));
         } else {
             axes.start(&base, axis, Some(&arm.joints[0]));
@@ -154,11 +154,11 @@ impl<'a> Branches<'a> {
     fn branch_off(&mut self, base: &Transform, first: usize, has_end: bool) -> Option<()> {
         let joint = &self.arm.joints[first];
         let carrier = joint.parent.map_or(base, |parent| &self.links[parent]);
-        let mut axis = Axis::of(&joint.frame);
+        let mut axis = Axis::z(&joint.frame);
         let mut axes = Axes::new(self.arm);
         let beginning = match self.convention {
             Convention::Modified => {
-                axes.start(carrier, Axis::of(carrier), None);
+                axes.start(carrier, Axis::z(carrier), None);
                 axes.lead_to(axis, Some(joint));
                 axes.without_first()
             }
@@ -190,14 +190,14 @@ impl<'a> Branches<'a> {
         let arm = self.arm;
         let mut joints = vec![first];
         while let Some(next) = arm.children(joints.last().copied()).next() {
-            axes.lead_to(Axis::of(&arm.joints[next].frame), Some(&arm.joints[next]));
+            axes.lead_to(Axis::z(&arm.joints[next].frame), Some(&arm.joints[next]));
             joints.push(next);
         }
         let last = joints[joints.len() - 1];
         let tip = arm.tip.as_ref().filter(|tip| tip.on == Some(last));
         let tip = tip.map(|tip| &tip.frame);
         if let Some(tip) = tip.filter(|_| has_end) {
-            axes.lead_to(Axis::of(tip), None);
+            axes.lead_to(Axis::z(tip), None);
         }
         let frames = axes.frames(self.convention, start, tip);
         // Rows that stand still belong to the joint behind them, and at the end to the last one.
@@ -237,13 +237,13 @@ impl<'a> Branches<'a> {
     fn table(self, base: Transform) -> Table<'a> {
         let (arm, mut rows) = (self.arm, Vec::new());
         let mut ends = Vec::with_capacity(arm.joints.len());
-        for (joint, mut of_joint) in arm.joints.iter().zip(self.rows) {
+        for (joint, mut joint_rows) in arm.joints.iter().zip(self.rows) {
             let above = rows.len().checked_sub(1);
             let parent = joint.parent.map(|parent| ends[parent]);
             if parent != above {
-                of_joint[0].on = parent.map_or(Carrier::Base, Carrier::Row);
+                joint_rows[0].on = parent.map_or(Carrier::Base, Carrier::Row);
             }
-            rows.append(&mut of_joint);
+            rows.append(&mut joint_rows);
             ends.push(rows.len() - 1);
         }
         let behind = |on: Option<usize>, frame: &Transform| {
@@ -291,7 +291,7 @@ fn rows_between<'a>(
     joint: Option<&'a Joint<'a>>,
 ) -> Option<Vec<Row<'a>>> {
     let step = from.inverse().then(to).tidy();
-    let steps = Parameters::of(convention, &step).in_steps(convention);
+    let steps = Parameters::from_step(convention, &step).in_steps(convention);
     let mut product = Transform::identity();
     for (parameters, _) in &steps {
         product = product.then(&parameters.step(convention)?).tidy();

@@ -107,7 +107,7 @@ pub(super) fn text(name: &str, arm: &Arm, remarks: &[String]) -> String {
     let mut end = |name: &str, place: &Place, body: Option<&Fixed>| {
         let (parent, origin) = on(place.on, &place.frame, &links);
         let body = body.map(|body| [from_ref(&body.mass), &body.com, &body.inertia]);
-        writer.end(name, &parent, &origin, body.map(of_values).as_ref());
+        writer.end(name, &parent, &origin, body.map(body_of_values).as_ref());
     };
     for (place, frame) in arm.frames.iter().zip(&arm.robot.frames) {
         end(&frame.name, place, frame.body.as_ref());
@@ -152,7 +152,7 @@ fn free(mut name: String, taken: &mut BTreeSet<String>) -> String {
 }
 
 /// A body by its mass, its centre of mass and its tensor.
-fn of_values([mass, com, inertia]: [&[Value]; 3]) -> Body {
+fn body_of_values([mass, com, inertia]: [&[Value]; 3]) -> Body {
     let of = |value: &Value| number(value).unwrap_or(Rational::ZERO);
     Body {
         mass: of(&mass[0]),

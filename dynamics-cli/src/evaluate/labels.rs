@@ -27,7 +27,7 @@ impl Labels {
     }
 
     /// The names of so many rows, columns or values of a list; none where their order is said by the quantity.
-    pub(super) fn of(&self, size: Size, count: usize) -> Option<Vec<String>> {
+    pub(super) fn names(&self, size: Size, count: usize) -> Option<Vec<String>> {
         match size {
             Size::One | Size::Fixed(_) => None,
             Size::Joints => Some(self.joints.clone()),
@@ -64,7 +64,7 @@ mod tests {
             joints: ["a", "b", "c"].map(str::to_owned).to_vec(),
             freedoms: Vec::new(),
         };
-        let pairs = labels.of(Size::Pairs, 3).expect("names");
+        let pairs = labels.names(Size::Pairs, 3).expect("names");
         assert_eq!(pairs, ["(1,2)", "(1,3)", "(2,3)"]);
     }
 }

@@ -30,7 +30,7 @@ pub(crate) fn run(given: &Evaluate) -> Result<String, Failure> {
         }
     }
     let (known, left_out): (Vec<_>, Vec<_>) = asked.into_iter().partition(is_known);
-    let arm = arm(&given.robot.file.file, &robot, &known)?;
+    let arm = arm(&given.robot.file.path, &robot, &known)?;
     let labels = Labels::new(&robot);
     let tables = Tables {
         labels: &labels,
@@ -108,7 +108,7 @@ fn section(
     for line in quantities(arm.robot(), request) {
         let _ = writeln!(text, "{}", format!("   {line}").trim_end());
     }
-    for line in tables.of_request(arm.robot(), request, &value) {
+    for line in tables.request_lines(arm.robot(), request, &value) {
         let _ = writeln!(text, "{}", format!("    {line}").trim_end());
     }
     Ok(text)

@@ -47,7 +47,7 @@ pub(super) fn state_table(robot: &Robot, state: &State, tables: &Tables) -> Stri
 
 impl Tables<'_> {
     /// The value of a function, or those of several behind their names.
-    pub(super) fn of_request(
+    pub(super) fn request_lines(
         &self,
         robot: &Robot,
         request: &Request,
@@ -57,15 +57,15 @@ impl Tables<'_> {
         if let (true, Value::Tuple(values)) = (request.is_tuple(), value) {
             let parts = parts.iter().zip(values);
             let parts = parts.flat_map(|(part, value)| {
-                let lines = self.of_function(part.function, value);
+                let lines = self.function_lines(part.function, value);
                 [robot.name_of(*part)].into_iter().chain(lines)
             });
             return parts.collect();
         }
-        self.of_function(parts[0].function, value)
+        self.function_lines(parts[0].function, value)
     }
 
-    fn of_function(&self, function: Function, value: &Value) -> Vec<String> {
+    fn function_lines(&self, function: Function, value: &Value) -> Vec<String> {
         let mut lines = self.value(value, function.shape());
         if let (Function::ForwardKinematics, Value::Matrix(pose)) = (function, value) {
             let rotation: Matrix3<f64> = pose.fixed_view::<3, 3>(0, 0).into();
@@ -96,7 +96,7 @@ impl Tables<'_> {
                 self.matrix(matrix, *rows, *columns)
             }
             (Value::Each(values), Shape::Each(count, one)) => {
-                let names = self.labels.of(*count, values.len());
+                let names = self.labels.names(*count, values.len());
                 let numbers = (1..=values.len()).map(|k| k.to_string());
                 let names = names.unwrap_or_else(|| numbers.collect());
                 let values = names.into_iter().zip(values);
@@ -121,8 +121,8 @@ impl Tables<'_> {
 
     /// A matrix with the names of its rows and columns, where they have some.
     fn matrix(&self, matrix: &DMatrix<f64>, rows: Size, columns: Size) -> Vec<String> {
-        let of_rows = self.labels.of(rows, matrix.nrows());
-        let of_columns = self.labels.of(columns, matrix.ncols());
+        let of_rows = self.labels.names(rows, matrix.nrows());
+        let of_columns = self.labels.names(columns, matrix.ncols());
         let mut table = Vec::new();
         if let Some(names) = of_columns {
             let corner = of_rows.iter().map(|_| String::new());

@@ -60,7 +60,7 @@ pub(super) fn table(robot: &Robot) -> String {
         text.push('\n');
     }
     for frame in &robot.frames {
-        text.push_str(&of_frame(robot, frame, width));
+        text.push_str(&frame_line(robot, frame, width));
     }
     text
 }
@@ -116,7 +116,7 @@ fn carrier(robot: &Robot, on: &str, width: usize) -> String {
 }
 
 /// A frame, and the body that is fixed there.
-fn of_frame(robot: &Robot, frame: &Frame, width: usize) -> String {
+fn frame_line(robot: &Robot, frame: &Frame, width: usize) -> String {
     let (name, on) = (&frame.name, link(robot, frame.on));
     let places = places(robot, &frame.places);
     let fixed = frame.body.as_ref().map(|fixed| body(robot, fixed));
