@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use dynamics_codegen::description::Place;
 use dynamics_codegen::files;
 use dynamics_runtime::nalgebra::Dyn;
-use dynamics_runtime::simulation::{CsvMistake, SizedModel, SizedTrajectory, Stand};
+use dynamics_runtime::simulation::{CsvMistake, SizedModel, SizedTrajectory};
 use dynamics_symbolic::robot::Robot;
 
 use crate::failure::Failure;
@@ -18,9 +18,9 @@ pub(crate) use dynamics_runtime::simulation::shortest;
 const MOST_BYTES: usize = 100_000_000;
 
 /// The motion as a table. It is drawn as well, into the file of `--plot`, if there is one.
-pub(crate) fn put<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
-    motion: &SizedTrajectory<K>,
-    columns: &impl SizedModel<K>,
+pub(crate) fn put(
+    motion: &SizedTrajectory<Dyn>,
+    columns: &impl SizedModel<Dyn>,
     robot: &Robot,
     plot: Option<&PathBuf>,
 ) -> Result<String, Failure> {
@@ -35,10 +35,7 @@ pub(crate) fn put<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
 }
 
 /// The motion as a table. A number that is not finite is a failure, which names its time and its column.
-fn written<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
-    motion: &SizedTrajectory<K>,
-    robot: &impl SizedModel<K>,
-) -> Result<String, Failure> {
+fn written(motion: &SizedTrajectory<Dyn>, robot: &impl SizedModel<Dyn>) -> Result<String, Failure> {
     let names = robot.names();
     let energies = motion.both_energies(robot);
     for (sample, energies) in motion.samples().zip(energies) {
@@ -80,10 +77,7 @@ fn too_large(column: &str, t: f64) -> String {
 
 /// The points of a file: rows of a time and a position of every joint, with velocities where the file has them. On a base that
 /// moves they have places of the base, velocities and accelerations.
-pub(crate) fn read<K: Stand<Joints = Dyn>>(
-    path: &Path,
-    robot: &Robot,
-) -> Result<SizedTrajectory<K>, Failure> {
+pub(crate) fn read(path: &Path, robot: &Robot) -> Result<SizedTrajectory<Dyn>, Failure> {
     let joints: Vec<_> = robot.joints().map(|row| row.name.as_str()).collect();
     let wrong = |line: usize, column: usize, message: String| {
         let place = format!("{}:{line}:{column}", path.display());
@@ -95,7 +89,8 @@ pub(crate) fn read<K: Stand<Joints = Dyn>>(
         Place::File { line, column } => wrong(line, column, error.message),
         Place::Tokens { .. } => wrong(1, 1, error.message),
     })?;
-    let points = SizedTrajectory::<K>::read_points(&joints, text.as_bytes());
+    let moves = robot.freedoms().has_base();
+    let points = SizedTrajectory::read_points(&joints, moves, text.as_bytes());
     let points = points.map_err(|error| {
         let hint = hint(&error.mistake, robot);
         wrong(error.line, error.letter, format!("{}{hint}", error.mistake))

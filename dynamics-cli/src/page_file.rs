@@ -10,7 +10,7 @@ use crate::arguments;
 use crate::beside::fields;
 use crate::failure::Failure;
 use crate::load::{programs, read_with_fields, read_with_links};
-use crate::state::{positions, refuse_pose, roll_pitch_yaw, vector};
+use crate::state::{base, positions, roll_pitch_yaw, vector};
 
 /// The page.
 pub(crate) fn run(given: &arguments::Page) -> Result<String, Failure> {
@@ -59,7 +59,7 @@ fn start(given: &arguments::Page, robot: &Robot) -> Result<Start, Failure> {
     let freedoms_of_each = [freedoms.base, freedoms.joints];
     let velocity = is_fast.then(|| vector(&given.velocity, "velocity", freedoms_of_each));
     if !freedoms.has_base() {
-        refuse_pose(&given.pose)?;
+        base(robot, &given.pose)?;
     }
     Ok(Start {
         from: positions_of("from", &given.from)?,

@@ -42,7 +42,7 @@ pub(crate) fn vector(
 }
 
 /// The pose of `--pose`: roll, pitch and yaw are turns about the fixed axes x, y and z, one after the other.
-pub(crate) fn pose(given: &[f64]) -> Result<Pose<f64>, Failure> {
+fn pose(given: &[f64]) -> Result<Pose<f64>, Failure> {
     let [x, y, z, roll, pitch, yaw] = roll_pitch_yaw(given)?.unwrap_or_default();
     Ok(Pose {
         rotation: Rotation3::from_euler_angles(roll, pitch, yaw).into_inner(),
@@ -76,13 +76,16 @@ pub(crate) fn poses_of(turns: &[f64]) -> Vec<f64> {
     turns.chunks_exact(3).flat_map(pose).collect()
 }
 
-/// Refuses the pose of a base that stands.
-pub(crate) fn refuse_pose(given: &[f64]) -> Result<(), Failure> {
+/// The pose of a base that moves; one of a base that stands is refused.
+pub(crate) fn base(robot: &Robot, given: &[f64]) -> Result<Option<Pose<f64>>, Failure> {
+    if robot.freedoms().has_base() {
+        return Ok(Some(pose(given)?));
+    }
     if !given.is_empty() {
         let message = "`--pose` is of a robot whose base moves: this one stands";
         return Err(Failure::of_the_command_line(message));
     }
-    Ok(())
+    Ok(None)
 }
 
 /// Where the robot is, how it moves and what drives it.
@@ -101,12 +104,7 @@ impl State {
         let freedoms = robot.freedoms();
         let [q, qd, qdd] = states(at, [freedoms.joints, freedoms.all()])?;
         note_degrees("--at", robot, &q);
-        let base = if freedoms.has_base() {
-            Some(self::pose(pose)?)
-        } else {
-            refuse_pose(pose)?;
-            None
-        };
+        let base = base(robot, pose)?;
         let tau = vector(torque, "torque", [freedoms.base, freedoms.joints])?;
         Ok(State {
             q,

@@ -55,10 +55,6 @@ pub enum EvaluationError {
     NotDerived(String),
     /// The same of a function that a simulation needs.
     NotSimulated(String),
-    /// The base of the robot moves: its motion is [`RuntimeRobot::dynamics_on_base`](crate::RuntimeRobot::dynamics_on_base).
-    MovingBase,
-    /// The base of the robot stands: its motion is [`RuntimeRobot::dynamics`](crate::RuntimeRobot::dynamics).
-    StandingBase,
     /// An argument, or the results, have another length than they must.
     Length {
         /// The argument by its name, or `results`.
@@ -94,13 +90,6 @@ impl fmt::Display for EvaluationError {
                     f,
                     "`{function}` was not derived: request it when the robot is made"
                 )
-            }
-            EvaluationError::MovingBase => write!(
-                f,
-                "the base of this robot moves: take `dynamics_on_base`, whose laws are given where the base stands"
-            ),
-            EvaluationError::StandingBase => {
-                write!(f, "the base of this robot stands: take `dynamics`")
             }
             EvaluationError::NotSimulated(function) => write!(
                 f,

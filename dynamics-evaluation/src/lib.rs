@@ -37,5 +37,5 @@ pub use identified::{IdentificationError, ImpossibleLink, JointFriction, Nearest
 pub use reach::RuntimePlace;
 pub use robot::RuntimeRobot;
 pub use rows::Arrangement;
-pub use simulated::{Mark, Moves, RuntimeDynamics, Stands, Tip};
+pub use simulated::RuntimeDynamics;
 pub use value::Value;

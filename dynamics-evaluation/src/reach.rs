@@ -1,26 +1,25 @@
 //! A frame of a robot at run time, as numeric inverse kinematics and forces of the surroundings take it.
 
-use core::marker::PhantomData;
-
+use dynamics_runtime::SizedKinematics;
 use dynamics_runtime::inverse_kinematics::SizedTable;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Matrix6xX};
+use dynamics_runtime::simulation::Place;
 use dynamics_runtime::table::RuntimeTable;
-use dynamics_runtime::{Pose, SizedKinematics};
 use dynamics_symbolic::Function;
 
 use crate::compiled::Compiled;
-use crate::{EvaluationError, Moves, RuntimeRobot};
+use crate::{EvaluationError, RuntimeRobot};
 
 /// The tip of a [`RuntimeRobot`], or one of its frames: what
-/// [`InverseKinematics`](dynamics_runtime::InverseKinematics) needs of it. Vectors are `DVector<f64>`. One that [`Moves`] is
-/// that of a robot on a base that moves.
+/// [`InverseKinematics`](dynamics_runtime::InverseKinematics) needs of it, and a force at it in a
+/// [`Simulation`](dynamics_runtime::Simulation). Vectors are `DVector<f64>`. Inverse kinematics takes a base that moves to stand in
+/// the frame of the world.
 #[derive(Clone, Debug)]
-pub struct RuntimePlace<'a, K = ()> {
+pub struct RuntimePlace<'a> {
     arm: &'a RuntimeRobot,
     table: RuntimeTable,
     pose: &'a Compiled,
     jacobian: &'a Compiled,
-    base: PhantomData<K>,
 }
 
 /// The functions that find a place: its pose, and its Jacobian.
@@ -79,82 +78,53 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotDerived`] unless both
-    /// [`place_functions`](RuntimeRobot::place_functions) were requested.
+    /// [`EvaluationError::NotDerived`] unless both [`place_functions`](RuntimeRobot::place_functions) were requested.
     pub fn place(&self, frame: Option<&str>) -> Result<RuntimePlace<'_>, EvaluationError> {
-        match self.robot().floating() {
-            Some(_) => Err(EvaluationError::MovingBase),
-            None => self.place_of(frame),
-        }
-    }
-
-    /// The same of a robot on a base that moves.
-    ///
-    /// # Errors
-    ///
-    /// [`EvaluationError::StandingBase`] of a robot whose base stands; [`EvaluationError::NotDerived`] as for
-    /// [`place`](RuntimeRobot::place).
-    pub fn place_on_base(
-        &self,
-        frame: Option<&str>,
-    ) -> Result<RuntimePlace<'_, Moves>, EvaluationError> {
-        match self.robot().floating() {
-            Some(_) => self.place_of(frame),
-            None => Err(EvaluationError::StandingBase),
-        }
-    }
-
-    fn place_of<K>(&self, frame: Option<&str>) -> Result<RuntimePlace<'_, K>, EvaluationError> {
         let [pose, jacobian] = RuntimeRobot::place_methods(frame);
         Ok(RuntimePlace {
             arm: self,
             table: self.table(),
             pose: self.function(&pose)?,
             jacobian: self.function(&jacobian)?,
-            base: PhantomData,
         })
     }
 }
 
-impl<K> RuntimePlace<'_, K> {
+impl RuntimePlace<'_> {
     /// The entries of a function; NaN where there are none.
-    fn entries(&self, function: &Compiled, arguments: &[&[f64]]) -> Vec<f64> {
-        let values = self.arm.at(function, arguments);
+    fn entries(&self, function: &Compiled, place: &Place<Dyn>) -> Vec<f64> {
+        let values = self
+            .arm
+            .behind_base(place, [], |arguments| self.arm.at(function, arguments));
         values.unwrap_or_else(|_| vec![f64::NAN; function.layout.entries()])
     }
 
-    fn pose(&self, arguments: &[&[f64]]) -> Matrix4<f64> {
-        Matrix4::from_column_slice(&self.entries(self.pose, arguments))
-    }
-
-    fn jacobian(&self, arguments: &[&[f64]]) -> Matrix6xX<f64> {
-        Matrix6xX::from_vec(self.entries(self.jacobian, arguments))
-    }
-}
-
-impl RuntimePlace<'_> {
-    /// The pose and the Jacobian: what [`wrench_at`](dynamics_runtime::Simulation::wrench_at) needs.
-    pub fn at(&self, q: &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>) {
-        (self.tip_pose(q), self.tip_jacobian(q))
+    /// The pose and the Jacobian where the robot is: what [`wrench_at`](dynamics_runtime::Simulation::wrench_at) needs. The
+    /// columns of a base that moves come first.
+    pub fn at(&self, place: &Place<Dyn>) -> (Matrix4<f64>, Matrix6xX<f64>) {
+        let pose = Matrix4::from_column_slice(&self.entries(self.pose, place));
+        (
+            pose,
+            Matrix6xX::from_vec(self.entries(self.jacobian, place)),
+        )
     }
 }
 
-impl RuntimePlace<'_, Moves> {
-    /// The pose and the Jacobian where the base has a pose; the columns of the base come first.
-    pub fn at(&self, base: &Pose<f64>, q: &DVector<f64>) -> (Matrix4<f64>, Matrix6xX<f64>) {
-        let entries = base.entries();
-        let arguments = [entries.as_slice(), q.as_slice()];
-        (self.pose(&arguments), self.jacobian(&arguments))
-    }
+/// Joints alone move.
+fn joints(q: &DVector<f64>) -> Place<Dyn> {
+    let q = q.clone();
+    Place { base: None, q }
 }
 
 impl SizedKinematics<Dyn> for RuntimePlace<'_> {
     fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
-        self.pose(&[q.as_slice()])
+        Matrix4::from_column_slice(&self.entries(self.pose, &joints(q)))
     }
 
     fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
-        self.jacobian(&[q.as_slice()])
+        let entries = self.entries(self.jacobian, &joints(q));
+        let of_base = entries.len() - 6 * q.len();
+        Matrix6xX::from_column_slice(&entries[of_base..])
     }
 }
 

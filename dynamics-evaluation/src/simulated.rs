@@ -1,11 +1,9 @@
 //! A robot at run time as simulations take it: its number of joints is known at run time alone.
 
-use core::marker::PhantomData;
-
-use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn, Matrix4, Matrix6xX};
+use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn};
 use dynamics_runtime::{
-    Dual, Pose, Scalar, SingularMassMatrix, SizedKinematics, SizedMomenta,
-    simulation::{EquationsOfMotion, OnBase, Responses, SizedModel, Stand},
+    Dual, Pose, Scalar, SingularMassMatrix, SizedMomenta,
+    simulation::{EquationsOfMotion, Place, Responses, SizedModel},
     table::RuntimeTable,
 };
 use dynamics_symbolic::Function;
@@ -13,66 +11,20 @@ use dynamics_symbolic::Function;
 use crate::compiled::Compiled;
 use crate::{EvaluationError, RuntimeRobot};
 
-/// A [`RuntimeRobot`] that has the functions by which an arm moves, as
-/// [`Simulation`](dynamics_runtime::Simulation) needs them: vectors are `DVector<f64>`.
+/// A [`RuntimeRobot`] that has the functions by which it moves, as
+/// [`Simulation`](dynamics_runtime::Simulation) needs them: vectors are `DVector<f64>`, and laws are given a
+/// [`Place`].
 ///
-/// With a [`Tip`], it has the kinematics of its tip too: a simulation of it may have a force at the tool. One that [`Moves`] is
-/// on a base that moves.
+/// A force at the tip or at a frame is that of a [`RuntimeRobot::place`].
 #[derive(Clone, Debug)]
-pub struct RuntimeDynamics<'a, K = ()> {
+pub struct RuntimeDynamics<'a> {
     arm: &'a RuntimeRobot,
     table: RuntimeTable,
-    /// Some of the functions of [`OF_SIMULATIONS`].
+    /// Those of [`OF_SIMULATIONS`] that the robot needs.
     functions: Vec<&'a Compiled>,
-    tip: PhantomData<K>,
 }
 
-/// The mark of a [`RuntimeDynamics`] that has the functions of its tip.
-#[derive(Clone, Copy, Debug)]
-pub enum Tip {}
-
-/// The mark of a [`RuntimeDynamics`] whose base moves.
-#[derive(Clone, Copy, Debug)]
-pub enum Moves {}
-
-/// The marks of a [`RuntimeDynamics`].
-pub trait Mark: Sized {
-    /// The base of the robot: it stands or moves.
-    type Base: Stand<Joints = Dyn, Freedoms = Dyn>;
-
-    /// The robot in positions and momenta, if its base stands.
-    #[doc(hidden)]
-    fn in_momenta<'r>(_: &'r RuntimeDynamics<'_, Self>) -> Option<&'r dyn SizedMomenta<Dyn>> {
-        None
-    }
-}
-
-macro_rules! stands {
-    ($($mark:ty),*) => {$(
-        impl Mark for $mark {
-            type Base = Dyn;
-
-            fn in_momenta<'r>(
-                robot: &'r RuntimeDynamics<'_, Self>,
-            ) -> Option<&'r dyn SizedMomenta<Dyn>> {
-                Some(robot)
-            }
-        }
-    )*};
-}
-
-stands!((), Tip);
-
-impl Mark for Moves {
-    type Base = OnBase<Dyn, Dyn>;
-}
-
-/// The marks of robots whose base stands.
-pub trait Stands: Mark<Base = Dyn> {}
-
-impl<M: Mark<Base = Dyn>> Stands for M {}
-
-/// The functions of [`RuntimeRobot::dynamics`], then those of [`RuntimeDynamics::with_tip`].
+/// The functions of a simulation. The first two are those of methods in momenta, the last two of a force at the tip.
 const OF_SIMULATIONS: [Function; 7] = [
     Function::MassMatrix,
     Function::InverseDynamics,
@@ -84,35 +36,16 @@ const OF_SIMULATIONS: [Function; 7] = [
 ];
 
 impl RuntimeRobot {
-    /// The names of the functions that a simulation needs: those of [`dynamics`](RuntimeRobot::dynamics), then the two of
-    /// [`with_tip`](RuntimeDynamics::with_tip).
+    /// The names of the functions that a simulation needs: those of [`dynamics`](RuntimeRobot::dynamics), then the two of a
+    /// force at the tip ([`place`](RuntimeRobot::place)).
     ///
-    /// Forward dynamics moves the arm; methods that work in momenta need the mass matrix and inverse dynamics, energies
+    /// Forward dynamics moves the robot; methods that work in momenta need the mass matrix and inverse dynamics, energies
     /// are compared; the last two, `forward_kinematics` and `jacobian`, are those of a force at the tool.
     pub fn simulation_functions() -> [&'static str; 7] {
         OF_SIMULATIONS.map(Function::name)
     }
 
-    /// The motion by functions, each by itself, not a method of several that has its name.
-    fn simulated<K>(
-        &self,
-        functions: &[Function],
-    ) -> Result<RuntimeDynamics<'_, K>, EvaluationError> {
-        let compiled = |function: &Function| {
-            let mut known = self.functions().iter();
-            known
-                .find(|known| known.request.function() == Some(*function))
-                .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
-        };
-        Ok(RuntimeDynamics {
-            arm: self,
-            table: self.table(),
-            functions: functions.iter().map(compiled).collect::<Result<_, _>>()?,
-            tip: PhantomData,
-        })
-    }
-
-    /// The arm with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
+    /// The robot with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
     ///
     /// ```
     /// # mod robot_dynamics {
@@ -132,42 +65,47 @@ impl RuntimeRobot {
     ///
     /// # Errors
     ///
-    /// [`EvaluationError::MovingBase`] of a robot whose base moves; [`EvaluationError::NotSimulated`] unless all
-    /// [`simulation_functions`](RuntimeRobot::simulation_functions) except the two of the tip were requested.
+    /// [`EvaluationError::NotSimulated`] unless all
+    /// [`simulation_functions`](RuntimeRobot::simulation_functions) except the two of the tip were requested; on a base that
+    /// moves, `mass_matrix` and `inverse_dynamics` are not needed either.
     pub fn dynamics(&self) -> Result<RuntimeDynamics<'_>, EvaluationError> {
-        match self.robot().floating() {
-            Some(_) => Err(EvaluationError::MovingBase),
-            None => self.simulated(&OF_SIMULATIONS[..5]),
-        }
+        let first = if self.base_moves() { 2 } else { 0 };
+        // Each by itself, not a method of several that has its name.
+        let compiled = |function: &Function| {
+            let mut known = self.functions().iter();
+            known
+                .find(|known| known.request.function() == Some(*function))
+                .ok_or_else(|| EvaluationError::NotSimulated(function.name().to_owned()))
+        };
+        let functions = OF_SIMULATIONS[first..5].iter().map(compiled);
+        Ok(RuntimeDynamics {
+            arm: self,
+            table: self.table(),
+            functions: functions.collect::<Result<_, _>>()?,
+        })
     }
 
-    /// A robot on a base that moves, with its motion: a [`Simulation`](dynamics_runtime::Simulation) of it is given the pose of
-    /// the base, and its laws are too.
-    ///
-    /// # Errors
-    ///
-    /// [`EvaluationError::StandingBase`] of a robot whose base stands; [`EvaluationError::NotSimulated`] as for
-    /// [`dynamics`](RuntimeRobot::dynamics).
-    pub fn dynamics_on_base(&self) -> Result<RuntimeDynamics<'_, Moves>, EvaluationError> {
-        match self.robot().floating() {
-            Some(_) => self.simulated(&OF_SIMULATIONS[2..5]),
-            None => Err(EvaluationError::StandingBase),
-        }
+    /// Whether the base moves.
+    pub(crate) fn base_moves(&self) -> bool {
+        self.robot().floating().is_some()
+    }
+
+    /// Hands on arguments behind the entries of the pose of a base that moves.
+    pub(crate) fn behind_base<const N: usize, X>(
+        &self,
+        place: &Place<Dyn>,
+        others: [&DVector<f64>; N],
+        read: impl FnOnce(&[&[f64]]) -> X,
+    ) -> X {
+        let pose = place.base.unwrap_or_else(Pose::identity).entries();
+        let base = self.base_moves().then_some(pose.as_slice());
+        let others = [&place.q].into_iter().chain(others);
+        let arguments = base.into_iter().chain(others.map(DVector::as_slice));
+        read(&arguments.collect::<Vec<_>>())
     }
 }
 
-impl<'a> RuntimeDynamics<'a> {
-    /// The arm with its tip: its simulation may have a force at the tool.
-    ///
-    /// # Errors
-    ///
-    /// [`EvaluationError::NotSimulated`] where `forward_kinematics` or `jacobian` was not requested.
-    pub fn with_tip(self) -> Result<RuntimeDynamics<'a, Tip>, EvaluationError> {
-        self.arm.simulated(&OF_SIMULATIONS)
-    }
-}
-
-impl<K> RuntimeDynamics<'_, K> {
+impl RuntimeDynamics<'_> {
     fn compiled(&self, function: Function) -> &Compiled {
         let is_it = |compiled: &&&Compiled| compiled.request.function() == Some(function);
         let found = self.functions.iter().find(is_it);
@@ -228,31 +166,22 @@ fn duals(values: &[f64], slope: impl Fn(usize) -> f64) -> Vec<Dual> {
     pairs.map(|(i, x)| Dual::new(*x, slope(i))).collect()
 }
 
-/// The entries of the pose of a base that moves, before other arguments.
-fn behind_base<const N: usize, X>(
-    base: Option<&Pose<f64>>,
-    others: [&DVector<f64>; N],
-    read: impl FnOnce(&[&[f64]]) -> X,
-) -> X {
-    let entries = base.map(Pose::entries);
-    let base = entries.iter().map(|entries| entries.as_slice());
-    let arguments = base.chain(others.map(DVector::as_slice));
-    read(&arguments.collect::<Vec<_>>())
-}
+impl EquationsOfMotion<Dyn> for RuntimeDynamics<'_> {
+    fn joints(&self) -> Dyn {
+        Dyn(self.table.rows.len())
+    }
 
-impl<M: Mark> EquationsOfMotion<M::Base> for RuntimeDynamics<'_, M> {
     fn size(&self) -> Dyn {
         Dyn(self.arm.dof())
     }
 
     fn accelerations(
         &self,
-        place: <M::Base as Stand>::Place<'_>,
+        place: &Place<Dyn>,
         v: &DVector<f64>,
         tau: &DVector<f64>,
     ) -> Result<DVector<f64>, SingularMassMatrix> {
-        let (base, q) = M::Base::parts(place);
-        let qdd = behind_base(base, [q, v, tau], |arguments| {
+        let qdd = self.arm.behind_base(place, [v, tau], |arguments| {
             self.at(Function::ForwardDynamics, arguments)
         });
         Ok(qdd?.into())
@@ -260,21 +189,21 @@ impl<M: Mark> EquationsOfMotion<M::Base> for RuntimeDynamics<'_, M> {
 
     fn accelerations_and_responses(
         &self,
-        place: <M::Base as Stand>::Place<'_>,
+        place: &Place<Dyn>,
         v: &DVector<f64>,
         tau: &DVector<f64>,
         freedoms: &Vec<bool>,
     ) -> Result<Responses<Dyn>, SingularMassMatrix> {
-        let (base, q) = M::Base::parts(place);
-        behind_base(base, [q, v], |state| self.responses(state, tau, freedoms))
+        let responses = |state: &[&[f64]]| self.responses(state, tau, freedoms);
+        self.arm.behind_base(place, [v], responses)
     }
 
     fn in_momenta(&self) -> Option<&dyn SizedMomenta<Dyn>> {
-        M::in_momenta(self)
+        (!self.arm.base_moves()).then_some(self)
     }
 }
 
-impl<M: Stands> SizedMomenta<Dyn> for RuntimeDynamics<'_, M> {
+impl SizedMomenta<Dyn> for RuntimeDynamics<'_> {
     fn inertia(&self, q: &DVector<f64>) -> DMatrix<f64> {
         let entries = self.numbers(Function::MassMatrix, &[q.as_slice()]);
         DMatrix::from_vec(q.len(), q.len(), entries)
@@ -295,7 +224,7 @@ impl<M: Stands> SizedMomenta<Dyn> for RuntimeDynamics<'_, M> {
     }
 }
 
-impl<M: Mark> SizedModel<M::Base> for RuntimeDynamics<'_, M> {
+impl SizedModel<Dyn> for RuntimeDynamics<'_> {
     fn sized_table(&self) -> RuntimeTable {
         self.table.clone()
     }
@@ -304,28 +233,12 @@ impl<M: Mark> SizedModel<M::Base> for RuntimeDynamics<'_, M> {
         self.arm.joint_names().map(str::to_owned).collect()
     }
 
-    fn sized_energies(
-        &self,
-        place: <M::Base as Stand>::Place<'_>,
-        v: &DVector<f64>,
-    ) -> Option<[f64; 2]> {
-        let (base, q) = M::Base::parts(place);
-        let kinetic = self.numbers(Function::KineticEnergy, &[q.as_slice(), v.as_slice()]);
-        let potential = behind_base(base, [q], |place| {
+    fn sized_energies(&self, place: &Place<Dyn>, v: &DVector<f64>) -> Option<[f64; 2]> {
+        let state = [place.q.as_slice(), v.as_slice()];
+        let kinetic = self.numbers(Function::KineticEnergy, &state);
+        let potential = self.arm.behind_base(place, [], |place| {
             self.numbers(Function::PotentialEnergy, place)
         });
         Some([kinetic[0], potential[0]])
-    }
-}
-
-impl SizedKinematics<Dyn> for RuntimeDynamics<'_, Tip> {
-    fn tip_pose(&self, q: &DVector<f64>) -> Matrix4<f64> {
-        let entries = self.numbers(Function::ForwardKinematics, &[q.as_slice()]);
-        Matrix4::from_column_slice(&entries)
-    }
-
-    fn tip_jacobian(&self, q: &DVector<f64>) -> Matrix6xX<f64> {
-        let entries = self.numbers(Function::Jacobian, &[q.as_slice()]);
-        Matrix6xX::from_vec(entries)
     }
 }

@@ -2,8 +2,8 @@
 
 use std::cell::{Cell, RefCell};
 
-use dynamics_runtime::Pose;
-use dynamics_runtime::nalgebra::{DVector, Matrix4, Vector6};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
+use dynamics_runtime::simulation::Place;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -49,20 +49,14 @@ impl Force {
     }
 
     /// The forces; NaN once the law has failed, which ends the run.
-    pub(crate) fn at(
-        &self,
-        t: f64,
-        base: Option<&Pose<f64>>,
-        q: &DVector<f64>,
-        v: &DVector<f64>,
-    ) -> DVector<f64> {
+    pub(crate) fn at(&self, t: f64, place: &Place<Dyn>, v: &DVector<f64>) -> DVector<f64> {
         if self.failure.borrow().is_some() {
             return self.constant.map(|_| f64::NAN);
         }
         let calls = self.calls.get().wrapping_add(1);
         self.calls.set(calls);
         let forces = match &self.law {
-            Some(law) => Python::attach(|py| self.of_law(py, law, t, base, q, v)),
+            Some(law) => Python::attach(|py| self.of_law(py, law, t, place, v)),
             None if calls.is_multiple_of(BETWEEN_SIGNALS) => {
                 let heard = Python::attach(|py| py.check_signals());
                 heard.map(|()| self.constant.clone())
@@ -80,12 +74,11 @@ impl Force {
         py: Python<'_>,
         law: &Py<PyAny>,
         t: f64,
-        base: Option<&Pose<f64>>,
-        q: &DVector<f64>,
+        place: &Place<Dyn>,
         v: &DVector<f64>,
     ) -> PyResult<DVector<f64>> {
-        let [q, v] = [q, v].map(|x| PyArray1::from_slice(py, x.as_slice()));
-        let forces = match base {
+        let [q, v] = [&place.q, v].map(|x| PyArray1::from_slice(py, x.as_slice()));
+        let forces = match &place.base {
             None => law.call1(py, (t, q, v))?,
             Some(base) => {
                 let pose = array(py, &[4, 4], &by_rows(base))?;

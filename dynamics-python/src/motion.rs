@@ -1,10 +1,10 @@
 //! Simulations, under torques that are constant or a law of Python.
 
-use dynamics_evaluation::{EvaluationError, Moves, RuntimeDynamics, RuntimePlace, RuntimeRobot};
-use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Matrix4, Vector3, Vector6};
+use dynamics_evaluation::{EvaluationError, RuntimeDynamics, RuntimeRobot};
+use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Matrix4, Vector3};
 use dynamics_runtime::simulation::{
-    Cause, ContinuousWrench, Dop853, DormandPrince, EquationsOfMotion, Method, Radau5, SizedModel,
-    SizedSimulationError, SizedTrajectory, Stand, ToolWrench, Work, WrenchAt,
+    Cause, Dop853, DormandPrince, FreeMotion, Method, Place, Radau5, SizedSimulationError,
+    SizedTrajectory, Work,
 };
 use dynamics_runtime::{Friction, Pose, Simulation};
 use pyo3::exceptions::PyValueError;
@@ -136,13 +136,16 @@ impl Plan {
         }
     }
 
-    /// The simulation with all settings but its start.
-    fn planned<'a, R: SizedModel<K> + EquationsOfMotion<K>, L, W, S, K: Stand>(
+    /// The simulation with all settings but its laws.
+    fn planned<'a>(
         &self,
-        simulation: Simulation<'a, R, L, K, W, S>,
+        dynamics: &'a RuntimeDynamics<'a>,
         (method, friction): (Method, Friction),
-    ) -> Simulation<'a, R, L, K, W, S> {
-        let mut simulation = simulation
+    ) -> Simulation<'a, RuntimeDynamics<'a>, FreeMotion, Dyn> {
+        let [q, v] = [&self.q, &self.v].map(|x| DVector::from_column_slice(x));
+        let base = self.base.as_ref().map(|rows| pose_of(rows));
+        let mut simulation = Simulation::new(dynamics)
+            .initial(Place { base, q }, v)
             .method(method)
             .friction(friction)
             .duration(self.duration)
@@ -158,67 +161,44 @@ impl Plan {
         }
         simulation
     }
-
-    fn start(&self) -> [DVector<f64>; 2] {
-        [&self.q, &self.v].map(|x| DVector::from_column_slice(x))
-    }
 }
 
 /// The outcome of a run: its samples, and how it stopped where that was before its end.
 type Ran = Result<(Motion, Option<Stopped>), EvaluationError>;
 
-/// The motion of a robot whose base stands.
-fn standing(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
-    let places = plan.wrenches.iter();
-    let places = places.map(|wrench| robot.place(wrench.frame.as_deref()));
-    let places = places.collect::<Result<Vec<RuntimePlace<'_>>, _>>()?;
+/// The motion of a robot under its laws.
+fn moved(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
     let dynamics = robot.dynamics()?;
-    let [q, v] = plan.start();
-    let law = |t, q: &DVector<f64>, v: &DVector<f64>| force.at(t, None, q, v);
-    let (Some(held), Some(period)) = (&plan.held_wrench, plan.control_period) else {
-        let simulation = Simulation::new(&dynamics)
-            .initial(q, v)
-            .wrenches(at_places(&places, plan, force));
-        let simulation = plan.planned(simulation, kinds);
-        let outcome = match plan.control_period {
-            None => simulation.torque(law).run(),
-            Some(period) => simulation.control_period(period).torque(law).run(),
-        };
-        return Ok(ran(&dynamics, outcome));
+    let mut simulation = plan.planned(&dynamics, kinds);
+    for wrench in &plan.wrenches {
+        let frame = robot.place(wrench.frame.as_deref())?;
+        simulation = simulation.wrench_at(
+            move |_, place| frame.at(place),
+            |t, pose, twist| force.wrench(wrench, t, pose, twist),
+        );
+    }
+    let law = |t, place: &Place<Dyn>, v: &DVector<f64>| force.at(t, place, v);
+    let outcome = match plan.control_period {
+        None => simulation.torque(law).run(),
+        Some(period) => {
+            let mut simulation = simulation.control_period(period);
+            if let Some(held) = &plan.held_wrench {
+                let frame = robot.place(held.frame.as_deref())?;
+                simulation = simulation.held_wrench_at(
+                    move |_, place| frame.at(place),
+                    |t, pose, twist| force.wrench(held, t, pose, twist),
+                );
+            }
+            simulation.torque(law).run()
+        }
     };
-    let dynamics = dynamics.with_tip()?;
-    let wrench = |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench(held, t, pose, twist);
-    let simulation = Simulation::new(&dynamics)
-        .control_period(period)
-        .initial(q, v)
-        .held_tool_wrench(wrench)
-        .wrenches(at_places(&places, plan, force));
-    let simulation = plan.planned(simulation, kinds);
-    Ok(ran(&dynamics, simulation.torque(law).run()))
-}
-
-/// The forces of the surroundings at their places.
-fn at_places<'a, R>(
-    places: &'a [RuntimePlace<'_>],
-    plan: &'a Plan,
-    force: &'a Force,
-) -> Vec<impl ToolWrench<R, Dyn> + ContinuousWrench> {
-    let pairs = places.iter().zip(&plan.wrenches);
-    let wrenches = pairs.map(move |(place, wrench)| {
-        WrenchAt::new(
-            move |_: &R, q: &DVector<f64>| place.at(q),
-            move |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| {
-                force.wrench(wrench, t, pose, twist)
-            },
-        )
-    });
-    wrenches.collect()
+    Ok(ran(&dynamics, outcome))
 }
 
 /// The samples of a run, with their energies; the poses of a base that moves by rows.
-fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
-    dynamics: &impl SizedModel<K>,
-    outcome: Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>,
+fn ran(
+    dynamics: &RuntimeDynamics<'_>,
+    outcome: Result<SizedTrajectory<Dyn>, Box<SizedSimulationError<Dyn>>>,
 ) -> (Motion, Option<Stopped>) {
     let (motion, stopped) = match outcome {
         Ok(motion) => (motion, None),
@@ -229,9 +209,9 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
             (error.trajectory, Some(stopped))
         }
     };
-    let poses = motion.places().filter_map(|place| K::parts(place).0);
+    let of_base = if motion.base.is_empty() { 0 } else { 6 };
     let motion = Motion {
-        base: poses.flat_map(by_rows).collect(),
+        base: motion.base.iter().flat_map(by_rows).collect(),
         energies: motion.both_energies(dynamics).flatten().collect(),
         t: motion.t,
         q: motion.q,
@@ -243,37 +223,10 @@ fn ran<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
         creeping: motion
             .creeping
             .iter()
-            .filter_map(|joint| joint.checked_sub(K::OF_BASE))
+            .filter_map(|joint| joint.checked_sub(of_base))
             .collect(),
     };
     (motion, stopped)
-}
-
-/// The motion of a robot whose base moves.
-fn on_base(robot: &RuntimeRobot, plan: &Plan, kinds: (Method, Friction), force: &Force) -> Ran {
-    let dynamics = robot.dynamics_on_base()?;
-    let [q, v] = plan.start();
-    let base = plan.base.as_ref();
-    let base = base.map_or_else(Pose::identity, |rows| pose_of(rows));
-    let places = plan.wrenches.iter();
-    let places = places.map(|wrench| robot.place_on_base(wrench.frame.as_deref()));
-    let places = places.collect::<Result<Vec<RuntimePlace<'_, Moves>>, _>>()?;
-    let pairs = places.iter().zip(&plan.wrenches);
-    let wrenches = pairs.map(|(place, wrench)| {
-        WrenchAt::new(
-            |_: &RuntimeDynamics<'_, Moves>, base: &Pose<f64>, q: &DVector<f64>| place.at(base, q),
-            |t, pose: &Matrix4<f64>, twist: &Vector6<f64>| force.wrench(wrench, t, pose, twist),
-        )
-    });
-    let simulation = Simulation::new(&dynamics).wrenches(wrenches.collect());
-    let simulation = plan.planned(simulation.initial(base, q, v), kinds);
-    let law =
-        |t, base: &Pose<f64>, q: &DVector<f64>, v: &DVector<f64>| force.at(t, Some(base), q, v);
-    let outcome = match plan.control_period {
-        None => simulation.torque(law).run(),
-        Some(period) => simulation.control_period(period).torque(law).run(),
-    };
-    Ok(ran(&dynamics, outcome))
 }
 
 /// The entries of a homogeneous matrix by rows.
@@ -353,10 +306,7 @@ impl Arm {
         let force = Force::new(law, constant);
         let plan = &plan;
         let (ran, force) = py.detach(move || {
-            let ran = match robot.robot().floating() {
-                Some(_) => on_base(&robot, plan, kinds, &force),
-                None => standing(&robot, plan, kinds, &force),
-            };
+            let ran = moved(&robot, plan, kinds, &force);
             (ran, force)
         });
         if let Some(failure) = force.into_failure() {

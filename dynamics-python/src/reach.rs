@@ -126,7 +126,9 @@ impl Arm {
         Ok(py.detach(|| match &places[..] {
             [place] => search(InverseKinematics::new(place), &targets, &asked),
             _ => {
-                let frames = places.iter().map(|place| |q: &DVector<f64>| place.at(q));
+                let frames = places
+                    .iter()
+                    .map(|place| |q: &DVector<f64>| (place.tip_pose(q), place.tip_jacobian(q)));
                 let frames: Vec<_> = frames.collect();
                 let Some(first) = places.first() else {
                     return (Vec::new(), Some(("no frame was given".to_owned(), true)));

@@ -55,6 +55,8 @@ mod momenta;
 mod newton_euler;
 mod operations;
 mod operators;
+#[cfg(feature = "std")]
+mod place;
 mod placement;
 #[cfg(feature = "plot")]
 pub mod plot;
@@ -72,8 +74,6 @@ pub mod simulation;
 mod sine;
 mod singular;
 mod size;
-#[cfg(feature = "std")]
-mod stand;
 mod state;
 pub mod table;
 mod taylor;

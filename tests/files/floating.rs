@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_evaluation::{EvaluationError, ReadOptions, RuntimeRobot, Value};
+use dynamics_evaluation::{ReadOptions, RuntimeRobot, Value};
 use dynamics_symbolic::Function;
 use robot_dynamics::check::Check;
 use robot_dynamics::nalgebra::{
@@ -12,6 +12,8 @@ use robot_dynamics::nalgebra::{
 use robot_dynamics::{
     Certified, DoubleDouble, Pose, Simulation, check_against_rnea, robot_dynamics,
 };
+
+use robot_dynamics::simulation::Place;
 
 use super::trees::{Reference, State, assert_near, largest, reference};
 
@@ -237,11 +239,6 @@ fn a_robot_at_run_time_moves_its_base() {
     );
     let report = Check::new().samples(8).run_any(&robot);
     assert!(report.is_ok(), "{report}");
-    assert!(
-        robot
-            .dynamics()
-            .is_err_and(|error| error == EvaluationError::MovingBase)
-    );
 }
 
 /// In free fall a robot that is read at run time moves as the compiled one.
@@ -254,7 +251,7 @@ fn a_robot_at_run_time_falls_like_the_compiled_one() {
         .functions(functions.iter().copied())
         .entries(BESIDE);
     let robot = RuntimeRobot::from_file(file(), &options).unwrap_or_else(|error| panic!("{error}"));
-    let robot = robot.dynamics_on_base().expect("its functions");
+    let robot = robot.dynamics().expect("its functions");
     let pushes = |t: f64| 5.0 * (3.0 * t).sin();
     let (base, v) = (Pose::identity(), Velocity::from_fn(|i, _| 0.1 * i as f64));
     let middle =
@@ -266,8 +263,14 @@ fn a_robot_at_run_time_falls_like_the_compiled_one() {
     let compiled = compiled.duration(0.1).samples(3).run().expect("a motion");
     let dynamic = |vector: &[f64]| DVector::from_column_slice(vector);
     let read = Simulation::new(&robot)
-        .initial(base, dynamic(q.as_slice()), dynamic(v.as_slice()))
-        .torque(|t, _, _, v| v * -0.2 + DVector::repeat(18, pushes(t)));
+        .initial(
+            Place {
+                base: Some(base),
+                q: dynamic(q.as_slice()),
+            },
+            dynamic(v.as_slice()),
+        )
+        .torque(|t, _, v| v * -0.2 + DVector::repeat(18, pushes(t)));
     let read = read.duration(0.1).samples(3).run().expect("a motion");
     assert!(
         read.energies(&robot)
@@ -288,16 +291,6 @@ fn a_robot_at_run_time_falls_like_the_compiled_one() {
             one.t
         );
     }
-    let beside = BESIDE.replace("base = \"floating\"\n", "");
-    let options = ReadOptions::new()
-        .functions(functions.iter().copied())
-        .entries(&beside);
-    let standing = RuntimeRobot::from_file(file(), &options).expect("a trunk that stands");
-    assert!(
-        standing
-            .dynamics_on_base()
-            .is_err_and(|error| error == EvaluationError::StandingBase)
-    );
 }
 
 /// Without gravity and outer forces the momentum of the whole robot does not change, at many states: A a + dA/dt v = 0.

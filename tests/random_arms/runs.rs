@@ -6,7 +6,9 @@ use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Base, Body, Robot, Value};
 use robot_dynamics::nalgebra::{DVector, Matrix3, Vector3};
-use robot_dynamics::simulation::{Cause, Dop853, DormandPrince, InvalidSetting, Radau5, Work};
+use robot_dynamics::simulation::{
+    Cause, Dop853, DormandPrince, InvalidSetting, Place, Radau5, Work,
+};
 use robot_dynamics::{Friction, Method, Pose, Simulation};
 use testkit::random::Random;
 
@@ -124,21 +126,12 @@ fn run(
         random.between(-1.0, 1.0) * (number % 2) as f64
     });
     let begun = measuring::thread_seconds();
-    let end = if moves {
-        let dynamics = robot.dynamics_on_base().expect("all functions");
-        let simulation = Simulation::new(&dynamics).initial(Pose::identity(), q, v);
-        planned!(simulation, number, method)
-            .run()
-            .map(|run| run.work)
-            .map_err(|end| (end.trajectory.work, end.time, end.cause))
-    } else {
-        let dynamics = robot.dynamics().expect("all functions");
-        let simulation = Simulation::new(&dynamics).initial(q, v);
-        planned!(simulation, number, method)
-            .run()
-            .map(|run| run.work)
-            .map_err(|end| (end.trajectory.work, end.time, end.cause))
-    };
+    let dynamics = robot.dynamics().expect("all functions");
+    let simulation = Simulation::new(&dynamics).initial(Place { base: None, q }, v);
+    let end = planned!(simulation, number, method)
+        .run()
+        .map(|run| run.work)
+        .map_err(|end| (end.trajectory.work, end.time, end.cause));
     (measuring::thread_seconds() - begun, method, end)
 }
 
@@ -172,7 +165,7 @@ fn a_follower_that_sticks_on_a_moving_base_ends_a_run() {
     let functions = RuntimeRobot::simulation_functions();
     let options = ReadOptions::new().functions(functions[2..5].iter().copied());
     let robot = RuntimeRobot::from_file(path, &options).expect("a robot");
-    let dynamics = robot.dynamics_on_base().expect("all functions");
+    let dynamics = robot.dynamics().expect("all functions");
     #[rustfmt::skip]
     let rotation = Matrix3::new(
         -0.9793617076820234, -0.1856775969155235, 0.07984031268618186,
@@ -189,7 +182,8 @@ fn a_follower_that_sticks_on_a_moving_base_ends_a_run() {
         Dop853::default().into(),
         Method::from(Radau5::default()),
     ] {
-        let run = Simulation::new(&dynamics).initial(base, q.clone(), DVector::zeros(8));
+        let (base, q) = (Some(base), q.clone());
+        let run = Simulation::new(&dynamics).initial(Place { base, q }, DVector::zeros(8));
         let run = run
             .friction(Friction::Sign)
             .stops(0.3)

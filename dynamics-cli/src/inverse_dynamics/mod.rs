@@ -5,11 +5,11 @@ mod moving_base;
 use std::path::Path;
 
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::Cycloidal;
 use dynamics_runtime::check::Checked;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Vector1};
-use dynamics_runtime::simulation::{SizedModel, SizedTrajectory, Stand};
+use dynamics_runtime::simulation::{Place, SizedModel, SizedTrajectory};
 use dynamics_runtime::table::RuntimeTable;
+use dynamics_runtime::{Cycloidal, Pose};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 
@@ -18,54 +18,66 @@ use crate::csv::{put, read, shortest};
 use crate::failure::Failure;
 use crate::load::robot_with;
 use crate::spline::Spline;
-use crate::state::{State, pose, positions, refuse_pose};
+use crate::state::{State, base, positions};
 
 type Motion = SizedTrajectory<Dyn>;
 
 /// The motion and its torques as CSV.
 pub(crate) fn run(given: &InverseDynamics) -> Result<String, Failure> {
     let robot = robot_with(&given.robot, [Function::InverseDynamics])?;
-    if robot.robot().floating().is_some() {
-        return told(on_base(robot.robot(), given)?, &robot, given);
-    }
-    refuse_pose(&given.pose)?;
-    let motion = match &given.waypoints {
-        Some(path) => through_waypoints(path, robot.robot(), given.samples)?,
-        None => joints(given, robot.robot())?,
-    };
-    told(motion, &robot, given)
-}
-
-/// The table of a motion with its torques, and its figure where one is requested.
-fn told<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
-    mut motion: SizedTrajectory<K>,
-    robot: &RuntimeRobot,
-    given: &InverseDynamics,
-) -> Result<String, Failure> {
-    let columns = Columns(robot);
-    motion.tau = torques(robot, &motion)?;
+    let mut motion = motion(given, robot.robot())?;
+    motion.tau = torques(&robot, &motion)?;
+    let columns = Columns(&robot);
     put(&motion, &columns, robot.robot(), given.output.plot.as_ref())
 }
 
-/// The motion on a base that moves.
-fn on_base(robot: &Robot, given: &InverseDynamics) -> Result<moving_base::Motion, Failure> {
-    if let Some(path) = &given.waypoints {
-        moving_base::through_waypoints(path, robot, given.samples)
-    } else if !given.at.is_empty() {
-        Ok(moving_base::one_state(State::new(
-            robot,
-            [&given.at, &given.pose, &[]],
-        )?))
-    } else {
-        let base = pose(&given.pose)?;
-        Ok(moving_base::held(&base, cycloidal(given, robot)?))
+/// The motion without its torques.
+fn motion(given: &InverseDynamics, robot: &Robot) -> Result<Motion, Failure> {
+    match &given.waypoints {
+        Some(path) if robot.freedoms().has_base() => {
+            moving_base::through_waypoints(path, robot, given.samples)
+        }
+        Some(path) => {
+            base(robot, &given.pose)?;
+            through_waypoints(path, robot, given.samples)
+        }
+        None if given.at.is_empty() => {
+            let base = base(robot, &given.pose)?;
+            Ok(held(base, cycloidal(given, robot)?))
+        }
+        None => {
+            let state = State::new(robot, [&given.at, &given.pose, &[]])?;
+            Ok(one_state(state))
+        }
     }
+}
+
+/// The motion of joints on a base that is held, if it moves.
+fn held(base: Option<Pose<f64>>, mut motion: Motion) -> Motion {
+    if let Some(base) = base {
+        motion.base = vec![base; motion.len()];
+        for rates in motion.qd.iter_mut().chain(&mut motion.qdd) {
+            *rates = [&[0.0; 6], rates.as_slice()].concat().into();
+        }
+    }
+    motion
+}
+
+/// A single sample.
+fn one_state(state: State) -> Motion {
+    let mut motion = Motion::default();
+    motion.t.push(0.0);
+    motion.base.extend(state.base);
+    motion.q.push(state.q.into());
+    motion.qd.push(state.qd.into());
+    motion.qdd.push(state.qdd.into());
+    motion
 }
 
 /// The columns of a robot of which there are no energies.
 struct Columns<'a>(&'a RuntimeRobot);
 
-impl<K: Stand<Joints = Dyn, Freedoms = Dyn>> SizedModel<K> for Columns<'_> {
+impl SizedModel<Dyn> for Columns<'_> {
     fn sized_table(&self) -> RuntimeTable {
         self.0.runtime_table()
     }
@@ -74,20 +86,15 @@ impl<K: Stand<Joints = Dyn, Freedoms = Dyn>> SizedModel<K> for Columns<'_> {
         Checked::names(self.0)
     }
 
-    fn sized_energies(&self, _: K::Place<'_>, _: &DVector<f64>) -> Option<[f64; 2]> {
+    fn sized_energies(&self, _: &Place<Dyn>, _: &DVector<f64>) -> Option<[f64; 2]> {
         None
     }
 }
 
 /// The torques of a motion.
-fn torques<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
-    robot: &RuntimeRobot,
-    motion: &SizedTrajectory<K>,
-) -> Result<Vec<DVector<f64>>, Failure> {
-    let poses = motion.places().filter_map(|place| K::parts(place).0);
-    let poses: Vec<f64> = poses
-        .flat_map(|base| <[f64; 12]>::from(base.entries()))
-        .collect();
+fn torques(robot: &RuntimeRobot, motion: &Motion) -> Result<Vec<DVector<f64>>, Failure> {
+    let poses = motion.base.iter().map(Pose::entries);
+    let poses: Vec<f64> = poses.flat_map(<[f64; 12]>::from).collect();
     let flat = |list: &Vec<DVector<f64>>| list.iter().flatten().copied().collect::<Vec<f64>>();
     let states = [&motion.q, &motion.qd, &motion.qdd].map(flat);
     let base = robot.robot().floating().map(|_| &poses);
@@ -97,19 +104,6 @@ fn torques<K: Stand<Joints = Dyn, Freedoms = Dyn>>(
     robot.batch(Function::InverseDynamics.name(), &arguments, &mut tau)?;
     let samples = tau.chunks_exact(robot.dof().max(1));
     Ok(samples.map(DVector::from_column_slice).collect())
-}
-
-/// The motion of the joints that the command line says.
-fn joints(given: &InverseDynamics, robot: &Robot) -> Result<Motion, Failure> {
-    if given.at.is_empty() {
-        return cycloidal(given, robot);
-    }
-    let state = State::new(robot, [&given.at, &given.pose, &[]])?;
-    let mut motion = Motion::default();
-    let states = state.q.iter().zip(&state.qd).zip(&state.qdd);
-    let states: Vec<_> = states.map(|((q, qd), qdd)| [*q, *qd, *qdd]).collect();
-    add(&mut motion, 0.0, &states);
-    Ok(motion)
 }
 
 /// Adds a sample: position, velocity and acceleration of each joint.

@@ -4,50 +4,12 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 use dynamics_runtime::Pose;
-use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Rotation3, Vector3};
-use dynamics_runtime::simulation::SizedFloatingTrajectory;
+use dynamics_runtime::nalgebra::{DVector, Matrix3, Rotation3, Vector3};
 use dynamics_symbolic::robot::Robot;
 
-use super::{not_finite, splines, times};
+use super::{Motion, not_finite, splines, times};
 use crate::csv::{read, shortest};
 use crate::failure::Failure;
-use crate::state::State;
-
-pub(super) type Motion = SizedFloatingTrajectory<Dyn, Dyn>;
-
-/// Adds a sample, of which velocities and accelerations are six numbers of the base, then those of the joints.
-fn add(motion: &mut Motion, t: f64, base: Pose<f64>, q: Vec<f64>, [v, a]: [Vec<f64>; 2]) {
-    motion.t.push(t);
-    motion.base.push(base);
-    motion.q.push(q.into());
-    motion.qd.push(v.into());
-    motion.qdd.push(a.into());
-}
-
-/// The motion of joints on a base that is held.
-pub(super) fn held(base: &Pose<f64>, joints: super::Motion) -> Motion {
-    let mut motion = Motion::default();
-    let below_base = |rates: &DVector<f64>| [&[0.0; 6], rates.as_slice()].concat();
-    for (k, t) in joints.t.iter().enumerate() {
-        let rates = [&joints.qd[k], &joints.qdd[k]].map(below_base);
-        add(
-            &mut motion,
-            *t,
-            *base,
-            joints.q[k].as_slice().to_vec(),
-            rates,
-        );
-    }
-    motion
-}
-
-/// A single sample.
-pub(super) fn one_state(state: State) -> Motion {
-    let mut motion = Motion::default();
-    let base = state.base.unwrap_or_else(Pose::identity);
-    add(&mut motion, 0.0, base, state.q, [state.qd, state.qdd]);
-    motion
-}
 
 /// Through the rows of a file, with their velocities and accelerations.
 ///
@@ -100,7 +62,11 @@ pub(super) fn through_waypoints(
         if !numbers.all(|x| x.is_finite()) {
             return Err(not_finite(path, t));
         }
-        add(&mut motion, t, Pose { rotation, position }, q, [v, a]);
+        motion.t.push(t);
+        motion.base.push(Pose { rotation, position });
+        motion.q.push(q.into());
+        motion.qd.push(v.into());
+        motion.qdd.push(a.into());
     }
     Ok(motion)
 }

@@ -249,7 +249,7 @@ fn cells_beside_a_file_are_those_of_a_table() {
     };
     assert_eq!(limits(&given), limits(&by_hand));
     let dynamics = given.dynamics().expect("functions of simulations");
-    let strong = Simulation::new(&dynamics).torque(|_, q, _| q.map(|_| -50.0));
+    let strong = Simulation::new(&dynamics).torque(|_, _, v| v.map(|_| -50.0));
     let motion = strong.saturate().duration(0.1).run().expect("a motion");
     assert_eq!(motion.tau[0].as_slice(), [-9.0, -1.0]);
 }

@@ -7,7 +7,7 @@ use dynamics_runtime::{
     Friction, Method, Pose, Simulation, SizedState, State,
     check::{Checked, Evaluate, Evaluation},
     robot_dynamics,
-    simulation::DormandPrince,
+    simulation::{DormandPrince, Place},
 };
 use dynamics_symbolic::robot::{
     Base, Body, Convention, Coupling, JointType, Placement, Robot, Row, Spring, Stribeck, Tool,
@@ -318,7 +318,10 @@ fn motions_are_those_of_generated_code() {
             .method(method);
         let found = Simulation::new(&moving)
             .initial(
-                DVector::from_column_slice(start.as_slice()),
+                Place {
+                    base: None,
+                    q: DVector::from_column_slice(start.as_slice()),
+                },
                 DVector::zeros(3),
             )
             .method(method);
@@ -344,14 +347,14 @@ fn motions_are_those_of_generated_code() {
 fn a_force_at_the_tool_moves_the_arm() {
     let tip = [Function::ForwardKinematics, Function::Jacobian];
     let arm = runtime(Function::default_set(true).into_iter().chain(tip));
-    let typed = moving(&arm).with_tip().expect("a tip");
-    let simulation = Simulation::new(&typed)
+    let (moving, tip) = (moving(&arm), arm.place(None).expect("a tip"));
+    let simulation = Simulation::new(&moving)
         .friction(Friction::Sticking)
         .duration(0.1);
     let force = Vector6::new(50.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     let pushed = simulation
         .clone()
-        .tool_wrench(|_t, _pose, _twist| force)
+        .wrench_at(|_, place| tip.at(place), |_t, _pose, _twist| force)
         .run();
     let free = simulation.run();
     assert_ne!(

@@ -34,9 +34,12 @@ fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
         let arm = RuntimeRobot::new(robot.clone(), others.copied()).expect("an arm");
         let error = match arm.dynamics() {
             Err(error) => error,
-            Ok(dynamics) => {
+            Ok(_) => {
                 assert!(k >= 5, "{missing:?}");
-                dynamics.with_tip().expect_err("no tip")
+                let error = arm.place(None).expect_err("no tip");
+                let lacking = EvaluationError::NotDerived(missing.name().to_owned());
+                assert_eq!(error, lacking);
+                continue;
             }
         };
         let name = missing.name();
@@ -52,12 +55,12 @@ fn a_simulation_says_which_function_it_lacks_and_what_to_write() {
         );
     }
     let arm = RuntimeRobot::new(robot, all).expect("an arm");
-    let tip = arm
-        .dynamics()
-        .and_then(|dynamics| dynamics.with_tip())
-        .expect("all");
-    let pushed = Simulation::new(&tip).friction(Friction::Sticking);
-    let pushed = pushed.tool_wrench(|_, _, _| Vector6::repeat(0.1));
+    let (dynamics, tip) = (
+        arm.dynamics().expect("all"),
+        arm.place(None).expect("a tip"),
+    );
+    let pushed = Simulation::new(&dynamics).friction(Friction::Sticking);
+    let pushed = pushed.wrench_at(|_, place| tip.at(place), |_, _, _| Vector6::repeat(0.1));
     assert_eq!(pushed.duration(0.1).run().expect("a motion").len(), 101);
 }
 

@@ -1,14 +1,14 @@
-//! The equations of an arm that a simulation solves.
+//! The equations of a robot that a simulation solves.
 
-mod floating;
+mod moving_base;
 
 use nalgebra::{Const, SMatrix, SVector};
 
 use crate::dual::Dual;
 use crate::factorisation::JointFactors;
+use crate::place::{OnBase, Place, Sizes, Velocities};
 use crate::size::Size;
-use crate::stand::{Charted, OnBase, Stand, Velocities};
-use crate::{ForwardDynamics, Model, NumericArm, Pose, Scalar, SingularMassMatrix, SizedMomenta};
+use crate::{ForwardDynamics, Model, NumericArm, Scalar, SingularMassMatrix, SizedMomenta};
 
 /// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
 pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
@@ -23,20 +23,23 @@ pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
     message = "`{Self}` cannot be simulated: `forward_dynamics` is not in `functions`",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
 )]
-pub trait EquationsOfMotion<K: Stand> {
-    /// The number of velocities: for an arm that of joints, and six more on a base that moves.
+pub trait EquationsOfMotion<K: Sizes> {
+    /// The number of joints.
+    fn joints(&self) -> K::Joints;
+
+    /// The number of velocities: that of joints, and six more on a base that moves.
     fn size(&self) -> K::Freedoms;
 
     /// Accelerations qdd of `M(q) qdd + V(q, qd) + G + K(q) + F(qd) = tau`.
     ///
-    /// The place is q, in rad or m, behind the pose of a base that moves; `qd` per second, `tau` in N m or N.
+    /// `qd` per second, `tau` in N m or N.
     ///
     /// # Errors
     ///
     /// [`SingularMassMatrix`] where M(q) is not positive definite to working precision, or holds a NaN.
     fn accelerations(
         &self,
-        place: K::Place<'_>,
+        place: &Place<K::Joints>,
         qd: &Velocities<K>,
         tau: &Velocities<K>,
     ) -> Result<Velocities<K>, SingularMassMatrix>;
@@ -48,7 +51,7 @@ pub trait EquationsOfMotion<K: Stand> {
     /// As [`accelerations`](EquationsOfMotion::accelerations).
     fn accelerations_and_responses(
         &self,
-        place: K::Place<'_>,
+        place: &Place<K::Joints>,
         qd: &Velocities<K>,
         tau: &Velocities<K>,
         freedoms: &<K::Freedoms as Size>::Each<bool>,
@@ -59,15 +62,13 @@ pub trait EquationsOfMotion<K: Stand> {
     fn in_momenta(&self) -> Option<&dyn SizedMomenta<K::Freedoms>> {
         None
     }
-
-    /// The charts in which the positions are coordinates; `None` where they are those of joints.
-    #[doc(hidden)]
-    fn charts(&self) -> Option<&dyn Charted<K::Freedoms>> {
-        None
-    }
 }
 
 impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
+    fn joints(&self) -> Const<N> {
+        Const
+    }
+
     fn size(&self) -> Const<N> {
         Const
     }
@@ -75,21 +76,21 @@ impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
     #[inline]
     fn accelerations(
         &self,
-        q: &SVector<f64, N>,
+        place: &Place<Const<N>>,
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
-        self.forward_dynamics(q, qd, tau)
+        self.forward_dynamics(&place.q, qd, tau)
     }
 
     fn accelerations_and_responses(
         &self,
-        q: &SVector<f64, N>,
+        place: &Place<Const<N>>,
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
         joints: &[bool; N],
     ) -> Result<Responses<Const<N>>, SingularMassMatrix> {
-        let [q, qd] = [q, qd].map(|x| x.map(Dual::from_f64));
+        let [q, qd] = [&place.q, qd].map(|x| x.map(Dual::from_f64));
         responses(tau, joints, |tau| self.forward_dynamics(&q, &qd, tau))
     }
 
@@ -100,22 +101,26 @@ impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
 }
 
 impl<D: Size> EquationsOfMotion<D> for NumericArm<D> {
-    fn size(&self) -> D {
+    fn joints(&self) -> D {
         D::from_usize(self.dof())
+    }
+
+    fn size(&self) -> D {
+        self.joints()
     }
 
     fn accelerations(
         &self,
-        q: &D::Vector,
+        place: &Place<D>,
         qd: &D::Vector,
         tau: &D::Vector,
     ) -> Result<D::Vector, SingularMassMatrix> {
-        self.forward_dynamics(q, qd, tau)
+        self.forward_dynamics(&place.q, qd, tau)
     }
 
     fn accelerations_and_responses(
         &self,
-        q: &D::Vector,
+        Place { q, .. }: &Place<D>,
         qd: &D::Vector,
         tau: &D::Vector,
         joints: &D::Each<bool>,
@@ -174,7 +179,7 @@ pub(crate) fn inverse_columns<D: Size>(
     message = "`{Self}` is no robot",
     note = "`robot_dynamics!` makes robots, from Denavit-Hartenberg tables"
 )]
-pub trait SizedModel<K: Stand> {
+pub trait SizedModel<K: Sizes> {
     /// The table as numbers.
     fn sized_table(&self) -> <K::Joints as Size>::Table;
 
@@ -182,7 +187,11 @@ pub trait SizedModel<K: Stand> {
     fn names(&self) -> <K::Joints as Size>::Each<String>;
 
     /// Kinetic and potential energy, J; `None` for a robot without both functions.
-    fn sized_energies(&self, place: K::Place<'_>, velocities: &Velocities<K>) -> Option<[f64; 2]>;
+    fn sized_energies(
+        &self,
+        place: &Place<K::Joints>,
+        velocities: &Velocities<K>,
+    ) -> Option<[f64; 2]>;
 }
 
 impl<R: Model<N>, const N: usize> SizedModel<Const<N>> for R {
@@ -194,12 +203,12 @@ impl<R: Model<N>, const N: usize> SizedModel<Const<N>> for R {
         self.joint_names().map(String::from)
     }
 
-    fn sized_energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
-        self.energies(q, qd)
+    fn sized_energies(&self, place: &Place<Const<N>>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {
+        self.energies(&place.q, qd)
     }
 }
 
-impl<R: Model<N, V>, const N: usize, const V: usize> SizedModel<OnBase<Const<N>, Const<V>>> for R {
+impl<R: Model<N, V>, const N: usize, const V: usize> SizedModel<OnBase<N, V>> for R {
     fn sized_table(&self) -> crate::Table<N> {
         self.table()
     }
@@ -208,11 +217,7 @@ impl<R: Model<N, V>, const N: usize, const V: usize> SizedModel<OnBase<Const<N>,
         self.joint_names().map(String::from)
     }
 
-    fn sized_energies(
-        &self,
-        (base, q): (&Pose<f64>, &SVector<f64, N>),
-        v: &SVector<f64, V>,
-    ) -> Option<[f64; 2]> {
-        self.energies_on(base, q, v)
+    fn sized_energies(&self, place: &Place<Const<N>>, v: &SVector<f64, V>) -> Option<[f64; 2]> {
+        self.energies_on(&place.pose(), &place.q, v)
     }
 }

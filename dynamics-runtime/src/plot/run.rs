@@ -5,13 +5,13 @@ use std::path::Path;
 use nalgebra::{Matrix4, Rotation3, SVector, Vector3};
 
 use super::{Curve, Figure, Outcome, joints};
+use crate::place::{Sizes, Velocities};
 use crate::simulation::{SizedModel, SizedTrajectory};
 use crate::size::JointVector;
-use crate::stand::{Stand, Velocities};
 use crate::table::{AsArm as _, Row};
-use crate::{JointType, Pose, Trajectory};
+use crate::{JointType, Trajectory};
 
-impl<K: Stand> SizedTrajectory<K> {
+impl<K: Sizes> SizedTrajectory<K> {
     /// Draws the run into the file, as SVG: panels of positions, velocities, accelerations, torques and, where the robot
     /// knows them ([`Model::energies`](crate::Model::energies)), energies. Joints that turn and joints that slide have panels of their own.
     /// The first panels are about a base that moves: its position and its roll, pitch and yaw in the world, its velocities and
@@ -44,14 +44,13 @@ impl<K: Stand> SizedTrajectory<K> {
     /// The same as a figure without a title, to add panels to.
     pub fn figure<R: SizedModel<K>>(&self, robot: &R) -> Figure {
         let mut figure = Figure::new(String::new());
-        let (base, q): (Vec<_>, Vec<_>) = self.places().map(K::parts).unzip();
-        let base: Vec<_> = base.into_iter().flatten().collect();
-        if !base.is_empty() {
-            figure = self.with_base(figure, &base);
+        if !self.base.is_empty() {
+            figure = self.with_base(figure);
         }
-        let q = q.into_iter().map(JointVector::entries).collect();
+        let q = self.q.iter().map(JointVector::entries).collect();
+        let of_base = if self.base.is_empty() { 0 } else { 6 };
         let [qd, qdd, tau] = [&self.qd, &self.qdd, &self.tau].map(|list| {
-            let of_joints = list.iter().map(|vector| &vector.entries()[K::OF_BASE..]);
+            let of_joints = list.iter().map(|vector| &vector.entries()[of_base..]);
             of_joints.collect()
         });
         let (names, table) = (robot.names(), robot.sized_table());
@@ -61,7 +60,8 @@ impl<K: Stand> SizedTrajectory<K> {
     }
 
     /// Panels of a base that moves.
-    fn with_base(&self, mut figure: Figure, base: &[&Pose<f64>]) -> Figure {
+    fn with_base(&self, mut figure: Figure) -> Figure {
+        let base = &self.base;
         let positions = base.iter().map(|base| base.position);
         let angles = base.iter().map(|base| {
             let rotation = Rotation3::from_matrix_unchecked(base.rotation);

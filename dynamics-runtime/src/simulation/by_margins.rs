@@ -6,19 +6,17 @@ use super::events::{Finder, Start, here};
 use super::friction::Contact;
 use super::motion::{Held, Motion};
 use crate::integrate::Stepper;
-use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// Margins at the ends of steps, and a step that is taken again.
 pub(super) struct ByMargins;
 
-impl<S, R, K: ?Sized, D: Size> Finder<S, R, K, D> for ByMargins
+impl<S, K: ?Sized, D: Size> Finder<S, K, D> for ByMargins
 where
-    R: EquationsOfMotion<D>,
     K: Stepper<S, Cause, D>,
 {
     fn first_event(
-        motion: &Motion<R, D>,
+        motion: &Motion<D>,
         system: &S,
         stepper: &mut K,
         start: &Start<D>,
@@ -37,15 +35,14 @@ where
     }
 }
 
-struct Search<'a, 'm, S, R, K: ?Sized, D: Size> {
-    motion: &'a Motion<'m, R, D>,
+struct Search<'a, 'm, S, K: ?Sized, D: Size> {
+    motion: &'a Motion<'m, D>,
     system: &'a S,
     stepper: &'a mut K,
 }
 
-impl<S, R, K: ?Sized, D: Size> Search<'_, '_, S, R, K, D>
+impl<S, K: ?Sized, D: Size> Search<'_, '_, S, K, D>
 where
-    R: EquationsOfMotion<D>,
     K: Stepper<S, Cause, D>,
 {
     /// Whether a velocity, or the way to a limit, dips below zero within a step that ends well; the

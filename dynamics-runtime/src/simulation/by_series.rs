@@ -12,7 +12,6 @@ use super::friction::Contact;
 use super::limits::{AtLimit, End};
 use super::motion::{Held, Motion};
 use crate::integrate::Stepper;
-use crate::simulation::{EquationsOfMotion, TaylorDynamics};
 use crate::taylor::{Polynomial, SeriesStepper, Steady};
 
 /// The first zero of the way to a limit, or of the force on a stop, over a step: to rounding, however often a joint
@@ -22,17 +21,11 @@ pub(super) struct BySeries;
 /// A force on a stop that is less than so many roundings of its greatest term is none.
 const ROUNDINGS_OF_FORCE: f64 = 16.0;
 
-impl<'m, R, A, const N: usize> Finder<Motion<'m, R, Const<N>>, R, SeriesStepper<A, N>, Const<N>>
-    for BySeries
-where
-    R: EquationsOfMotion<Const<N>>,
-    A: TaylorDynamics<N>,
-    Motion<'m, R, Const<N>>: Steady<N, Arm = A>,
-{
+impl<S: Steady<N>, const N: usize> Finder<S, SeriesStepper<S::Arm, N>, Const<N>> for BySeries {
     fn first_event(
-        motion: &Motion<'_, R, Const<N>>,
-        system: &Motion<'m, R, Const<N>>,
-        stepper: &mut SeriesStepper<A, N>,
+        motion: &Motion<'_, Const<N>>,
+        system: &S,
+        stepper: &mut SeriesStepper<S::Arm, N>,
         start: &Start<Const<N>>,
     ) -> Result<Option<Held<Const<N>>>, Cause> {
         let limits = &motion.limits;

@@ -7,7 +7,6 @@ use super::joint_set::JointSet;
 use super::limits::AtLimit;
 use super::motion::{Held, Motion};
 use crate::integrate::Phase;
-use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 impl<D: Size> Held<D> {
@@ -17,7 +16,7 @@ impl<D: Size> Held<D> {
     }
 }
 
-impl<R, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// The contacts of joints in a phase, as far as they hold.
     pub(super) fn classified(&self, phase: &Phase<D>) -> D::Each<Contact> {
         self.each(|i| {
@@ -81,7 +80,7 @@ impl<R, D: Size> Motion<'_, R, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
     /// pass a stop.
     pub(super) fn settle(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {

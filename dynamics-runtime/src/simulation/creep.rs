@@ -6,7 +6,6 @@
 
 use super::motion::Motion;
 use super::recorder::Recorder;
-use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// The joints that are watched.
@@ -37,11 +36,7 @@ impl<D: Size> Creep<D> {
     }
 
     /// Notes the joints that creep, after a step to where the recorder is.
-    pub(super) fn after_step<R: EquationsOfMotion<D>>(
-        &mut self,
-        motion: &Motion<R, D>,
-        recorder: &mut Recorder<D>,
-    ) {
+    pub(super) fn after_step(&mut self, motion: &Motion<D>, recorder: &mut Recorder<D>) {
         let (t, qd) = (recorder.t, recorder.phase.qd.clone());
         let Some((since, before)) = self.before.replace((t, qd.clone())) else {
             return;

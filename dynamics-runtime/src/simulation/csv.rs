@@ -7,8 +7,8 @@ use nalgebra::{Dim as _, DimName, Dyn};
 
 use super::trajectory::SizedTrajectory;
 use crate::closed_form::is_rotation;
+use crate::place::{Place, Sizes, moves};
 use crate::size::{JointVector as _, Size as _};
-use crate::stand::Stand;
 use crate::table::AsArm as _;
 use crate::{Pose, simulation::SizedModel, table::JointType};
 
@@ -63,12 +63,12 @@ const BASE_COLUMNS: [&[&str]; 4] = [
 ];
 
 /// The columns of the base before those of the joints: none of a base that stands.
-fn of_base<K: Stand>(quantity: usize) -> &'static [&'static str] {
-    let columns = BASE_COLUMNS.get(quantity).filter(|_| K::OF_BASE > 0);
+fn of_base(moves: bool, quantity: usize) -> &'static [&'static str] {
+    let columns = BASE_COLUMNS.get(quantity).filter(|_| moves);
     columns.copied().unwrap_or_default()
 }
 
-impl<K: Stand> SizedTrajectory<K> {
+impl<K: Sizes> SizedTrajectory<K> {
     /// Writes the samples as comma-separated values: a header, then a line for each sample.
     ///
     /// The columns are `t [s]`; `q.NAME [rad]` of each joint, in m where it is prismatic; `qd.NAME`,
@@ -115,38 +115,37 @@ impl<K: Stand> SizedTrajectory<K> {
     /// The errors of the writer.
     pub fn write_csv<R: SizedModel<K>>(&self, robot: &R, out: impl Write) -> io::Result<()> {
         let (names, table) = (robot.names(), robot.sized_table());
-        let names = names.as_ref();
+        let (names, moves) = (names.as_ref(), self.base_moves());
         let rates = [&self.qd, &self.qdd, &self.tau];
         let is_there = |k: &usize| *k == 0 || rates[k - 1].len() == self.len();
         let mut header = vec!["t [s]".to_owned()];
         for k in (0..QUANTITIES.len()).filter(is_there) {
-            header.extend(of_base::<K>(k).iter().map(|name| (*name).to_owned()));
+            header.extend(of_base(moves, k).iter().map(|name| (*name).to_owned()));
             let (symbol, units) = QUANTITIES[k];
             for (name, row) in names.iter().zip(table.arm().rows) {
                 let unit = units[usize::from(row.joint_type == JointType::Prismatic)];
                 header.push(format!("{symbol}.{name} [{unit}]"));
             }
         }
-        let (base, q) = (
-            K::pose(Pose::identity()),
-            K::Joints::from_usize(names.len()).vector(),
-        );
-        let rest = K::Freedoms::from_usize(K::OF_BASE + names.len()).vector();
+        let start = Place {
+            base: moves.then(Pose::identity),
+            q: K::Joints::from_usize(names.len()).vector(),
+        };
+        let rest = K::Freedoms::from_usize(of_base(moves, 1).len() + names.len()).vector();
         let has_velocities = is_there(&1);
-        if has_velocities && robot.sized_energies(K::place(&base, &q), &rest).is_some() {
+        if has_velocities && robot.sized_energies(&start, &rest).is_some() {
             header.extend(["kinetic", "potential"].map(|kind| format!("{kind} energy [J]")));
         }
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record(header)?;
         for (k, (t, place)) in self.t.iter().zip(self.places()).enumerate() {
             let qd = self.qd.get(k).filter(|_| has_velocities);
-            let energies = qd.and_then(|qd| robot.sized_energies(place, qd));
-            let (base, q) = K::parts(place);
-            let base = base.map(Pose::entries);
+            let energies = qd.and_then(|qd| robot.sized_energies(&place, qd));
+            let base = place.base.as_ref().map(Pose::entries);
             let place = [t]
                 .into_iter()
                 .chain(base.iter().flatten())
-                .chain(q.entries());
+                .chain(place.q.entries());
             let of_rates = (1..QUANTITIES.len()).filter(is_there);
             let of_rates = of_rates.flat_map(|quantity| rates[quantity - 1][k].entries());
             let numbers = place.chain(of_rates).chain(energies.iter().flatten());
@@ -167,7 +166,7 @@ pub fn shortest(x: f64) -> String {
     }
 }
 
-impl<K: Stand<Joints: DimName>> SizedTrajectory<K> {
+impl<K: Sizes<Joints: DimName>> SizedTrajectory<K> {
     /// Reads what [`write_csv`](SizedTrajectory::write_csv) writes: `t`, then places, velocities, and, where the header has
     /// them, accelerations and torques. Columns after these are passed over, and so are empty lines. The work of the
     /// run is not in the table.
@@ -180,16 +179,16 @@ impl<K: Stand<Joints: DimName>> SizedTrajectory<K> {
     /// that stands or moves. The same holds if a line has too few or too many cells, or a cell holds no number. A
     /// [`CsvError`] is also returned if the reader fails.
     pub fn read_csv(input: impl Read) -> Result<Self, CsvError> {
-        read(K::Joints::name(), None, input)
+        read(K::Joints::name(), moves::<K>(), None, input)
     }
 }
 
-impl<K: Stand<Joints = Dyn>> SizedTrajectory<K> {
+impl SizedTrajectory<Dyn> {
     /// Reads points for a robot to pass: rows of a time in s and a position of each of the `joints`, in rad or m.
     ///
     /// A first row without numbers is a header. It may be that of [`write_csv`](SizedTrajectory::write_csv): velocities,
     /// accelerations and torques are read where they follow, and columns after these are passed over.
-    /// Otherwise the lists `qd`, `qdd` and `tau` are empty. On a base that moves the header has to be that one, with
+    /// Otherwise the lists `qd`, `qdd` and `tau` are empty. If `base_moves`, the header has to be that one, with poses,
     /// velocities and accelerations.
     ///
     /// It needs the feature `csv`.
@@ -199,26 +198,31 @@ impl<K: Stand<Joints = Dyn>> SizedTrajectory<K> {
     /// [`CsvError`] with the line and the column, if the header has the joints in another order, or a line has too
     /// few or too many cells. The same holds if a cell holds no finite number, a rotation is none within 1e-6, times do not
     /// grow, or there are fewer than two rows. A [`CsvError`] is also returned if the reader fails.
-    pub fn read_points(joints: &[&str], input: impl Read) -> Result<Self, CsvError> {
-        read(Dyn(joints.len()), Some(joints), input)
+    pub fn read_points(
+        joints: &[&str],
+        base_moves: bool,
+        input: impl Read,
+    ) -> Result<Self, CsvError> {
+        read(Dyn(joints.len()), base_moves, Some(joints), input)
     }
 }
 
 /// A trajectory of samples; or of points to pass, for the joints with these names.
-fn read<K: Stand>(
+fn read<K: Sizes>(
     joints: K::Joints,
+    moves: bool,
     points_of: Option<&[&str]>,
     input: impl Read,
 ) -> Result<SizedTrajectory<K>, CsvError> {
     let text = text_of(input)?;
     let mut rows = Rows::new(&text);
-    let (n, of_pose) = (joints.value(), of_base::<K>(0).len());
-    let freedoms = K::Freedoms::from_usize(K::OF_BASE + n);
+    let (n, of_pose) = (joints.value(), of_base(moves, 0).len());
+    let freedoms = K::Freedoms::from_usize(of_base(moves, 1).len() + n);
     let (mut is_row, are_points) = (rows.advance(), points_of.is_some());
     let (mut quantities, mut width) = (1, 1 + n);
     let may_lack_header = are_points && of_pose == 0;
     if !may_lack_header || rows.row.iter().all(|cell| cell.parse::<f64>().is_err()) {
-        quantities = rows.quantities::<K>(n, points_of)?;
+        quantities = rows.quantities(n, moves, points_of)?;
         width = rows.row.len();
         let (found, expected) = (width, 1 + of_pose + n);
         if found < expected {
@@ -250,7 +254,7 @@ fn read<K: Stand>(
             if are_points && !is_rotation(&base.rotation) {
                 return Err(rows.mistake(1, CsvMistake::Rotation));
             }
-            trajectory.base.extend([K::pose(base)]);
+            trajectory.base.push(base);
         }
         trajectory.t.push(t);
         let q = joints.vector_of(|i| numbers[1 + of_pose + i]);
@@ -344,9 +348,10 @@ impl<'t> Rows<'t> {
 
     /// How many quantities a header has: places and velocities at least. Where names of joints are given, these are places
     /// alone, or accelerations too if the base moves.
-    fn quantities<K: Stand>(
+    fn quantities(
         &self,
         joints: usize,
+        moves: bool,
         names: Option<&[&str]>,
     ) -> Result<usize, CsvError> {
         let word = |cell: &str| cell.split([' ', '[']).next().unwrap_or_default().to_owned();
@@ -357,7 +362,6 @@ impl<'t> Rows<'t> {
             let expected = word(column);
             Err(self.mistake(index, CsvMistake::Header { expected }))
         };
-        let moves = K::OF_BASE > 0;
         let least = match names {
             None => 2,
             Some(_) if moves => 3,
@@ -368,7 +372,7 @@ impl<'t> Rows<'t> {
         }
         let mut first = 1;
         for (k, (symbol, _)) in QUANTITIES.iter().enumerate() {
-            let of_base = of_base::<K>(k);
+            let of_base = of_base(moves, k);
             for (i, name) in of_base.iter().enumerate() {
                 match found(first + i) == word(name) {
                     true => {}
@@ -392,7 +396,7 @@ impl<'t> Rows<'t> {
             first += joints;
             if has(first, symbol) {
                 let next = QUANTITIES.get(k + 1).map_or("", |next| next.0);
-                return expected(first, self::of_base::<K>(k + 1).first().unwrap_or(&next));
+                return expected(first, self::of_base(moves, k + 1).first().unwrap_or(&next));
             }
         }
         Ok(QUANTITIES.len())
@@ -668,7 +672,7 @@ mod tests {
         (short.qdd, short.tau) = (vec![], vec![]);
         assert_eq!(written(&short), text);
         let read = |joints: &[&str], text: &str| {
-            SizedTrajectory::<Dyn>::read_points(joints, text.as_bytes()).unwrap()
+            SizedTrajectory::<Dyn>::read_points(joints, false, text.as_bytes()).unwrap()
         };
         let points = read(&["shoulder", "elbow"], "0,1,2\n1,3,4\n");
         let arm = CRAIG_ARM;
@@ -736,7 +740,8 @@ mod tests {
 
     #[test]
     fn points_have_a_header_or_none() {
-        let read = |text: &str| SizedTrajectory::<Dyn>::read_points(&["a", "b,c"], text.as_bytes());
+        let read =
+            |text: &str| SizedTrajectory::<Dyn>::read_points(&["a", "b,c"], false, text.as_bytes());
         for header in [
             "",
             "t,a,\"b,c\"\n",

@@ -8,31 +8,30 @@ use super::recorder::Recorder;
 use super::sampling::Instants;
 use super::settings::ErrorControl;
 use crate::integrate::{Failure, Stepper};
-use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// Makes steps to the end of the recorder's plan, under error control at most its `max_steps` between two samples. Events are those that `F` finds.
 ///
 /// Steppers of [`Simulation`](crate::Simulation) are trait objects, so that this is compiled once for all of its
 /// methods: a call is nothing beside a step.
-pub(super) fn drive<F, S, R: EquationsOfMotion<D>, K, D: Size>(
-    motion: &Motion<R, D>,
+pub(super) fn drive<F, S, K, D: Size>(
+    motion: &Motion<D>,
     system: &S,
     stepper: &mut K,
     recorder: &mut Recorder<D>,
     control: Option<ErrorControl>,
 ) -> Result<(), Cause>
 where
-    F: Finder<S, R, K, D>,
+    F: Finder<S, K, D>,
     K: Stepper<S, Cause, D> + ?Sized,
 {
     if motion.has_events() {
         let duration = recorder.duration;
-        let run = Eventful::<_, _, _, F, D>::start(motion, system, stepper, duration, control)?;
+        let run = Eventful::<_, _, F, D>::start(motion, system, stepper, duration, control)?;
         return run.drive(recorder);
     }
     let mut instants = Instants::new(motion.torque.period(), recorder.duration);
-    let mut progress = Progress::new(motion.robot.size(), control);
+    let mut progress = Progress::new(motion.size, control);
     let mut steps = 0;
     while recorder.next_sample().is_some() {
         let made = if progress.has_too_many(steps, recorder) {
@@ -78,12 +77,14 @@ mod tests {
 
     use super::drive;
     use crate::integrate::{Failure, Phase, Stepper};
+    use crate::place::Place;
     use crate::simulation::DormandPrince;
     use crate::simulation::by_margins::ByMargins;
     use crate::simulation::error::Cause;
     use crate::simulation::friction::Law;
     use crate::simulation::limits::Limits;
     use crate::simulation::motion::Motion;
+    use crate::simulation::placed::Placed;
     use crate::simulation::plan::Plan;
     use crate::simulation::recorder::Recorder;
     use crate::simulation::tests::Cart;
@@ -153,15 +154,16 @@ mod tests {
     #[test]
     fn a_million_periods_do_not_drift() {
         for samples in [2, 1_001, 1_000_001] {
-            let mut plan = Plan::<Const<1>>::new(Const);
-            (plan.duration, plan.samples) = (1e3, samples);
-            let (cart, law) = (Cart, Expected(1e-3, Cell::new(0)));
+            let (duration, law) = (1e3, Expected(1e-3, Cell::new(0)));
+            let q = Vector1::zeros();
+            let (cart, _) = Placed::<_, Const<1>>::at(&Cart, &Place { base: None, q });
             let motion = Motion::new(&cart, &law, Law::sign(Const), Limits::none(Const));
-            let mut recorder = Recorder::new(plan.initial.clone());
-            recorder.plan(&plan).unwrap();
-            recorder.push(motion.sample_at(0.0, plan.initial.clone()));
-            let mut clock = Clock(0.0, plan.initial.clone());
-            drive::<ByMargins, _, _, _, _>(
+            let initial = Phase::zeros(Const);
+            let mut recorder = Recorder::new(initial.clone());
+            recorder.plan(&Plan { duration, samples }).unwrap();
+            recorder.push(motion.sample_at(0.0, initial.clone()));
+            let mut clock = Clock(0.0, initial);
+            drive::<ByMargins, _, _, _>(
                 &motion,
                 &(),
                 &mut clock,

@@ -6,24 +6,24 @@ use nalgebra::Const;
 
 use super::joint_set::JointSet;
 use super::trajectory::SizedTrajectory;
-use crate::SingularMassMatrix;
 use crate::equations_of_motion::SizedModel;
 use crate::joint_name::JointName;
 use crate::newton_euler::NAMES_OF_BASE;
+use crate::place::{Sizes, Velocities};
 use crate::size::{JointVector as _, Size};
-use crate::stand::{OnBase, Stand, Velocities};
 use crate::taylor::Refusal;
+use crate::{Pose, SingularMassMatrix};
 
 /// A simulation that could not reach its end, with everything that it computed before.
 ///
 /// `{:?}`, which `unwrap` and an error of `main` print, is the sentence of `{}` and the number of samples.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
-pub struct SizedSimulationError<K: Stand> {
+pub struct SizedSimulationError<K: Sizes> {
     /// The time reached, s.
     pub time: f64,
-    /// Where a base that moves stands then.
-    pub base: K::Pose,
+    /// The pose of a base that moves then; the identity of one that stands.
+    pub base: Pose<f64>,
     /// The joint positions reached, rad or m.
     pub q: <K::Joints as Size>::Vector,
     /// The velocities reached, rad/s or m/s.
@@ -38,9 +38,6 @@ pub struct SizedSimulationError<K: Stand> {
 
 /// A simulation of an arm of `N` joints that could not reach its end.
 pub type SimulationError<const N: usize> = SizedSimulationError<Const<N>>;
-
-/// A simulation on a base that moves that could not reach its end.
-pub type SizedFloatingError<D, V> = SizedSimulationError<OnBase<D, V>>;
 
 /// The result of a simulation.
 pub(super) type Outcome<K> = Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>;
@@ -209,31 +206,32 @@ pub enum InvalidSetting {
     Rotation,
 }
 
-impl<K: Stand> fmt::Display for SizedSimulationError<K> {
+impl<K: Sizes> fmt::Display for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (base, q) = K::parts(K::place(&self.base, &self.q));
+        let [q, qd] = [self.q.entries(), self.qd.entries()];
+        let of_base = qd.len() - q.len();
         write!(f, "the simulation ended at t = {:?} s: ", self.time)?;
         let freedoms = Freedoms {
-            of_base: K::OF_BASE,
+            of_base,
             joints: &self.joint_names,
         };
         self.cause.write(f, freedoms)?;
         f.write_str(" (")?;
-        if let Some(base) = base {
-            write!(f, "base = {:?}, ", base.entries().as_slice())?;
+        if of_base > 0 {
+            write!(f, "base = {:?}, ", self.base.entries().as_slice())?;
         }
-        write!(f, "q = {:?}, qd = {:?})", q.entries(), self.qd.entries())
+        write!(f, "q = {q:?}, qd = {qd:?})")
     }
 }
 
-impl<K: Stand> fmt::Debug for SizedSimulationError<K> {
+impl<K: Sizes> fmt::Debug for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let samples = self.trajectory.len();
         write!(f, "{self}; `trajectory` has {samples} samples up to there")
     }
 }
 
-impl<K: Stand> core::error::Error for SizedSimulationError<K> {
+impl<K: Sizes> core::error::Error for SizedSimulationError<K> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.cause {
             Cause::SingularMassMatrix(source) => Some(source),
@@ -243,7 +241,7 @@ impl<K: Stand> core::error::Error for SizedSimulationError<K> {
     }
 }
 
-impl<K: Stand> SizedSimulationError<K> {
+impl<K: Sizes> SizedSimulationError<K> {
     /// The error with the names of the robot's joints in its sentence: `joint 2 (elbow)` in place of `joint 2`.
     #[must_use]
     pub fn naming(mut self, robot: &impl SizedModel<K>) -> Self {

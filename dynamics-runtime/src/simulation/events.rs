@@ -12,7 +12,6 @@ use super::recorder::Recorder;
 use super::sampling::Instants;
 use super::settings::ErrorControl;
 use crate::integrate::{Phase, Stepper};
-use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
 
 /// Where a step begins.
@@ -23,11 +22,11 @@ pub(super) struct Start<D: Size> {
 }
 
 /// How the first event within a step is found.
-pub(super) trait Finder<S, R, K: ?Sized, D: Size> {
+pub(super) trait Finder<S, K: ?Sized, D: Size> {
     /// Has the last step of the stepper end at the first event in it. Where there is none, the
     /// forces at its end.
     fn first_event(
-        motion: &Motion<R, D>,
+        motion: &Motion<D>,
         system: &S,
         stepper: &mut K,
         start: &Start<D>,
@@ -35,8 +34,8 @@ pub(super) trait Finder<S, R, K: ?Sized, D: Size> {
 }
 
 /// The least margin where a stepper is, and the forces there.
-pub(super) fn here<S, R: EquationsOfMotion<D>, D: Size>(
-    motion: &Motion<R, D>,
+pub(super) fn here<S, D: Size>(
+    motion: &Motion<D>,
     stepper: &(impl Stepper<S, Cause, D> + ?Sized),
 ) -> Result<(f64, Held<D>), Cause> {
     let phase = stepper.phase();
@@ -45,8 +44,8 @@ pub(super) fn here<S, R: EquationsOfMotion<D>, D: Size>(
 }
 
 /// An integration whose steps end at the events that `F` finds.
-pub(super) struct Eventful<'a, S, R, K: ?Sized, F, D: Size> {
-    motion: &'a Motion<'a, R, D>,
+pub(super) struct Eventful<'a, S, K: ?Sized, F, D: Size> {
+    motion: &'a Motion<'a, D>,
     system: &'a S,
     stepper: &'a mut K,
     instants: Instants,
@@ -55,15 +54,14 @@ pub(super) struct Eventful<'a, S, R, K: ?Sized, F, D: Size> {
     finder: PhantomData<F>,
 }
 
-impl<'a, S, R, K: ?Sized, F, D: Size> Eventful<'a, S, R, K, F, D>
+impl<'a, S, K: ?Sized, F, D: Size> Eventful<'a, S, K, F, D>
 where
-    R: EquationsOfMotion<D>,
     K: Stepper<S, Cause, D>,
-    F: Finder<S, R, K, D>,
+    F: Finder<S, K, D>,
 {
     /// From where the stepper is.
     pub(super) fn start(
-        motion: &'a Motion<'a, R, D>,
+        motion: &'a Motion<'a, D>,
         system: &'a S,
         stepper: &'a mut K,
         duration: f64,
@@ -76,7 +74,7 @@ where
             stepper,
             instants: Instants::new(motion.torque.period(), duration),
             held,
-            progress: Progress::new(motion.robot.size(), control),
+            progress: Progress::new(motion.size, control),
             finder: PhantomData,
         })
     }

@@ -27,7 +27,6 @@ use super::joint_set::JointSet;
 use super::limits::{AtLimit, End};
 use super::motion::Motion;
 use crate::integrate::Phase;
-use crate::simulation::EquationsOfMotion;
 use crate::size::{JointMatrix as _, JointVector as _, Size};
 
 /// Impacts of joints on their stops, and their result.
@@ -39,7 +38,7 @@ pub(super) struct Impact<D: Size> {
     pub(super) joints: JointSet,
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
     /// held. Returns the phase after that.
     pub(super) fn settle_at_start(&self, phase: &Phase<D>) -> Result<Phase<D>, Cause> {

@@ -1,29 +1,68 @@
-//! Laws of the forces on a robot, whatever its base does.
+//! Laws of the forces on a robot.
+
+use nalgebra::{Const, DVector, Dyn, SVector};
 
 use crate::Pose;
-use crate::size::Size;
-use crate::stand::{OnBase, Stand, Velocities};
+use crate::place::{OnBase, Place, Sizes, Velocities};
+use crate::size::Size as _;
 
 /// A law of the forces on a robot: a function of time, place and velocities.
-pub trait ForceLaw<K: Stand> {
+pub trait ForceLaw<K: Sizes> {
     /// The forces.
     #[doc(hidden)]
-    fn forces(&mut self, t: f64, place: K::Place<'_>, velocities: &Velocities<K>) -> Velocities<K>;
+    fn forces(
+        &mut self,
+        t: f64,
+        place: &Place<K::Joints>,
+        velocities: &Velocities<K>,
+    ) -> Velocities<K>;
 }
 
-impl<F: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector, D: Size> ForceLaw<D> for F {
+/// An arm: t, q, qd.
+impl<F, const N: usize> ForceLaw<Const<N>> for F
+where
+    F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+{
     #[inline(always)]
-    fn forces(&mut self, t: f64, q: &D::Vector, qd: &D::Vector) -> D::Vector {
-        self(t, q, qd)
+    fn forces(&mut self, t: f64, place: &Place<Const<N>>, qd: &SVector<f64, N>) -> SVector<f64, N> {
+        self(t, &place.q, qd)
     }
 }
 
-impl<F, D: Size, V: Size> ForceLaw<OnBase<D, V>> for F
+/// A robot on a base that moves: t, its pose, q, v.
+impl<F, const N: usize, const V: usize> ForceLaw<OnBase<N, V>> for F
 where
-    F: FnMut(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector,
+    F: FnMut(f64, &Pose<f64>, &SVector<f64, N>, &SVector<f64, V>) -> SVector<f64, V>,
 {
     #[inline(always)]
-    fn forces(&mut self, t: f64, (base, q): (&Pose<f64>, &D::Vector), v: &V::Vector) -> V::Vector {
-        self(t, base, q, v)
+    fn forces(&mut self, t: f64, place: &Place<Const<N>>, v: &SVector<f64, V>) -> SVector<f64, V> {
+        self(t, &place.pose(), &place.q, v)
+    }
+}
+
+/// A robot that is known at run time: t, its place, v.
+impl<F> ForceLaw<Dyn> for F
+where
+    F: FnMut(f64, &Place<Dyn>, &DVector<f64>) -> DVector<f64>,
+{
+    #[inline(always)]
+    fn forces(&mut self, t: f64, place: &Place<Dyn>, v: &DVector<f64>) -> DVector<f64> {
+        self(t, place, v)
+    }
+}
+
+/// No forces: free motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FreeMotion;
+
+impl<K: Sizes> ForceLaw<K> for FreeMotion {
+    fn forces(&mut self, _: f64, _: &Place<K::Joints>, v: &Velocities<K>) -> Velocities<K> {
+        K::Freedoms::of(v).vector()
+    }
+}
+
+impl<K: Sizes> ForceLaw<K> for &FreeMotion {
+    fn forces(&mut self, _: f64, _: &Place<K::Joints>, v: &Velocities<K>) -> Velocities<K> {
+        K::Freedoms::of(v).vector()
     }
 }

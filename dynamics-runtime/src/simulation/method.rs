@@ -3,7 +3,6 @@
 use super::by_margins::ByMargins;
 use super::drive::drive;
 use super::motion::{InMomenta, Motion};
-use super::on_charts::OnCharts;
 use super::settings::{Dop853, DormandPrince, ErrorControl, Radau5, validate_step};
 
 use super::error::{Cause, InvalidSetting};
@@ -13,9 +12,7 @@ use crate::integrate::{
     Adaptive, Dop853Method, DormandPrince54, Euler, FixedStep, GaussLegendre, OneStep, Phase,
     Radau, Rk4, StepRange, Stepper, Tolerance,
 };
-use crate::simulation::EquationsOfMotion;
 use crate::size::Size;
-use crate::stand::Stand;
 
 /// A method of integration.
 ///
@@ -133,21 +130,17 @@ macro_rules! from_settings {
 
 from_settings! { DormandPrince Dop853 Radau5 }
 
-/// The integration of a robot's motion by a method.
-type Integrate<R, K> = for<'m> fn(
-    &Method,
-    &Motion<'m, OnCharts<'m, R, K>, <K as Stand>::Freedoms>,
-    &mut Recorder<<K as Stand>::Freedoms>,
-) -> Result<(), Cause>;
+/// The integration of a motion by a method.
+type Integrate<D> = fn(&Method, &Motion<D>, &mut Recorder<D>) -> Result<(), Cause>;
 
 /// A method, and the integration by it: that of the default method is compiled without all others.
-#[derive(Debug)]
-pub(super) struct Chosen<R, K: Stand> {
+#[derive(Clone, Debug)]
+pub(super) struct Chosen<D: Size> {
     method: Method,
-    integrate: Integrate<R, K>,
+    integrate: Integrate<D>,
 }
 
-impl<R: EquationsOfMotion<K>, K: Stand> Chosen<R, K> {
+impl<D: Size> Chosen<D> {
     /// The default method, with its default settings.
     pub(super) fn by_default() -> Self {
         Chosen {
@@ -167,23 +160,8 @@ impl<R: EquationsOfMotion<K>, K: Stand> Chosen<R, K> {
     }
 }
 
-impl<R, K: Stand> Clone for Chosen<R, K> {
-    fn clone(&self) -> Self {
-        Chosen {
-            method: self.method,
-            integrate: self.integrate,
-        }
-    }
-}
-
-impl<R: EquationsOfMotion<K>, K: Stand> Integrator<OnCharts<'_, R, K>, K::Freedoms>
-    for Chosen<R, K>
-{
-    fn validate(
-        &self,
-        motion: &Motion<OnCharts<'_, R, K>, K::Freedoms>,
-        plan: &Plan<K::Freedoms>,
-    ) -> Result<(), InvalidSetting> {
+impl<D: Size> Integrator<D> for Chosen<D> {
+    fn validate(&self, motion: &Motion<D>, plan: &Plan) -> Result<(), InvalidSetting> {
         self.method.validate(motion, plan)
     }
 
@@ -194,19 +172,15 @@ impl<R: EquationsOfMotion<K>, K: Stand> Integrator<OnCharts<'_, R, K>, K::Freedo
         }
     }
 
-    fn integrate(
-        &self,
-        motion: &Motion<OnCharts<'_, R, K>, K::Freedoms>,
-        recorder: &mut Recorder<K::Freedoms>,
-    ) -> Result<(), Cause> {
+    fn integrate(&self, motion: &Motion<D>, recorder: &mut Recorder<D>) -> Result<(), Cause> {
         (self.integrate)(&self.method, motion, recorder)
     }
 }
 
 /// A method, and its settings, as a run needs them.
-pub(super) trait Integrator<R, D: Size>: Clone {
+pub(super) trait Integrator<D: Size> {
     /// Whether the settings make sense for a run.
-    fn validate(&self, motion: &Motion<R, D>, plan: &Plan<D>) -> Result<(), InvalidSetting>;
+    fn validate(&self, motion: &Motion<D>, plan: &Plan) -> Result<(), InvalidSetting>;
 
     /// The step of a method whose positions are straight lines within a step; 0 of the others.
     fn straight_step(&self) -> f64 {
@@ -214,13 +188,13 @@ pub(super) trait Integrator<R, D: Size>: Clone {
     }
 
     /// Makes the run from where it begins.
-    fn integrate(&self, motion: &Motion<R, D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
+    fn integrate(&self, motion: &Motion<D>, recorder: &mut Recorder<D>) -> Result<(), Cause>;
 }
 
 impl Method {
-    fn integrate<R: EquationsOfMotion<D>, D: Size>(
+    fn integrate<D: Size>(
         &self,
-        motion: &Motion<R, D>,
+        motion: &Motion<D>,
         recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
         match *self {
@@ -252,12 +226,8 @@ impl Method {
         }
     }
 
-    fn validate<R: EquationsOfMotion<D>, D: Size>(
-        &self,
-        motion: &Motion<R, D>,
-        plan: &Plan<D>,
-    ) -> Result<(), InvalidSetting> {
-        if motion.robot.charts().is_some() && !self.is_explicit() {
+    fn validate<D: Size>(&self, motion: &Motion<D>, plan: &Plan) -> Result<(), InvalidSetting> {
+        if motion.moves && !self.is_explicit() {
             return Err(InvalidSetting::MovingBase);
         }
         match self {
@@ -278,10 +248,10 @@ impl Method {
     }
 }
 
-fn fixed<S, R: EquationsOfMotion<D>, D: Size>(
+fn fixed<S, D: Size>(
     method: impl OneStep<S, Cause, D>,
     step: f64,
-    motion: &Motion<R, D>,
+    motion: &Motion<D>,
     system: &S,
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
@@ -289,19 +259,19 @@ fn fixed<S, R: EquationsOfMotion<D>, D: Size>(
     follow(motion, system, &mut run, recorder, None)
 }
 
-fn canonical<R: EquationsOfMotion<D>, const STAGES: usize, D: Size>(
+fn canonical<const STAGES: usize, D: Size>(
     method: GaussLegendre<STAGES, D>,
     step: f64,
-    motion: &Motion<R, D>,
+    motion: &Motion<D>,
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let system = InMomenta::new(motion).ok_or(InvalidSetting::NoMomenta)?;
     fixed(method, step, motion, &system, recorder)
 }
 
-fn by_dormand_prince<R: EquationsOfMotion<D>, D: Size>(
+fn by_dormand_prince<D: Size>(
     settings: DormandPrince,
-    motion: &Motion<R, D>,
+    motion: &Motion<D>,
     recorder: &mut Recorder<D>,
 ) -> Result<(), Cause> {
     let start = Adaptive::<DormandPrince54, D>::start;
@@ -309,14 +279,14 @@ fn by_dormand_prince<R: EquationsOfMotion<D>, D: Size>(
 }
 
 /// A run under error control, by the stepper that `start` makes.
-fn controlled<'m, K, R: EquationsOfMotion<D>, D: Size>(
+fn controlled<'m, K, D: Size>(
     control: ErrorControl,
-    motion: &Motion<'m, R, D>,
+    motion: &Motion<'m, D>,
     recorder: &mut Recorder<D>,
-    start: impl FnOnce(&Motion<'m, R, D>, Phase<D>, Tolerance, StepRange) -> Result<K, Cause>,
+    start: impl FnOnce(&Motion<'m, D>, Phase<D>, Tolerance, StepRange) -> Result<K, Cause>,
 ) -> Result<(), Cause>
 where
-    K: Stepper<Motion<'m, R, D>, Cause, D>,
+    K: Stepper<Motion<'m, D>, Cause, D>,
 {
     let (range, phase) = (control.range(recorder.duration), recorder.phase.clone());
     let mut run = start(motion, phase, control.tolerance, range)?;
@@ -324,12 +294,12 @@ where
 }
 
 /// Follows a motion by a stepper that is known at run time alone.
-fn follow<S, R: EquationsOfMotion<D>, D: Size>(
-    motion: &Motion<R, D>,
+fn follow<S, D: Size>(
+    motion: &Motion<D>,
     system: &S,
     stepper: &mut dyn Stepper<S, Cause, D>,
     recorder: &mut Recorder<D>,
     control: Option<ErrorControl>,
 ) -> Result<(), Cause> {
-    drive::<ByMargins, _, _, _, _>(motion, system, stepper, recorder, control)
+    drive::<ByMargins, _, _, _>(motion, system, stepper, recorder, control)
 }

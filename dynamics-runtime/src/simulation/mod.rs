@@ -1,4 +1,4 @@
-//! Motion of an arm under a torque law.
+//! Motion of a robot under a torque law.
 
 mod by_margins;
 mod by_series;
@@ -10,7 +10,6 @@ mod csv;
 mod drive;
 mod error;
 mod events;
-mod floating;
 mod friction;
 mod impact;
 mod joint_set;
@@ -18,21 +17,27 @@ mod law;
 mod limits;
 mod method;
 mod motion;
-mod on_charts;
+mod moving_base;
+mod placed;
 mod plan;
 mod progress;
 mod recorder;
+mod run_time;
 mod sampling;
 mod settings;
 mod taylor;
-mod tool_wrench;
 mod torque;
 mod trajectory;
+mod wrench;
 
-use nalgebra::{Matrix4, Vector6};
+use core::cell::RefCell;
+
+use nalgebra::{Const, Dim as _, Matrix4, SMatrix, SVector, Vector6};
 
 use crate::Pose;
+use crate::closed_form::is_rotation;
 use crate::integrate::Phase;
+use crate::place::Velocities;
 use crate::size::Size;
 use crate::table::AsArm as _;
 use error::Outcome;
@@ -40,32 +45,30 @@ use friction::Law;
 use limits::{AtLimit, Limits};
 use method::{Chosen, Integrator};
 use motion::Motion;
-use on_charts::{OnCharts, placed};
+use placed::{InCoordinates, Placed};
 use plan::{Plan, plan_setters};
 use progress::runs_away;
 use recorder::Recorder;
-use torque::{Laws, SampledLaws, TorqueLaw};
+use torque::{Laws, SampledLaw, TorqueLaw};
+use wrench::{HeldWrench, Tip, Wrenches};
 
 pub use crate::equations_of_motion::{EquationsOfMotion, Responses, SizedModel};
 pub use crate::model::{Momenta, SizedKinematics, SizedMomenta};
-pub use crate::stand::{OnBase, Stand};
+pub use crate::place::{OnBase, Place, Sizes};
 pub use crate::taylor::{MAX_TAYLOR_ORDER, TaylorCoefficients, TaylorDynamics};
 pub use crate::trajectory::InvalidDuration;
 #[cfg(feature = "csv")]
 pub use csv::{CsvError, CsvMistake, shortest};
-pub use error::{Cause, InvalidSetting, SimulationError, SizedFloatingError, SizedSimulationError};
+pub use error::{Cause, InvalidSetting, SimulationError, SizedSimulationError};
 pub use friction::Friction;
 pub use joint_set::JointSet;
-pub use law::ForceLaw;
+pub use law::{ForceLaw, FreeMotion};
 pub use method::Method;
-pub use sampling::{Continuous, Sampled};
+pub use sampling::{Asked, AwaitsPeriod, Continuous, NothingHeld, Sampled, WithoutPeriod};
 pub use settings::{Dop853, DormandPrince, Radau5, Taylor};
 pub use taylor::{HeldTorque, TaylorSimulation};
-pub use tool_wrench::{ContinuousWrench, HeldToolWrench, NoToolWrench, ToolWrench, WrenchAt};
-pub use trajectory::{
-    FloatingSample, FloatingTrajectory, Sample, SizedFloatingTrajectory, SizedTrajectory,
-    Trajectory, Work,
-};
+pub use trajectory::{FloatingTrajectory, Sample, SizedTrajectory, Trajectory, Work};
+pub use wrench::{FrameOf, Wrench, WrenchAt};
 
 /// A simulation of an arm: set it up, then [`run`](Simulation::run) it.
 ///
@@ -102,39 +105,39 @@ pub use trajectory::{
 /// ```
 #[derive(Clone, Debug)]
 #[must_use]
-pub struct Simulation<'a, R, L, K: Stand, W = NoToolWrench, S = Continuous> {
+pub struct Simulation<'a, R, L, K: Sizes, S = Continuous> {
     robot: &'a R,
     torque: L,
-    tool_wrench: W,
+    wrenches: Wrenches<'a, R, K>,
     asked: S,
-    setting: Setting<K::Freedoms, Chosen<R, K>>,
-    /// Where a base that moves begins.
-    start: K::Pose,
+    method: Chosen<K::Freedoms>,
+    setting: Setting<K::Freedoms>,
+    start: Place<K::Joints>,
+    velocities: Velocities<K>,
 }
 
-impl<'a, R: EquationsOfMotion<K>, K: Stand> Simulation<'a, R, K::NoTorque, K> {
+impl<'a, R: EquationsOfMotion<K>, K: Sizes> Simulation<'a, R, FreeMotion, K> {
     /// Free motion of the robot.
     pub fn new(robot: &'a R) -> Self {
-        let size = robot.size();
-        let setting = Setting {
-            method: Chosen::by_default(),
-            friction: Law::sign(size),
-            limits: Limits::none(size),
-            greatest: None,
-            plan: Plan::new(size),
-        };
+        let (joints, size) = (robot.joints(), robot.size());
+        let moves = size.value() > joints.value();
         Simulation {
             robot,
-            torque: K::no_torque(),
-            tool_wrench: NoToolWrench,
+            torque: FreeMotion,
+            wrenches: Wrenches::default(),
             asked: Continuous,
-            setting,
-            start: K::pose(Pose::identity()),
+            method: Chosen::by_default(),
+            setting: Setting::new(size),
+            start: Place {
+                base: moves.then(Pose::identity),
+                q: joints.vector(),
+            },
+            velocities: size.vector(),
         }
     }
 }
 
-impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
+impl<'a, R, L, const N: usize, S: WithoutPeriod> Simulation<'a, R, L, Const<N>, S> {
     /// The joint torques as a function of t in s, q in rad or m, and qd; in N m or N.
     ///
     /// It is called wherever the integration evaluates the equations of motion: at trial stages, out of order, and in
@@ -142,16 +145,16 @@ impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W> {
     /// memory is an `FnMut` and needs [`control_period`](Simulation::control_period):
     /// `.control_period(1e-3).torque(law)`. Without it the compiler says that something is captured "in a `Fn` closure"
     /// (E0594, E0596).
-    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, D, W>
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, Const<N>, S>
     where
         // The compiler shows this line to who gives it another law.
-        F: Fn(f64, &D::Vector, &D::Vector) -> D::Vector, // with a memory: `.control_period(1e-3).torque(law)`
+        F: Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>, // with a memory: `.control_period(1e-3).torque(law)`
     {
-        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
+        self.with_laws(|_, asked| (law, asked))
     }
 }
 
-impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
+impl<'a, R, L, S, K: Sizes> Simulation<'a, R, L, K, S> {
     /// Sample and hold, as a digital controller works. With the period p in s, the torque law is called at the times 0,
     /// p, 2 p, ... before the end of the run, once each and in order. Its torque is held until the next of them.
     ///
@@ -190,16 +193,15 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// assert!((motion.tau[100][0] - 3.0).abs() < 0.05);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn control_period(self, period: f64) -> Simulation<'a, R, L, K, W, Sampled> {
-        self.with_laws(|torque, tool_wrench, _| (torque, tool_wrench, Sampled { period }))
+    pub fn control_period(self, period: f64) -> Simulation<'a, R, L, K, Sampled> {
+        self.with_laws(|torque, _| (torque, Sampled { period }))
     }
 }
 
-impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
+impl<'a, R: 'a, L, S, const N: usize> Simulation<'a, R, L, Const<N>, S> {
     /// Positions and velocities at t = 0, rad or m, and per second.
-    pub fn initial(mut self, q: D::Vector, qd: D::Vector) -> Self {
-        self.setting.plan.initial = Phase { q, qd };
-        self
+    pub fn initial(self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
+        self.starting(Place { base: None, q }, qd)
     }
 
     /// The force of the surroundings on the tool: a wrench w = (fx fy fz nx ny nz), N and N m, as a function of t in s,
@@ -237,12 +239,13 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// ```
     ///
     /// It takes the place of forces that were given before; [`wrench_at`](Simulation::wrench_at) adds others.
-    pub fn tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, F, S>
+    pub fn tool_wrench<F>(mut self, law: F) -> Self
     where
-        R: SizedKinematics<D>,
-        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+        R: SizedKinematics<Const<N>>,
+        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> + 'a,
     {
-        self.with_laws(|torque, _, asked| (torque, law, asked))
+        self.wrenches = Wrenches::default();
+        self.with_wrench(WrenchAt::new(Tip, law))
     }
 
     /// The force of the surroundings on the tool, sampled with the torques: a wrench (fx fy fz nx ny nz), N and N m, as
@@ -251,29 +254,31 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     ///
     /// It is for disturbances, such as random pushes. Contact is stiff, and a force that is held feeds energy into the
     /// motion: give it as a function of time and state, by [`tool_wrench`](Simulation::tool_wrench).
-    pub fn held_tool_wrench<F>(self, law: F) -> Simulation<'a, R, L, D, HeldToolWrench<F>, S>
+    pub fn held_tool_wrench<F>(mut self, law: F) -> Simulation<'a, R, L, Const<N>, S::Held>
     where
-        R: SizedKinematics<D>,
-        F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+        S: Asked,
+        R: SizedKinematics<Const<N>>,
+        F: FnMut(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> + 'a,
     {
-        let wrench = Vector6::zeros();
-        self.with_laws(|torque, _, asked| (torque, HeldToolWrench { law, wrench }, asked))
+        self.wrenches = Wrenches::default();
+        let simulation = self.with_wrench(HeldWrench::new(Tip, law));
+        simulation.with_laws(|torque, asked| (torque, asked.held()))
     }
 }
 
-impl<'a, R, L, W, D: Size> Simulation<'a, R, L, D, W, Sampled> {
+impl<'a, R: 'a, L, const N: usize> Simulation<'a, R, L, Const<N>, Sampled> {
     /// The joint torques, N m or N, as a function of t in s, q in rad or m, and qd. They are held for a period. The law
     /// may have a memory: it is called once each period, in order. A second run begins with the memory that the first
     /// one left.
-    pub fn torque<F: FnMut(f64, &D::Vector, &D::Vector) -> D::Vector>(
-        self,
-        law: F,
-    ) -> Simulation<'a, R, F, D, W, Sampled> {
-        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, Const<N>, Sampled>
+    where
+        F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+    {
+        self.with_laws(|_, asked| (law, asked))
     }
 }
 
-impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
+impl<'a, R: 'a, L, S, const N: usize> Simulation<'a, R, L, Const<N>, S> {
     /// A force of the surroundings at a frame, besides those that were given before, at the tool or at other frames.
     /// `place` returns the pose and the Jacobian of the frame. `law` returns the wrench (fx fy fz nx ny nz), N and N m,
     /// at the frame's origin in the axes of the world, as a function of t in s, that pose and the frame's twist.
@@ -307,34 +312,42 @@ impl<'a, R, L, W, S, D: Size> Simulation<'a, R, L, D, W, S> {
     /// assert!((left - 1.0).abs() < 1e-9 && right.abs() < 1e-9);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn wrench_at<P, F>(
-        self,
-        place: P,
-        law: F,
-    ) -> Simulation<'a, R, L, D, (W, WrenchAt<P, F>), S>
+    pub fn wrench_at<P, F>(self, place: P, law: F) -> Self
     where
-        P: Fn(&R, &D::Vector) -> (Matrix4<f64>, D::Columns<6>),
-        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+        P: Fn(&R, &SVector<f64, N>) -> (Matrix4<f64>, SMatrix<f64, 6, N>) + 'a,
+        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> + 'a,
     {
-        self.with_laws(|torque, others, asked| (torque, (others, WrenchAt::new(place, law)), asked))
+        self.with_wrench(WrenchAt::new(place, law))
     }
 }
 
-impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
+impl<'a, R, L, S, K: Sizes> Simulation<'a, R, L, K, S> {
     /// The same with other laws.
-    fn with_laws<L2, W2, S2>(
+    fn with_laws<L2, S2>(
         self,
-        change: impl FnOnce(L, W, S) -> (L2, W2, S2),
-    ) -> Simulation<'a, R, L2, K, W2, S2> {
-        let (torque, tool_wrench, asked) = change(self.torque, self.tool_wrench, self.asked);
+        change: impl FnOnce(L, S) -> (L2, S2),
+    ) -> Simulation<'a, R, L2, K, S2> {
+        let (torque, asked) = change(self.torque, self.asked);
         Simulation {
             robot: self.robot,
             torque,
-            tool_wrench,
+            wrenches: self.wrenches,
             asked,
+            method: self.method,
             setting: self.setting,
             start: self.start,
+            velocities: self.velocities,
         }
+    }
+
+    fn with_wrench(mut self, wrench: impl Wrench<R, K> + 'a) -> Self {
+        self.wrenches = self.wrenches.and(wrench);
+        self
+    }
+
+    fn starting(mut self, place: Place<K::Joints>, velocities: Velocities<K>) -> Self {
+        (self.start, self.velocities) = (place, velocities);
+        self
     }
 
     /// Forces of the surroundings besides those that were given before, as many as a program finds while it runs: each is a
@@ -363,20 +376,14 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     /// assert!((motion.q[100][0] - 1.0).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn wrenches<F>(self, forces: Vec<F>) -> Simulation<'a, R, L, K, (W, Vec<F>), S>
-    where
-        F: ToolWrench<R, K>,
-    {
-        self.with_laws(|torque, others, asked| (torque, (others, forces), asked))
+    pub fn wrenches<F: Wrench<R, K> + 'a>(self, forces: Vec<F>) -> Self {
+        forces.into_iter().fold(self, Simulation::with_wrench)
     }
 
     /// The method of integration: a [`Method`], or the settings of [`DormandPrince`] alone. All methods are compiled for a robot
     /// for which one is given.
-    pub fn method(mut self, method: impl Into<Method>) -> Self
-    where
-        R: EquationsOfMotion<K>,
-    {
-        self.setting.method = Chosen::new(method.into());
+    pub fn method(mut self, method: impl Into<Method>) -> Self {
+        self.method = Chosen::new(method.into());
         self
     }
 
@@ -494,38 +501,36 @@ impl<'a, R, L, W, S, K: Stand> Simulation<'a, R, L, K, W, S> {
     plan_setters!();
 }
 
-impl<R: EquationsOfMotion<K>, L, W, K: Stand> Simulation<'_, R, L, K, W> {
+impl<R: EquationsOfMotion<K>, L, K: Sizes, S: WithoutPeriod> Simulation<'_, R, L, K, S> {
     /// Runs the simulation. For an arm it allocates the samples at the start and nothing later.
     ///
     /// On a base that moves, methods are explicit ones; its rotation stays one within 1e-15, however many steps there are.
     ///
     /// # Errors
     ///
-    /// [`SimulationError`], or [`SizedFloatingError`], with the time and the state reached and all samples up to there; its
-    /// [`Cause`] says why. Implicit methods on a base that moves are an invalid setting. Never panics, unless a law does.
+    /// [`SizedSimulationError`] with the time and the state reached and all samples up to there; its [`Cause`] says why.
+    /// Implicit methods on a base that moves are an invalid setting. Never panics, unless a law does.
     pub fn run(&self) -> Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>
     where
         for<'l> &'l L: ForceLaw<K>,
-        W: ToolWrench<R, K> + ContinuousWrench,
+        S: NothingHeld,
     {
-        let charts = K::charts(&self.start);
-        let laws = Laws::<_, _, _, K> {
-            robot: self.robot,
-            charts: &charts,
+        let (placed, q) = Placed::at(self.robot, &self.start);
+        let laws = Laws {
+            placed: &placed,
             torque: &self.torque,
-            tool_wrench: &self.tool_wrench,
+            wrenches: &self.wrenches,
             greatest: self.setting.greatest.as_ref(),
         };
-        let robot = OnCharts::<_, K> {
-            robot: self.robot,
-            charts: &charts,
-        };
-        let end = self.setting.run(&robot, &laws);
-        placed(charts, end)
+        let qd = self.velocities.clone();
+        let end = self
+            .setting
+            .run(&self.method, &placed, &laws, Phase { q, qd });
+        placed.motion(end)
     }
 }
 
-impl<R: EquationsOfMotion<K>, L, W, K: Stand> Simulation<'_, R, L, K, W, Sampled> {
+impl<R: EquationsOfMotion<K>, L, K: Sizes> Simulation<'_, R, L, K, Sampled> {
     /// Runs the simulation, as under laws that are functions of time and state.
     ///
     /// # Errors
@@ -534,74 +539,83 @@ impl<R: EquationsOfMotion<K>, L, W, K: Stand> Simulation<'_, R, L, K, W, Sampled
     pub fn run(&mut self) -> Result<SizedTrajectory<K>, Box<SizedSimulationError<K>>>
     where
         L: ForceLaw<K>,
-        W: ToolWrench<R, K>,
     {
-        let charts = K::charts(&self.start);
-        let laws = SampledLaws::<_, _, _, K>::new(
-            self.robot.size(),
-            (self.robot, &charts),
-            Some(self.asked.period),
-            &mut self.torque,
-            &mut self.tool_wrench,
-            self.setting.greatest.as_ref(),
-        );
-        let robot = OnCharts::<_, K> {
-            robot: self.robot,
-            charts: &charts,
+        let (placed, q) = Placed::at(self.robot, &self.start);
+        let qd = self.velocities.clone();
+        let laws = Laws {
+            placed: &placed,
+            torque: SampledLaw {
+                period: Some(self.asked.period),
+                law: RefCell::new(&mut self.torque),
+                held: RefCell::new(self.robot.size().vector()),
+            },
+            wrenches: &self.wrenches,
+            greatest: self.setting.greatest.as_ref(),
         };
-        let end = self.setting.run(&robot, &laws);
-        placed(charts, end)
+        let end = self
+            .setting
+            .run(&self.method, &placed, &laws, Phase { q, qd });
+        placed.motion(end)
     }
 }
 
-/// A run that is requested, whatever moves the arm.
+/// A run that is requested, whatever moves the robot by which method.
 #[derive(Clone, Debug)]
-struct Setting<D: Size, M> {
-    method: M,
+struct Setting<D: Size> {
     friction: Law<D>,
     limits: Limits<D>,
     /// The greatest torques, where motors saturate.
     greatest: Option<D::Vector>,
-    plan: Plan<D>,
+    plan: Plan,
 }
 
-impl<D: Size, M> Setting<D, M> {
-    fn run<R: EquationsOfMotion<D>>(&self, robot: &R, laws: &dyn TorqueLaw<D>) -> Outcome<D>
-    where
-        M: Integrator<R, D>,
-    {
-        let mut recorder = Recorder::new(self.plan.initial.clone());
+impl<D: Size> Setting<D> {
+    fn new(size: D) -> Self {
+        Setting {
+            friction: Law::sign(size),
+            limits: Limits::none(size),
+            greatest: None,
+            plan: Plan::default(),
+        }
+    }
+
+    fn run(
+        &self,
+        method: &impl Integrator<D>,
+        robot: &dyn InCoordinates<D>,
+        laws: &dyn TorqueLaw<D>,
+        initial: Phase<D>,
+    ) -> Outcome<D> {
+        let mut recorder = Recorder::new(initial.clone());
         let mut limits = self.limits.clone();
         let interval = self.plan.duration / (self.plan.samples as f64 - 1.0);
-        limits.straight = self.method.straight_step().min(interval);
+        limits.straight = method.straight_step().min(interval);
         let motion = Motion::new(robot, laws, self.friction.clone(), limits);
-        let end = self.record(&motion, &mut recorder);
-        let end = end.map_err(|cause| runs_away(cause, &self.plan.initial, &recorder.phase));
+        let end = self.record(method, &motion, &mut recorder);
+        let end = end.map_err(|cause| runs_away(cause, &initial, &recorder.phase));
         recorder.finished(end, motion.evaluations.get())
     }
 
-    fn record<R: EquationsOfMotion<D>>(
+    fn record(
         &self,
-        motion: &Motion<R, D>,
+        method: &impl Integrator<D>,
+        motion: &Motion<D>,
         recorder: &mut Recorder<D>,
-    ) -> Result<(), Cause>
-    where
-        M: Integrator<R, D>,
-    {
-        if motion
-            .robot
-            .charts()
-            .is_some_and(|charts| !charts.begin_at_rotation())
-        {
+    ) -> Result<(), Cause> {
+        let (laws, initial) = (motion.torque, recorder.phase.clone());
+        let base = motion.base(&initial.q);
+        if base.is_some_and(|base| !is_rotation(&base.rotation)) {
             return Err(InvalidSetting::Rotation.into());
         }
-        self.plan.validate(motion.torque.period())?;
+        self.plan.validate(laws.period())?;
+        if let Some(joint) = initial.first_non_finite() {
+            return Err(InvalidSetting::InitialState { joint }.into());
+        }
         self.friction.validate()?;
-        self.limits.validate(&self.plan.initial)?;
+        self.limits.validate(&initial)?;
         torque::validate(self.greatest.as_ref())?;
-        self.method.validate(motion, &self.plan)?;
+        method.validate(motion, &self.plan)?;
         recorder.plan(&self.plan)?;
-        let (laws, initial) = (motion.torque, recorder.phase.clone());
         let mut begun = laws.sample(0.0, &initial).map(|()| initial.clone());
         if motion.has_events() {
             begun = begun.and_then(|phase| motion.settle_at_start(&phase));
@@ -609,7 +623,7 @@ impl<D: Size, M> Setting<D, M> {
         // The first sample is the state as it was given, also where the laws or the contacts are refused.
         recorder.push(motion.sample_at(0.0, initial));
         recorder.phase = begun?;
-        self.method.integrate(motion, recorder)
+        method.integrate(motion, recorder)
     }
 }
 

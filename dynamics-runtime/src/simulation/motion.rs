@@ -1,4 +1,4 @@
-//! An arm and its torque law as one equation of motion.
+//! A robot and its laws as one equation of motion.
 
 use core::cell::{Cell, RefCell};
 use core::fmt::Debug;
@@ -8,18 +8,20 @@ use super::complementarity::block;
 use super::error::Cause;
 use super::friction::{Contact, Friction, Law};
 use super::limits::Limits;
-use super::recorder::Recorder;
+use super::placed::InCoordinates;
+use super::recorder::{Recorder, Taken};
 use super::sampling::before;
 use super::torque::{self, TorqueLaw};
-use super::trajectory::Sample;
 use crate::integrate::{Canonical, Equations, Phase, Point, Stepper, first_non_finite};
 use crate::size::{JointVector, Size};
-use crate::{Scalar, SingularMassMatrix, SizedMomenta, simulation::EquationsOfMotion};
+use crate::{Pose, Scalar, SingularMassMatrix, SizedMomenta};
 
-pub(super) struct Motion<'a, R, D: Size> {
-    size: D,
-    pub(super) robot: &'a R,
-    /// The laws are values: each method of integration is compiled once for all laws of a robot.
+/// Robot and laws are values: each method of integration is compiled once for all robots of as many freedoms.
+pub(super) struct Motion<'a, D: Size> {
+    pub(super) size: D,
+    robot: &'a dyn InCoordinates<D>,
+    /// Whether the base moves.
+    pub(super) moves: bool,
     pub(super) torque: &'a dyn TorqueLaw<D>,
     pub(super) friction: Law<D>,
     pub(super) limits: Limits<D>,
@@ -38,17 +40,18 @@ pub(super) struct Held<D: Size> {
     pub(super) forces: D::Vector,
 }
 
-impl<'a, R, D: Size> Motion<'a, R, D> {
+impl<'a, D: Size> Motion<'a, D> {
     pub(super) fn new(
-        robot: &'a R,
+        robot: &'a dyn InCoordinates<D>,
         torque: &'a dyn TorqueLaw<D>,
         friction: Law<D>,
         limits: Limits<D>,
     ) -> Self {
-        let size = D::from_usize(limits.ranges.as_ref().len());
+        let size = robot.size();
         Motion {
             size,
             robot,
+            moves: robot.base(&size.vector()).is_some(),
             torque,
             friction,
             limits,
@@ -56,6 +59,11 @@ impl<'a, R, D: Size> Motion<'a, R, D> {
             evaluations: Cell::new(0),
             coarse: Cell::new(0.0),
         }
+    }
+
+    /// The pose of a base that moves.
+    pub(super) fn base(&self, positions: &D::Vector) -> Option<Pose<f64>> {
+        self.robot.base(positions)
     }
 
     /// The joints, counted from 0.
@@ -120,7 +128,7 @@ impl<'a, R, D: Size> Motion<'a, R, D> {
     }
 }
 
-impl<R, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
     pub(super) fn torques(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
@@ -157,7 +165,7 @@ impl<R, D: Size> Motion<'_, R, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// The accelerations, and the forces that keep those of the joints that are held at zero.
     pub(super) fn held(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {
         self.held_under(phase, &self.torques(t, phase)?)
@@ -176,7 +184,7 @@ impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     #[inline]
     fn free(&self, phase: &Phase<D>, tau: &D::Vector) -> Result<D::Vector, Cause> {
         self.count(1);
-        let qdd = self.robot.accelerations(&phase.q, &phase.qd, tau)?;
+        let qdd = self.robot.accelerations(phase, tau)?;
         finite(qdd)
     }
 
@@ -219,27 +227,23 @@ impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     ) -> Result<(D::Vector, D::Matrix), Cause> {
         let columns = joints.as_ref().iter().filter(|joint| **joint).count();
         self.count(columns.max(1) as u64);
-        let Phase { q, qd } = phase;
-        let (qdd, columns) = self.robot.accelerations_and_responses(q, qd, tau, joints)?;
+        let (qdd, columns) = self.robot.responses(phase, tau, joints)?;
         Ok((finite(qdd)?, columns))
     }
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// A sample. Its accelerations are NaN where the laws or the equations refuse, which ends no run.
-    pub(super) fn sample_at(&self, t: f64, phase: Phase<D>) -> Sample<D> {
-        if let Some(charts) = self.robot.charts() {
-            charts.note(&phase.q);
-        }
+    pub(super) fn sample_at(&self, t: f64, phase: Phase<D>) -> Taken<D> {
         let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, &phase));
         let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, &phase));
         let held = law.and_then(|tau| self.held_under(&phase, &self.with_friction(&phase, tau)));
         self.evaluations.set(evaluations);
         let unknown = |_| self.size.vector_of(|_| f64::NAN);
         let (qdd, Phase { q, qd }) = (held.map_or_else(unknown, |held| held.qdd), phase);
-        Sample {
+        Taken {
             t,
-            base: (),
+            base: self.base(&q),
             q,
             qd,
             qdd,
@@ -274,7 +278,7 @@ impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
     }
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// Goes on in a chart around the phase reached, where there are charts.
     pub(super) fn recentre<S>(
         &self,
@@ -282,7 +286,7 @@ impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
         stepper: &mut (impl Stepper<S, Cause, D> + ?Sized),
         recorder: &mut Recorder<D>,
     ) {
-        if self.robot.charts().is_some() {
+        if self.moves {
             stepper.recentre(system);
             // Velocities are the same in each chart.
             recorder.phase.q.clone_from(&stepper.phase().q);
@@ -297,10 +301,7 @@ fn finite<V: JointVector>(qdd: V) -> Result<V, Cause> {
     }
 }
 
-impl<R, D: Size> Equations<D> for Motion<'_, R, D>
-where
-    R: EquationsOfMotion<D>,
-{
+impl<D: Size> Equations<D> for Motion<'_, D> {
     type Refusal = Cause;
 
     /// qdd, where everything on the way to it is finite.
@@ -317,26 +318,28 @@ where
 
     #[inline]
     fn position_rates(&self, phase: &Phase<D>) -> D::Vector {
-        let Phase { q, qd } = phase;
-        let charts = self.robot.charts();
-        charts.map_or_else(|| qd.clone(), |charts| charts.position_rates(q, qd))
+        if self.moves {
+            self.robot.rates(phase)
+        } else {
+            phase.qd.clone()
+        }
     }
 
     #[inline]
     fn recentred(&self, phase: &Phase<D>) -> Option<D::Vector> {
-        Some(self.robot.charts()?.recentred(&phase.q))
+        self.moves.then(|| self.robot.recentre(&phase.q))
     }
 }
 
 /// A motion in positions and momenta.
-pub(super) struct InMomenta<'a, R, D: Size> {
-    motion: &'a Motion<'a, R, D>,
+pub(super) struct InMomenta<'a, D: Size> {
+    motion: &'a Motion<'a, D>,
     arm: &'a dyn SizedMomenta<D>,
 }
 
-impl<'a, R: EquationsOfMotion<D>, D: Size> InMomenta<'a, R, D> {
+impl<'a, D: Size> InMomenta<'a, D> {
     /// `None` where the arm is not known in momenta.
-    pub(super) fn new(motion: &'a Motion<'a, R, D>) -> Option<Self> {
+    pub(super) fn new(motion: &'a Motion<'a, D>) -> Option<Self> {
         let arm = motion.robot.in_momenta()?;
         Some(InMomenta { motion, arm })
     }
@@ -367,17 +370,18 @@ impl<'a, R: EquationsOfMotion<D>, D: Size> InMomenta<'a, R, D> {
     #[cold]
     fn named(&self, error: SingularMassMatrix, q: &D::Vector) -> SingularMassMatrix {
         let rest = self.motion.size.vector();
-        match self.motion.robot.accelerations(q, &rest, &rest) {
+        let phase = Phase {
+            q: q.clone(),
+            qd: rest.clone(),
+        };
+        match self.motion.robot.accelerations(&phase, &rest) {
             Err(named) if named.joint == error.joint => named,
             _ => error,
         }
     }
 }
 
-impl<R, D: Size> Canonical<D> for InMomenta<'_, R, D>
-where
-    R: EquationsOfMotion<D>,
-{
+impl<D: Size> Canonical<D> for InMomenta<'_, D> {
     type Refusal = Cause;
 
     fn momentum(&self, phase: &Phase<D>) -> Result<D::Vector, Cause> {

@@ -2,13 +2,10 @@
 
 use super::error::InvalidSetting;
 use super::settings::is_possible;
-use crate::integrate::Phase;
-use crate::size::Size;
 
-/// The start of a run, its length, and its samples at equal intervals.
-#[derive(Clone, Debug)]
-pub(super) struct Plan<D: Size> {
-    pub(super) initial: Phase<D>,
+/// The length of a run, and its samples at equal intervals.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plan {
     pub(super) duration: f64,
     pub(super) samples: usize,
 }
@@ -16,16 +13,17 @@ pub(super) struct Plan<D: Size> {
 /// In a shorter run the rounding of the time would be less than any number of full precision.
 const SHORTEST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
-impl<D: Size> Plan<D> {
-    /// From rest at q = 0, for 1 s, with 101 samples.
-    pub(super) fn new(size: D) -> Self {
+impl Default for Plan {
+    /// For 1 s, with 101 samples.
+    fn default() -> Self {
         Plan {
-            initial: Phase::zeros(size),
             duration: 1.0,
             samples: 101,
         }
     }
+}
 
+impl Plan {
     /// Whether it makes sense, with laws that are sampled at a period or not.
     pub(super) fn validate(&self, period: Option<f64>) -> Result<(), InvalidSetting> {
         if !(self.duration >= SHORTEST && self.duration.is_finite()) {
@@ -37,17 +35,14 @@ impl<D: Size> Plan<D> {
         if let Some(period) = period.filter(|period| !is_possible(*period, self.duration)) {
             return Err(InvalidSetting::Period(period));
         }
-        match self.initial.first_non_finite() {
-            Some(joint) => Err(InvalidSetting::InitialState { joint }),
-            None => Ok(()),
-        }
+        Ok(())
     }
 }
 
 /// The most steps of fixed length between two samples, where there are a hundred samples and more.
 const MOST_STEPS: f64 = 1e5;
 
-impl<D: Size> Plan<D> {
+impl Plan {
     /// Whether the steps of a fixed length, and those that end where laws are sampled, are no more than a run may have.
     pub(super) fn validate_steps(
         &self,
@@ -63,7 +58,7 @@ impl<D: Size> Plan<D> {
     }
 }
 
-/// The methods by which a simulation is given its plan, except for its start.
+/// The methods by which a simulation is given its plan.
 macro_rules! plan_setters {
     () => {
         /// The time simulated, s.

@@ -20,7 +20,6 @@ use super::motion::Motion;
 use super::recorder::Recorder;
 use super::settings::ErrorControl;
 use crate::integrate::Phase;
-use crate::simulation::EquationsOfMotion;
 use crate::size::{JointVector as _, Size};
 
 /// The work of a run since it began to make no progress.
@@ -117,9 +116,9 @@ impl<D: Size> Progress<D> {
     }
 
     /// The end of a run that makes no progress, after a step to where the recorder is.
-    pub(super) fn after_step<R: EquationsOfMotion<D>>(
+    pub(super) fn after_step(
         &mut self,
-        motion: &Motion<R, D>,
+        motion: &Motion<D>,
         recorder: &mut Recorder<D>,
     ) -> Result<(), Cause> {
         if self.control.is_none() {
@@ -135,8 +134,8 @@ impl<D: Size> Progress<D> {
         let cause = self.cause(motion, t, phase);
         self.questions += 1;
         if cause.is_none() {
-            let creep = core::mem::replace(&mut self.creep, Creep::new(motion.robot.size()));
-            let fresh = Progress::new(motion.robot.size(), self.control);
+            let creep = core::mem::replace(&mut self.creep, Creep::new(motion.size));
+            let fresh = Progress::new(motion.size, self.control);
             *self = Progress { creep, ..fresh };
         }
         // The motion before the first of these questions was another one.
@@ -149,10 +148,10 @@ impl<D: Size> Progress<D> {
     }
 
     /// Ends a run if its rest would take too much work. Bounces below the tolerance come to rest first.
-    fn judge<R>(
+    fn judge(
         &self,
         cause: Cause,
-        motion: &Motion<R, D>,
+        motion: &Motion<D>,
         recorder: &Recorder<D>,
         work: u64,
     ) -> Result<(), Cause> {
@@ -180,10 +179,10 @@ impl<D: Size> Progress<D> {
     }
 
     /// The cause where a run that fails ends, for no better reason of the method.
-    pub(super) fn blamed<R: EquationsOfMotion<D>>(
+    pub(super) fn blamed(
         &mut self,
         cause: Cause,
-        motion: &Motion<R, D>,
+        motion: &Motion<D>,
         t: f64,
         phase: &Phase<D>,
     ) -> Cause {
@@ -199,12 +198,7 @@ impl<D: Size> Progress<D> {
     }
 
     /// Why there is no progress: a joint that chatters about rest, or events.
-    fn cause<R: EquationsOfMotion<D>>(
-        &mut self,
-        motion: &Motion<R, D>,
-        t: f64,
-        phase: &Phase<D>,
-    ) -> Option<Cause> {
+    fn cause(&mut self, motion: &Motion<D>, t: f64, phase: &Phase<D>) -> Option<Cause> {
         if self.control.is_some() {
             let step = (t - self.asked.0) / self.recent.max(1) as f64;
             self.joints =
@@ -239,7 +233,7 @@ pub(super) fn runs_away<D: Size>(cause: Cause, initial: &Phase<D>, reached: &Pha
     }
 }
 
-impl<R: EquationsOfMotion<D>, D: Size> Motion<'_, R, D> {
+impl<D: Size> Motion<'_, D> {
     /// The speed below which a joint would stop within a few steps of that length, if it is that slow, and driven back to
     /// rest whichever way it moves.
     pub(super) fn near_rest(

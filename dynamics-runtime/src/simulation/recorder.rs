@@ -6,9 +6,21 @@
 use super::error::{Cause, InvalidSetting, Outcome, SizedSimulationError};
 use super::joint_set::JointSet;
 use super::plan::Plan;
-use super::trajectory::{Sample, SizedTrajectory, Work};
+use super::trajectory::{SizedTrajectory, Work};
+use crate::Pose;
 use crate::integrate::{Grid, Phase, sample_time};
 use crate::size::Size;
+
+/// A sample in the coordinates of an integration.
+pub(super) struct Taken<D: Size> {
+    pub(super) t: f64,
+    /// The pose of a base that moves.
+    pub(super) base: Option<Pose<f64>>,
+    pub(super) q: D::Vector,
+    pub(super) qd: D::Vector,
+    pub(super) qdd: D::Vector,
+    pub(super) tau: D::Vector,
+}
 
 /// A run as it is recorded: the plan of its samples, the samples taken, the phase reached.
 pub(super) struct Recorder<D: Size> {
@@ -49,7 +61,7 @@ impl<D: Size> Recorder<D> {
             Ok(()) => Ok(trajectory),
             Err(cause) => Err(Box::new(SizedSimulationError {
                 time,
-                base: (),
+                base: Pose::identity(),
                 q,
                 qd,
                 cause,
@@ -60,7 +72,7 @@ impl<D: Size> Recorder<D> {
     }
 
     /// Makes room for all samples of a valid plan.
-    pub(super) fn plan(&mut self, plan: &Plan<D>) -> Result<(), InvalidSetting> {
+    pub(super) fn plan(&mut self, plan: &Plan) -> Result<(), InvalidSetting> {
         let samples = plan.samples;
         self.duration = plan.duration;
         self.samples = samples;
@@ -111,7 +123,8 @@ impl<D: Size> Recorder<D> {
     }
 
     /// Takes a sample.
-    pub(super) fn push(&mut self, sample: Sample<D>) {
+    pub(super) fn push(&mut self, sample: Taken<D>) {
+        self.trajectory.base.extend(sample.base);
         self.trajectory.t.push(sample.t);
         self.trajectory.q.push(sample.q);
         self.trajectory.qd.push(sample.qd);

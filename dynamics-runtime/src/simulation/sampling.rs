@@ -23,6 +23,55 @@ pub struct Sampled {
     pub(super) period: f64,
 }
 
+/// Laws of which one is to be held for a period that is not known yet: `control_period` is still to be called.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct AwaitsPeriod;
+
+/// When the laws of a simulation are asked: [`Continuous`], [`Sampled`], or [`AwaitsPeriod`].
+pub trait Asked {
+    /// The same with a law that is held for a period.
+    type Held: Asked;
+
+    /// The same with a law that is held for a period.
+    #[doc(hidden)]
+    fn held(self) -> Self::Held;
+}
+
+macro_rules! asked {
+    ($($asked:ty, $held:ty, $value:expr;)*) => {$(
+        impl Asked for $asked {
+            type Held = $held;
+
+            fn held(self) -> $held {
+                $value(self)
+            }
+        }
+    )*};
+}
+
+asked! {
+    Continuous, AwaitsPeriod, |_| AwaitsPeriod;
+    AwaitsPeriod, AwaitsPeriod, |same| same;
+    Sampled, Sampled, |same| same;
+}
+
+/// Laws that are functions of time and state, as far as they are given: there is no period yet.
+pub trait WithoutPeriod: Asked {}
+
+impl WithoutPeriod for Continuous {}
+
+impl WithoutPeriod for AwaitsPeriod {}
+
+/// Laws of which none waits for a period.
+#[diagnostic::on_unimplemented(
+    message = "a held force at the tool needs a period",
+    label = "a law of `held_tool_wrench`, which is called once each period",
+    note = "call `.control_period(period)` before `.run()`, or give the law by `.tool_wrench(..)` as a function of time and state"
+)]
+pub trait NothingHeld {}
+
+impl NothingHeld for Continuous {}
+
 /// Whether a time lies before another by more than the rounding of the two.
 ///
 /// k periods and the time of a sample, which are the same in real numbers, differ by up to five roundings.

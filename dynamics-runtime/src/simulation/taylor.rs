@@ -2,25 +2,28 @@
 
 use nalgebra::{Const, SVector};
 
+use core::cell::RefCell;
+
 use super::Setting;
 use super::by_series::BySeries;
 use super::drive::drive;
 use super::error::{Cause, InvalidSetting, Outcome, SimulationError};
-use super::friction::Law;
+use super::law::{ForceLaw, FreeMotion};
 use super::limits::{AtLimit, Limits};
 use super::method::Integrator;
 use super::motion::Motion;
+use super::placed::Placed;
 use super::plan::{Plan, plan_setters};
 use super::recorder::Recorder;
 use super::sampling::Sampled;
 use super::settings::Taylor;
-use super::tool_wrench::NoToolWrench;
-use super::torque::{SampledLaws, greatest};
+use super::torque::{Laws, SampledLaw, greatest};
 use super::trajectory::Trajectory;
+use super::wrench::Wrenches;
 use crate::equations_of_motion::inverse_columns;
 use crate::factorisation::JointFactors;
 use crate::integrate::Phase;
-use crate::stand::Stand;
+use crate::place::Place;
 use crate::table::AsArm as _;
 use crate::taylor::{FEWEST_ORDERS, MAX_TAYLOR_ORDER, SeriesStepper, Steady, mass_matrix, order};
 use crate::{
@@ -43,11 +46,10 @@ use crate::{
 pub struct TaylorSimulation<'a, R, const N: usize, L = SVector<f64, N>> {
     robot: &'a R,
     torque: L,
-    setting: Setting<Const<N>, Taylor>,
+    settings: Taylor,
+    setting: Setting<Const<N>>,
+    initial: Phase<Const<N>>,
 }
-
-/// The law of free motion.
-type NoTorque<const N: usize> = <Const<N> as Stand>::NoTorque;
 
 /// A torque law that is called once each period, and whose torque is held until the next call.
 #[derive(Clone, Copy, Debug)]
@@ -60,20 +62,14 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// Free motion of the arm.
     pub fn new(robot: &'a R) -> Self {
         let dry = robot.table().arm().dry_friction::<Const<N>>();
-        let setting = Setting {
-            method: Taylor::default(),
-            friction: Law {
-                dry,
-                ..Law::sign(Const)
-            },
-            limits: Limits::none(Const),
-            greatest: None,
-            plan: Plan::new(Const),
-        };
+        let mut setting = Setting::new(Const);
+        setting.friction.dry = dry;
         TaylorSimulation {
             robot,
             torque: SVector::zeros(),
+            settings: Taylor::default(),
             setting,
+            initial: Phase::zeros(Const),
         }
     }
 
@@ -84,11 +80,8 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
 
     /// Sample and hold, as [`Simulation::control_period`](crate::Simulation::control_period): the torque law that is given next
     /// is called at multiples of `period` in s, and a new series begins there.
-    pub fn control_period(
-        self,
-        period: f64,
-    ) -> TaylorSimulation<'a, R, N, HeldTorque<NoTorque<N>>> {
-        let (law, asked) = (Const::<N>::no_torque(), Sampled { period });
+    pub fn control_period(self, period: f64) -> TaylorSimulation<'a, R, N, HeldTorque<FreeMotion>> {
+        let (law, asked) = (FreeMotion, Sampled { period });
         self.with_torque(HeldTorque { law, asked })
     }
 
@@ -100,8 +93,9 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> TaylorSimulation<'a, R, N> {
     /// [`SimulationError`], with the time and the state reached and all samples up to there; its [`Cause`] says why.
     /// Coulomb friction is an invalid setting. Never panics, unless a torque law does.
     pub fn run(&self) -> Result<Trajectory<N>, Box<SimulationError<N>>> {
-        let law = &mut |_: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| self.torque;
-        self.setting.under(self.robot, None, law)
+        let mut law = |_: f64, _: &SVector<f64, N>, _: &SVector<f64, N>| self.torque;
+        let (series, initial) = (self.series(), self.initial.clone());
+        series.run(&self.setting, initial, None, &mut law)
     }
 }
 
@@ -123,10 +117,11 @@ impl<'a, R: TaylorDynamics<N>, F, const N: usize> TaylorSimulation<'a, R, N, Hel
     /// [`SimulationError`], as under constant torques.
     pub fn run(&mut self) -> Result<Trajectory<N>, Box<SimulationError<N>>>
     where
-        F: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
+        F: ForceLaw<Const<N>>,
     {
+        let (series, initial) = (self.series(), self.initial.clone());
         let HeldTorque { law, asked } = &mut self.torque;
-        self.setting.under(self.robot, Some(asked.period), law)
+        series.run(&self.setting, initial, Some(asked.period), law)
     }
 }
 
@@ -135,13 +130,22 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
         TaylorSimulation {
             robot: self.robot,
             torque,
+            settings: self.settings,
             setting: self.setting,
+            initial: self.initial,
+        }
+    }
+
+    fn series(&self) -> Series<'a, R> {
+        Series {
+            robot: self.robot,
+            settings: self.settings,
         }
     }
 
     /// Tolerances, order and bounds of the steps.
     pub fn settings(mut self, settings: Taylor) -> Self {
-        self.setting.method = settings;
+        self.settings = settings;
         self
     }
 
@@ -173,45 +177,80 @@ impl<'a, R: TaylorDynamics<N>, L, const N: usize> TaylorSimulation<'a, R, N, L> 
 
     /// Positions and velocities at t = 0, rad or m, and per second.
     pub fn initial(mut self, q: SVector<f64, N>, qd: SVector<f64, N>) -> Self {
-        self.setting.plan.initial = Phase { q, qd };
+        self.initial = Phase { q, qd };
         self
     }
 
     plan_setters!();
 }
 
-impl<const N: usize> Setting<Const<N>, Taylor> {
-    /// A run under a law that is called at the start, and then once each period if there is one.
-    fn under<R, L>(&self, robot: &R, period: Option<f64>, law: &mut L) -> Outcome<Const<N>>
+/// The method of Taylor series for an arm.
+#[derive(Clone, Copy, Debug)]
+struct Series<'a, R> {
+    robot: &'a R,
+    settings: Taylor,
+}
+
+impl<R> Series<'_, R> {
+    fn run<L: ForceLaw<Const<N>>, const N: usize>(
+        self,
+        setting: &Setting<Const<N>>,
+        initial: Phase<Const<N>>,
+        period: Option<f64>,
+        law: &mut L,
+    ) -> Outcome<Const<N>>
     where
         R: TaylorDynamics<N>,
-        L: FnMut(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
     {
-        let mut no_wrench = NoToolWrench;
-        let greatest = self.greatest.as_ref();
-        let laws = SampledLaws::<_, _, _, Const<N>>::new(
-            Const,
-            (robot, &()),
-            period,
-            law,
-            &mut no_wrench,
-            greatest,
-        );
-        self.run(&BySteps(robot), &laws)
+        let robot = BySteps(self.robot);
+        let start = Place {
+            base: None,
+            q: initial.q,
+        };
+        let (placed, _) = Placed::<_, Const<N>>::at(&robot, &start);
+        let laws = Laws {
+            placed: &placed,
+            torque: SampledLaw {
+                period,
+                law: RefCell::new(law),
+                held: RefCell::new(SVector::zeros()),
+            },
+            wrenches: &Wrenches::default(),
+            greatest: setting.greatest.as_ref(),
+        };
+        setting.run(&self, &placed, &laws, initial)
     }
 }
 
-impl<'a, R: TaylorDynamics<N>, const N: usize> Integrator<BySteps<'a, R>, Const<N>> for Taylor {
-    fn validate(
-        &self,
-        motion: &Motion<BySteps<'a, R>, Const<N>>,
-        plan: &Plan<Const<N>>,
-    ) -> Result<(), InvalidSetting> {
-        self.control().validate(plan.duration)?;
+/// A motion, and the series of its arm.
+struct SeriesOf<'m, R, const N: usize> {
+    arm: &'m R,
+    motion: &'m Motion<'m, Const<N>>,
+}
+
+impl<R: TaylorDynamics<N>, const N: usize> Steady<N> for SeriesOf<'_, R, N> {
+    type Arm = R;
+
+    fn arm(&self) -> &R {
+        self.arm
+    }
+
+    fn torque(&self, t: f64, phase: &Phase<Const<N>>) -> SVector<f64, N> {
+        self.motion.torque.motors(t, phase)
+    }
+
+    fn held(&self) -> Option<[bool; N]> {
+        self.motion.still()
+    }
+}
+
+impl<R: TaylorDynamics<N>, const N: usize> Integrator<Const<N>> for Series<'_, R> {
+    fn validate(&self, motion: &Motion<Const<N>>, plan: &Plan) -> Result<(), InvalidSetting> {
+        self.settings.control().validate(plan.duration)?;
         if let Some(joint) = motion.friction.dry.iter().position(|dry| !dry.is_none()) {
             return Err(InvalidSetting::CoulombFriction { joint });
         }
-        let order = self.series_order();
+        let order = self.settings.series_order();
         if (FEWEST_ORDERS..=MAX_TAYLOR_ORDER).contains(&order) {
             Ok(())
         } else {
@@ -221,14 +260,16 @@ impl<'a, R: TaylorDynamics<N>, const N: usize> Integrator<BySteps<'a, R>, Const<
 
     fn integrate(
         &self,
-        motion: &Motion<BySteps<'a, R>, Const<N>>,
+        motion: &Motion<Const<N>>,
         recorder: &mut Recorder<Const<N>>,
     ) -> Result<(), Cause> {
-        let control = self.control();
+        let control = self.settings.control();
         let range = control.range(recorder.duration);
-        let (start, order) = (recorder.phase.clone(), self.series_order());
-        let mut run = SeriesStepper::start(motion, start, order, control.tolerance, range)?;
-        let end = drive::<BySeries, _, _, _, _>(motion, motion, &mut run, recorder, Some(control));
+        let (start, order) = (recorder.phase.clone(), self.settings.series_order());
+        let arm = self.robot;
+        let system = &SeriesOf { arm, motion };
+        let mut run = SeriesStepper::start(system, start, order, control.tolerance, range)?;
+        let end = drive::<BySeries, _, _, _>(motion, system, &mut run, recorder, Some(control));
         // One series for each step; impacts evaluate the equations besides.
         motion.count(recorder.work.steps);
         end.map_err(Cause::of_long_steps)
@@ -246,13 +287,17 @@ impl Taylor {
 struct BySteps<'a, R>(&'a R);
 
 impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySteps<'_, R> {
+    fn joints(&self) -> Const<N> {
+        Const
+    }
+
     fn size(&self) -> Const<N> {
         Const
     }
 
     fn accelerations(
         &self,
-        q: &SVector<f64, N>,
+        Place { q, .. }: &Place<Const<N>>,
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, SingularMassMatrix> {
@@ -261,30 +306,14 @@ impl<R: TaylorDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for BySte
 
     fn accelerations_and_responses(
         &self,
-        q: &SVector<f64, N>,
+        place: &Place<Const<N>>,
         qd: &SVector<f64, N>,
         tau: &SVector<f64, N>,
         joints: &[bool; N],
     ) -> Result<Responses<Const<N>>, SingularMassMatrix> {
-        let qdd = self.accelerations(q, qd, tau)?;
-        let factors = JointFactors::new(N, mass_matrix(self.0, q))?;
+        let qdd = self.accelerations(place, qd, tau)?;
+        let factors = JointFactors::new(N, mass_matrix(self.0, &place.q))?;
         let columns = inverse_columns(Const, &factors, joints);
         Ok((qdd, columns))
-    }
-}
-
-impl<R: TaylorDynamics<N>, const N: usize> Steady<N> for Motion<'_, BySteps<'_, R>, Const<N>> {
-    type Arm = R;
-
-    fn arm(&self) -> &R {
-        self.robot.0
-    }
-
-    fn torque(&self, t: f64, phase: &Phase<Const<N>>) -> SVector<f64, N> {
-        self.torque.motors(t, phase)
-    }
-
-    fn held(&self) -> Option<[bool; N]> {
-        self.still()
     }
 }

@@ -4,10 +4,12 @@ use core::cell::RefCell;
 
 use super::error::{Cause, InvalidSetting};
 use super::law::ForceLaw;
-use super::tool_wrench::ToolWrench;
+use super::placed::Placed;
+use super::wrench::Wrenches;
+use crate::equations_of_motion::EquationsOfMotion;
 use crate::integrate::{Phase, first_non_finite};
+use crate::place::{Sizes, Velocities};
 use crate::size::{JointVector, Size};
-use crate::stand::{Stand, Velocities};
 use crate::table::Arm;
 
 /// The forces that act on the joints from outside of the arm's own equations.
@@ -66,88 +68,76 @@ fn saturated<V: JointVector>(tau: V, greatest: Option<&V>) -> V {
     })
 }
 
-/// The torques of the motors, a function of t in s, of the place and of the velocities, and the force at the tool.
-pub(super) struct Laws<'a, R, L, W, K: Stand> {
-    pub(super) robot: &'a R,
-    pub(super) charts: &'a K::Charts,
-    pub(super) torque: &'a L,
-    pub(super) tool_wrench: &'a W,
+/// The laws of a robot: the torques of its motors, and the forces of the surroundings.
+pub(super) struct Laws<'a, R, L, K: Sizes> {
+    pub(super) placed: &'a Placed<'a, R, K>,
+    pub(super) torque: L,
+    pub(super) wrenches: &'a Wrenches<'a, R, K>,
     /// The greatest torques, where motors saturate.
     pub(super) greatest: Option<&'a Velocities<K>>,
 }
 
-impl<'a, R, L, W, K: Stand> TorqueLaw<K::Freedoms> for Laws<'a, R, L, W, K>
-where
-    &'a L: ForceLaw<K>,
-    W: ToolWrench<R, K>,
-{
-    #[inline]
-    fn motors(&self, t: f64, Phase { q, qd }: &Phase<K::Freedoms>) -> Velocities<K> {
-        let mut law = self.torque;
-        let tau = K::seen(self.charts, q, |place| law.forces(t, place, qd));
+impl<R: EquationsOfMotion<K>, L, K: Sizes> Laws<'_, R, L, K> {
+    fn motors(
+        &self,
+        law: &mut impl ForceLaw<K>,
+        t: f64,
+        Phase { q, qd }: &Phase<K::Freedoms>,
+    ) -> Velocities<K> {
+        let tau = law.forces(t, &self.placed.place(q), qd);
         saturated(tau, self.greatest)
     }
 
-    #[inline]
-    fn with_tool(
+    fn with_wrenches(
         &self,
         tau: Velocities<K>,
         t: f64,
         Phase { q, qd }: &Phase<K::Freedoms>,
     ) -> Result<Velocities<K>, Cause> {
-        K::seen(self.charts, q, |place| {
-            self.tool_wrench.added_to(tau, self.robot, (t, place, qd))
-        })
-    }
-}
-
-/// Torques of the motors that are sampled and held, and the force at the tool, which may be.
-pub(super) struct SampledLaws<'a, R, L, W, K: Stand> {
-    robot: &'a R,
-    charts: &'a K::Charts,
-    /// The time between two calls; `None` for one call at the start.
-    period: Option<f64>,
-    torque: RefCell<&'a mut L>,
-    tool_wrench: RefCell<&'a mut W>,
-    held: RefCell<Velocities<K>>,
-    /// The greatest torques, where motors saturate.
-    greatest: Option<&'a Velocities<K>>,
-}
-
-impl<'a, R, L, W, K: Stand> SampledLaws<'a, R, L, W, K> {
-    pub(super) fn new(
-        size: K::Freedoms,
-        (robot, charts): (&'a R, &'a K::Charts),
-        period: Option<f64>,
-        torque: &'a mut L,
-        tool_wrench: &'a mut W,
-        greatest: Option<&'a Velocities<K>>,
-    ) -> Self {
-        SampledLaws {
-            robot,
-            charts,
-            period,
-            torque: RefCell::new(torque),
-            tool_wrench: RefCell::new(tool_wrench),
-            held: RefCell::new(size.vector()),
-            greatest,
+        if self.wrenches.is_empty() {
+            return Ok(tau);
         }
-    }
-
-    /// The torques since the last call.
-    pub(super) fn held(&self) -> Velocities<K> {
-        self.held.borrow().clone()
+        let at = (t, &self.placed.place(q), qd);
+        self.wrenches.added_to(tau, self.placed.robot, at)
     }
 }
 
-impl<R, L, W, K: Stand> TorqueLaw<K::Freedoms> for SampledLaws<'_, R, L, W, K>
+/// Laws that are functions of time and state.
+impl<'a, R: EquationsOfMotion<K>, L, K: Sizes> TorqueLaw<K::Freedoms> for Laws<'a, R, &'a L, K>
 where
-    L: ForceLaw<K>,
-    W: ToolWrench<R, K>,
+    &'a L: ForceLaw<K>,
+{
+    #[inline]
+    fn motors(&self, t: f64, phase: &Phase<K::Freedoms>) -> Velocities<K> {
+        let mut law = self.torque;
+        self.motors(&mut law, t, phase)
+    }
+
+    #[inline]
+    fn with_tool(
+        &self,
+        tau: Velocities<K>,
+        t: f64,
+        phase: &Phase<K::Freedoms>,
+    ) -> Result<Velocities<K>, Cause> {
+        self.with_wrenches(tau, t, phase)
+    }
+}
+
+/// Torques of the motors that are sampled and held.
+pub(super) struct SampledLaw<'a, L, V> {
+    /// The time between two calls; `None` for one call at the start.
+    pub(super) period: Option<f64>,
+    pub(super) law: RefCell<&'a mut L>,
+    pub(super) held: RefCell<V>,
+}
+
+impl<R: EquationsOfMotion<K>, L: ForceLaw<K>, K: Sizes> TorqueLaw<K::Freedoms>
+    for Laws<'_, R, SampledLaw<'_, L, Velocities<K>>, K>
 {
     #[inline]
     fn motors(&self, _t: f64, _phase: &Phase<K::Freedoms>) -> Velocities<K> {
-        self.held()
+        self.torque.held.borrow().clone()
     }
 
     #[inline]
@@ -155,28 +145,22 @@ where
         &self,
         tau: Velocities<K>,
         t: f64,
-        Phase { q, qd }: &Phase<K::Freedoms>,
+        phase: &Phase<K::Freedoms>,
     ) -> Result<Velocities<K>, Cause> {
-        let tool = self.tool_wrench.borrow();
-        K::seen(self.charts, q, |place| {
-            tool.added_to(tau, self.robot, (t, place, qd))
-        })
+        self.with_wrenches(tau, t, phase)
     }
 
     fn period(&self) -> Option<f64> {
-        self.period
+        self.torque.period
     }
 
-    fn sample(&self, t: f64, Phase { q, qd }: &Phase<K::Freedoms>) -> Result<(), Cause> {
-        K::seen(self.charts, q, |place| {
-            let tau = self.torque.borrow_mut().forces(t, place, qd);
-            let tau = saturated(tau, self.greatest);
-            *self.held.borrow_mut() = tau.clone();
-            finite(tau)?;
-            self.tool_wrench
-                .borrow_mut()
-                .sample(self.robot, (t, place, qd))
-        })
+    fn sample(&self, t: f64, phase: &Phase<K::Freedoms>) -> Result<(), Cause> {
+        let mut law = self.torque.law.borrow_mut();
+        let tau = self.motors(&mut **law, t, phase);
+        *self.torque.held.borrow_mut() = tau.clone();
+        finite(tau)?;
+        let at = (t, &self.placed.place(&phase.q), &phase.qd);
+        self.wrenches.sample(self.placed.robot, at)
     }
 }
 

@@ -1,14 +1,14 @@
 //! The motion that a run returns.
 
-use nalgebra::Const;
+use nalgebra::{Const, Dyn};
 
 use super::joint_set::JointSet;
-use crate::Energy;
 use crate::equations_of_motion::SizedModel;
+use crate::place::{OnBase, Place, Sizes, Velocities, moves};
 #[cfg(feature = "serde")]
 use crate::size::JointVector as _;
 use crate::size::Size;
-use crate::stand::{OnBase, Stand, Velocities};
+use crate::{Energy, Pose};
 
 /// A sampled motion: sample k is `(t[k], q[k], qd[k])`, with the accelerations `qdd[k]` and the torques
 /// `tau[k]` there, and with `base[k]` on a base that moves.
@@ -22,22 +22,19 @@ use crate::stand::{OnBase, Stand, Velocities};
 #[cfg_attr(
     feature = "serde",
     derive(serde::Serialize, serde::Deserialize),
-    serde(
-        remote = "Self",
-        bound(
-            serialize = "K::Poses: serde::Serialize",
-            deserialize = "K::Poses: serde::Deserialize<'de>"
-        )
-    )
+    serde(remote = "Self", bound = "")
 )]
 #[non_exhaustive]
-pub struct SizedTrajectory<K: Stand> {
+pub struct SizedTrajectory<K: Sizes> {
     /// Times, s.
     pub t: Vec<f64>,
-    /// Where a base that moves stands; nothing of one that stands. Rotations are within 1e-15 of orthogonal, however long
-    /// the run.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "stands::<K>"))]
-    pub base: K::Poses,
+    /// The poses of a base that moves; none of one that stands. Rotations are within 1e-15 of orthogonal, however long the
+    /// run.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Vec::is_empty")
+    )]
+    pub base: Vec<Pose<f64>>,
     /// Joint positions, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "crate::sequences::vectors"))]
     pub q: Vec<<K::Joints as Size>::Vector>,
@@ -67,7 +64,7 @@ pub struct SizedTrajectory<K: Stand> {
 }
 
 #[cfg(feature = "serde")]
-impl<K: Stand<Poses: serde::Serialize>> serde::Serialize for SizedTrajectory<K> {
+impl<K: Sizes> serde::Serialize for SizedTrajectory<K> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         SizedTrajectory::serialize(self, serializer)
     }
@@ -75,7 +72,7 @@ impl<K: Stand<Poses: serde::Serialize>> serde::Serialize for SizedTrajectory<K> 
 
 /// Data that no run returns are refused.
 #[cfg(feature = "serde")]
-impl<'de, K: Stand<Poses: serde::Deserialize<'de>>> serde::Deserialize<'de> for SizedTrajectory<K> {
+impl<'de, K: Sizes> serde::Deserialize<'de> for SizedTrajectory<K> {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let motion = SizedTrajectory::deserialize(deserializer)?;
         motion.validate().map_err(serde::de::Error::custom)?;
@@ -83,27 +80,17 @@ impl<'de, K: Stand<Poses: serde::Deserialize<'de>>> serde::Deserialize<'de> for 
     }
 }
 
-/// Whether the base stands, so that it has no poses.
-#[cfg(feature = "serde")]
-fn stands<K: Stand>(_: &K::Poses) -> bool {
-    K::OF_BASE == 0
-}
-
 /// The sampled motion of an arm of `N` joints.
 pub type Trajectory<const N: usize> = SizedTrajectory<Const<N>>;
 
 /// The sampled motion of a robot of `N` joints on a base that moves; `V` is 6 + N.
-pub type FloatingTrajectory<const N: usize, const V: usize> =
-    SizedFloatingTrajectory<Const<N>, Const<V>>;
+pub type FloatingTrajectory<const N: usize, const V: usize> = SizedTrajectory<OnBase<N, V>>;
 
-/// The sampled motion of a robot on a base that moves.
-pub type SizedFloatingTrajectory<D, V> = SizedTrajectory<OnBase<D, V>>;
-
-impl<K: Stand> Default for SizedTrajectory<K> {
+impl<K: Sizes> Default for SizedTrajectory<K> {
     fn default() -> Self {
         SizedTrajectory {
             t: Vec::new(),
-            base: K::Poses::default(),
+            base: Vec::new(),
             q: Vec::new(),
             qd: Vec::new(),
             qdd: Vec::new(),
@@ -117,11 +104,11 @@ impl<K: Stand> Default for SizedTrajectory<K> {
 /// A sample of a motion.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Sample<K: Stand> {
+pub struct Sample<K: Sizes> {
     /// The time, s.
     pub t: f64,
-    /// Where a base that moves stands.
-    pub base: K::Pose,
+    /// The pose of a base that moves; the identity of one that stands.
+    pub base: Pose<f64>,
     /// Joint positions, rad or m.
     pub q: <K::Joints as Size>::Vector,
     /// Velocities, rad/s or m/s.
@@ -131,9 +118,6 @@ pub struct Sample<K: Stand> {
     /// Torques of the motors, and what is applied to a base that moves, N m or N; NaN where the trajectory has none.
     pub tau: Velocities<K>,
 }
-
-/// A sample of a motion on a base that moves.
-pub type FloatingSample<D, V> = Sample<OnBase<D, V>>;
 
 /// The work of a run, for comparing methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -152,7 +136,7 @@ pub struct Work {
 }
 
 #[cfg(feature = "serde")]
-impl<K: Stand> SizedTrajectory<K> {
+impl<K: Sizes> SizedTrajectory<K> {
     /// Whether these are samples of a motion: as many of each quantity, at times that grow, in finite states.
     fn validate(&self) -> Result<(), String> {
         let count = self.t.len();
@@ -162,7 +146,9 @@ impl<K: Stand> SizedTrajectory<K> {
             ("qdd", self.qdd.len()),
             ("tau", self.tau.len()),
         ];
-        lists.extend(K::count(&self.base).map(|poses| ("base", poses)));
+        if self.base_moves() {
+            lists.push(("base", self.base.len()));
+        }
         if let Some((list, found)) = lists.into_iter().find(|(_, found)| *found != count) {
             return Err(format!(
                 "{count} times in `t`, and {found} entries in `{list}`"
@@ -190,7 +176,12 @@ impl<K: Stand> SizedTrajectory<K> {
     }
 }
 
-impl<K: Stand> SizedTrajectory<K> {
+impl<K: Sizes> SizedTrajectory<K> {
+    /// Whether the base moves: the sizes say it, or poses do if these are known at run time alone.
+    pub(crate) fn base_moves(&self) -> bool {
+        moves::<K>() || !self.base.is_empty()
+    }
+
     /// The number of samples.
     pub fn len(&self) -> usize {
         self.t.len()
@@ -203,8 +194,17 @@ impl<K: Stand> SizedTrajectory<K> {
 
     /// Where the robot is at each sample.
     #[doc(hidden)]
-    pub fn places(&self) -> impl DoubleEndedIterator<Item = K::Place<'_>> + ExactSizeIterator {
-        K::places(&self.base, &self.q)
+    pub fn places(&self) -> impl DoubleEndedIterator<Item = Place<K::Joints>> + ExactSizeIterator {
+        let moves = self.base_moves();
+        let count = if moves { self.base.len() } else { self.q.len() };
+        let place = move |(k, q): (usize, &<K::Joints as Size>::Vector)| Place {
+            base: moves.then(|| self.base[k]),
+            q: q.clone(),
+        };
+        self.q[..count.min(self.q.len())]
+            .iter()
+            .enumerate()
+            .map(place)
     }
 
     /// The samples, one after the other. There are as many as the shortest of the lists `t`, `base`, `q` and `qd` has.
@@ -232,14 +232,13 @@ impl<K: Stand> SizedTrajectory<K> {
     pub fn samples(&self) -> impl DoubleEndedIterator<Item = Sample<K>> + ExactSizeIterator {
         let states = self.places().zip(&self.qd).zip(&self.t).enumerate();
         states.map(|(k, ((place, qd), t))| {
-            let (base, q) = K::kept(place);
             let unknown = || K::Freedoms::of(qd).vector_of(|_| f64::NAN);
             let [qdd, tau] =
                 [&self.qdd, &self.tau].map(|list| list.get(k).cloned().unwrap_or_else(unknown));
             Sample {
                 t: *t,
-                base,
-                q,
+                base: place.pose(),
+                q: place.q,
                 qd: qd.clone(),
                 qdd,
                 tau,
@@ -259,7 +258,7 @@ impl<K: Stand> SizedTrajectory<K> {
         robot: &R,
     ) -> impl Iterator<Item = Option<[f64; 2]>> {
         let states = self.places().zip(&self.qd);
-        states.map(|(place, qd)| robot.sized_energies(place, qd))
+        states.map(|(place, qd)| robot.sized_energies(&place, qd))
     }
 }
 
@@ -282,18 +281,27 @@ impl<const N: usize> Trajectory<N> {
     }
 }
 
-impl<D: Size, V: Size> SizedFloatingTrajectory<D, V> {
-    /// Kinetic plus potential energy at every sample, J; NaN for a robot without both functions.
-    pub fn energies<R: SizedModel<OnBase<D, V>>>(&self, robot: &R) -> Vec<f64> {
-        let sum = |[kinetic, potential]: [f64; 2]| kinetic + potential;
-        let energies = self.both_energies(robot);
-        energies.map(|both| both.map_or(f64::NAN, sum)).collect()
-    }
+macro_rules! energies {
+    ($($k:ty $(, $n:ident)*;)*) => {$(
+        impl<$(const $n: usize),*> SizedTrajectory<$k> {
+            /// Kinetic plus potential energy at every sample, J; NaN for a robot without both functions.
+            pub fn energies<R: SizedModel<$k>>(&self, robot: &R) -> Vec<f64> {
+                let sum = |[kinetic, potential]: [f64; 2]| kinetic + potential;
+                let energies = self.both_energies(robot);
+                energies.map(|both| both.map_or(f64::NAN, sum)).collect()
+            }
 
-    /// As [`Trajectory::energy_drift`].
-    pub fn energy_drift<R: SizedModel<OnBase<D, V>>>(&self, robot: &R) -> f64 {
-        drift(&self.energies(robot))
-    }
+            /// As [`Trajectory::energy_drift`].
+            pub fn energy_drift<R: SizedModel<$k>>(&self, robot: &R) -> f64 {
+                drift(&self.energies(robot))
+            }
+        }
+    )*};
+}
+
+energies! {
+    OnBase<N, V>, N, V;
+    Dyn;
 }
 
 /// The largest distance from the first; 0 of none, NaN if one is no number.

@@ -3,7 +3,7 @@
 use dynamics_runtime::nalgebra::{Matrix3, Rotation3, SVector, Vector3};
 use dynamics_runtime::robot_dynamics;
 use dynamics_runtime::simulation::{
-    Cause, Dop853, DormandPrince, FloatingTrajectory, InvalidSetting, Radau5,
+    Cause, Dop853, DormandPrince, FloatingTrajectory, InvalidSetting, OnBase, Radau5,
 };
 use dynamics_runtime::{FloatingNewtonEuler, Friction, Method, Pose, Simulation};
 
@@ -555,7 +555,9 @@ fn what_makes_no_sense_is_refused() {
     let run =
         || Simulation::new(&Sledge).initial(Pose::identity(), SVector::zeros(), SVector::zeros());
     let refused =
-        |error: Box<dynamics_runtime::simulation::SizedFloatingError<_, _>>| match error.cause {
+        |error: Box<dynamics_runtime::simulation::SizedSimulationError<OnBase<_, _>>>| match error
+            .cause
+        {
             Cause::InvalidSetting(setting) => (setting, error.to_string()),
             cause => panic!("{cause}"),
         };

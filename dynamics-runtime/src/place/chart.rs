@@ -8,94 +8,42 @@
 //! R is kept as a quaternion of any length, whose rotation has no error of scale or shear. Roundings of products turn it by
 //! about 1e-16 and leave it a rotation, however many steps there are: nothing is made orthogonal afterwards.
 
-use core::cell::{Cell, RefCell};
-use core::marker::PhantomData;
-
 use nalgebra::{Matrix3, Vector3};
 
-use crate::closed_form::is_rotation;
 use crate::size::Size;
 use crate::{Pose, Scalar, quaternion};
 
-/// Positions that are coordinates in charts, of a robot whose equations are those of
-/// [`EquationsOfMotion`](crate::EquationsOfMotion).
-pub trait Charted<V: Size> {
-    /// Whether they begin at a rotation.
-    fn begin_at_rotation(&self) -> bool;
-
-    /// The rates of the coordinates.
-    fn position_rates(&self, positions: &V::Vector, v: &V::Vector) -> V::Vector;
-
-    /// Goes to the chart around a place, and returns its coordinates there.
-    fn recentred(&self, positions: &V::Vector) -> V::Vector;
-
-    /// Notes a place as that of the next sample.
-    fn note(&self, positions: &V::Vector);
-}
-
-/// The chart where a base is, and the places of the samples. Coordinates are the position of the base in the world, the
-/// rotation vector phi, and the positions of the joints.
-#[derive(Debug)]
-pub struct Charts<D: Size, V: Size> {
+/// The chart around a rotation of the base. Coordinates are the position of the base in the world, the rotation vector phi,
+/// and the positions of the joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Chart {
     /// The rotation at the start of the run.
-    initial: Matrix3<f64>,
+    pub(crate) initial: Matrix3<f64>,
     /// The turn from there to the centre of the chart, w first.
-    turn: Cell<[f64; 4]>,
-    noted: RefCell<Vec<Pose<f64>>>,
-    sizes: PhantomData<(D, V)>,
+    turn: [f64; 4],
 }
 
-impl<D: Size, V: Size> Charts<D, V> {
+impl Chart {
     /// Around a rotation.
     pub(crate) fn around(initial: Matrix3<f64>) -> Self {
-        Charts {
-            initial,
-            turn: Cell::new([1.0, 0.0, 0.0, 0.0]),
-            noted: RefCell::default(),
-            sizes: PhantomData,
-        }
-    }
-
-    /// The coordinates of a place in the chart around it.
-    pub(crate) fn coordinates(position: &Vector3<f64>, q: &D::Vector) -> V::Vector {
-        let joints = D::of(q).value();
-        V::from_usize(6 + joints).vector_of(|k| match k {
-            0..3 => position[k],
-            3..6 => 0.0,
-            _ => q[k - 6],
-        })
+        let turn = [1.0, 0.0, 0.0, 0.0];
+        Chart { initial, turn }
     }
 
     /// The pose of the base.
-    pub(crate) fn pose(&self, positions: &V::Vector) -> Pose<f64> {
-        let turn = product(self.turn.get(), exponential(&vector::<V>(positions, 3)));
+    pub(crate) fn pose<V: Size>(&self, positions: &V::Vector) -> Pose<f64> {
+        let turn = product(self.turn, exponential(&vector::<V>(positions, 3)));
         Pose {
             rotation: self.initial * quaternion::rotation(&turn),
             position: vector::<V>(positions, 0),
         }
     }
 
-    /// The positions of the joints.
-    pub(crate) fn joints(&self, positions: &V::Vector) -> D::Vector {
-        let joints = V::of(positions).value() - 6;
-        D::from_usize(joints).vector_of(|i| positions[6 + i])
-    }
-
-    /// The places of the samples.
-    pub(crate) fn noted(self) -> Vec<Pose<f64>> {
-        self.noted.into_inner()
-    }
-}
-
-impl<D: Size, V: Size> Charted<V> for Charts<D, V> {
-    fn begin_at_rotation(&self) -> bool {
-        is_rotation(&self.initial)
-    }
-
-    /// `p' = R exp(phi x) v`, `phi' = w + 1/2 phi x w + c phi x (phi x w)` with the velocities v and w of the base in its own
-    /// axes: the inverse of the differential of exp (A. Iserles et al., *Lie-group methods*, Acta Numerica 9 (2000), (B.11)).
-    fn position_rates(&self, positions: &V::Vector, v: &V::Vector) -> V::Vector {
-        let linear = self.pose(positions).rotation * vector::<V>(v, 0);
+    /// The rates of the coordinates, `p' = R exp(phi x) v`, `phi' = w + 1/2 phi x w + c phi x (phi x w)` with the velocities v
+    /// and w of the base in its own axes: the inverse of the differential of exp (A. Iserles et al., *Lie-group methods*, Acta
+    /// Numerica 9 (2000), (B.11)).
+    pub(crate) fn rates<V: Size>(&self, positions: &V::Vector, v: &V::Vector) -> V::Vector {
+        let linear = self.pose::<V>(positions).rotation * vector::<V>(v, 0);
         let (phi, w) = (vector::<V>(positions, 3), vector::<V>(v, 3));
         let across = phi.cross(&w);
         let angular = w + across * 0.5 + phi.cross(&across) * curvature(phi.norm_squared());
@@ -106,21 +54,14 @@ impl<D: Size, V: Size> Charted<V> for Charts<D, V> {
         })
     }
 
-    fn recentred(&self, positions: &V::Vector) -> V::Vector {
-        let step = exponential(&vector::<V>(positions, 3));
-        self.turn.set(product(self.turn.get(), step));
-        let coordinate = |k| {
-            if (3..6).contains(&k) {
-                0.0
-            } else {
-                positions[k]
-            }
-        };
-        V::of(positions).vector_of(coordinate)
-    }
-
-    fn note(&self, positions: &V::Vector) {
-        self.noted.borrow_mut().push(self.pose(positions));
+    /// The chart around a place, and the coordinates there.
+    pub(crate) fn recentred<V: Size>(mut self, positions: &V::Vector) -> (Self, V::Vector) {
+        self.turn = product(self.turn, exponential(&vector::<V>(positions, 3)));
+        let mut centre = positions.clone();
+        for k in 3..6 {
+            centre[k] = 0.0;
+        }
+        (self, centre)
     }
 }
 
@@ -177,10 +118,10 @@ fn curvature(square: f64) -> f64 {
 mod tests {
     use nalgebra::{Const, SVector, Vector3};
 
-    use super::{Charted, Charts, curvature, exponential};
+    use super::{Chart, curvature, exponential};
     use crate::{DoubleDouble, Scalar, quaternion};
 
-    type Base = Charts<Const<0>, Const<6>>;
+    type Six = Const<6>;
 
     /// Along the rates, the rotation turns by R w x and the position moves by R v: slopes of central differences.
     #[test]
@@ -189,15 +130,15 @@ mod tests {
         let v = SVector::from([0.3, -0.4, 0.5, 1.1, 0.7, -0.9]);
         let w = Vector3::new(v[3], v[4], v[5]);
         for angle in [0.0, 1e-9, 1e-3, 0.5, 0.7, 0.8, 2.0, 3.1] {
-            let charts =
-                Base::around(*nalgebra::Rotation3::new(Vector3::new(1.0, 2.0, 3.0)).matrix());
+            let initial = nalgebra::Rotation3::new(Vector3::new(1.0, 2.0, 3.0));
+            let chart = Chart::around(*initial.matrix());
             let at = Vector3::new(1.0, 2.0, 3.0).push(0.0).push(0.0).push(0.0);
             let at =
                 SVector::<f64, 6>::from_fn(|i, _| if i < 3 { at[i] } else { angle * axis[i - 3] });
-            let rates = charts.position_rates(&at, &v);
+            let rates = chart.rates::<Six>(&at, &v);
             let h = 1e-5;
-            let [before, after] = [-h, h].map(|h| charts.pose(&(at + rates * h)));
-            let pose = charts.pose(&at);
+            let [before, after] = [-h, h].map(|h| chart.pose::<Six>(&(at + rates * h)));
+            let pose = chart.pose::<Six>(&at);
             let turn = (after.rotation - before.rotation) / (2.0 * h);
             let error = (turn - pose.rotation * w.cross_matrix()).amax();
             assert!(error < 1e-9, "{angle}: {error:e}");
@@ -210,13 +151,13 @@ mod tests {
     /// The place stays the same in the chart around it.
     #[test]
     fn another_chart_is_another_name_of_the_place() {
-        let charts = Base::around(nalgebra::Matrix3::identity());
+        let mut chart = Chart::around(nalgebra::Matrix3::identity());
         let mut at = SVector::from([1.0, 2.0, 3.0, 0.5, -1.2, 0.8]);
         for _ in 0..3 {
-            let before = charts.pose(&at);
-            at = charts.recentred(&at);
+            let before = chart.pose::<Six>(&at);
+            (chart, at) = chart.recentred::<Six>(&at);
             assert_eq!((at[3], at[4], at[5]), (0.0, 0.0, 0.0));
-            let after = charts.pose(&at);
+            let after = chart.pose::<Six>(&at);
             assert!((before.rotation - after.rotation).amax() < 1e-15);
             assert_eq!(before.position, after.position);
             (at[3], at[4], at[5]) = (-0.4, 0.9, 1.3);

@@ -1,16 +1,14 @@
 //! Simulations of robots on a base that moves.
 
-use nalgebra::{Matrix4, Vector6};
+use nalgebra::{Matrix4, SMatrix, SVector, Vector6};
 
-use super::{Sampled, Simulation, WrenchAt};
+use super::{Sampled, Simulation, WithoutPeriod, WrenchAt};
 use crate::Pose;
-use crate::integrate::Phase;
-use crate::size::Size;
-use crate::stand::{Charts, OnBase};
+use crate::place::{OnBase, Place};
 
 /// On a base that moves, laws are given its pose too, and the six numbers of the base come first among velocities,
 /// accelerations and forces.
-impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> {
+impl<'a, R: 'a, L, S, const N: usize, const V: usize> Simulation<'a, R, L, OnBase<N, V>, S> {
     /// Where the base stands at t = 0, the positions of the joints, rad or m, and the velocities v: linear and angular
     /// velocity of the base in its own axes, m/s and rad/s, then those of the joints.
     ///
@@ -37,13 +35,9 @@ impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> 
     /// assert!((end.base.rotation.column(1) - Vector3::y()).norm() < 1e-7);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn initial(mut self, base: Pose<f64>, q: D::Vector, v: V::Vector) -> Self {
-        self.start = base;
-        self.setting.plan.initial = Phase {
-            q: Charts::<D, V>::coordinates(&base.position, &q),
-            qd: v,
-        };
-        self
+    pub fn initial(self, base: Pose<f64>, q: SVector<f64, N>, v: SVector<f64, V>) -> Self {
+        let base = Some(base);
+        self.starting(Place { base, q }, v)
     }
 
     /// A force of the surroundings at a frame, besides those that were given before. `place` returns the pose and the
@@ -76,45 +70,39 @@ impl<'a, R, L, W, S, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, S> 
     /// assert!(motion.base[100].position.norm() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    #[expect(
-        clippy::type_complexity,
-        reason = "the parameters of a simulation, one of them changed"
-    )]
-    pub fn wrench_at<P, F>(
-        self,
-        place: P,
-        law: F,
-    ) -> Simulation<'a, R, L, OnBase<D, V>, (W, WrenchAt<P, F>), S>
+    pub fn wrench_at<P, F>(self, place: P, law: F) -> Self
     where
-        P: Fn(&R, &Pose<f64>, &D::Vector) -> (Matrix4<f64>, V::Columns<6>),
-        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64>,
+        P: Fn(&R, &Pose<f64>, &SVector<f64, N>) -> (Matrix4<f64>, SMatrix<f64, 6, V>) + 'a,
+        F: Fn(f64, &Matrix4<f64>, &Vector6<f64>) -> Vector6<f64> + 'a,
     {
-        self.with_laws(|torque, others, asked| (torque, (others, WrenchAt::new(place, law)), asked))
+        self.with_wrench(WrenchAt::new(place, law))
     }
 }
 
-impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W> {
+impl<'a, R, L, const N: usize, const V: usize, S: WithoutPeriod>
+    Simulation<'a, R, L, OnBase<N, V>, S>
+{
     /// The forces on the base and at the joints as a function of t in s, the pose of the base, q in rad or m, and the
     /// velocities v. The first six are the force at the origin of the base's frame, N, and the moment about it, N m, in the
     /// axes of the base; then the torques or forces of the joints.
     ///
     /// As for a base that stands, the law must be a function of its arguments alone, unless it is given after
     /// [`control_period`](Simulation::control_period).
-    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, OnBase<D, V>, W>
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, OnBase<N, V>, S>
     where
-        F: Fn(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector, // with a memory: `.control_period(1e-3).torque(law)`
+        F: Fn(f64, &Pose<f64>, &SVector<f64, N>, &SVector<f64, V>) -> SVector<f64, V>, // with a memory: `.control_period(1e-3).torque(law)`
     {
-        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
+        self.with_laws(|_, asked| (law, asked))
     }
 }
 
-impl<'a, R, L, W, D: Size, V: Size> Simulation<'a, R, L, OnBase<D, V>, W, Sampled> {
+impl<'a, R, L, const N: usize, const V: usize> Simulation<'a, R, L, OnBase<N, V>, Sampled> {
     /// The forces on the base and at the joints, which are held for a period. The law may have a memory: it is called once
     /// each period, in order.
-    pub fn torque<F: FnMut(f64, &Pose<f64>, &D::Vector, &V::Vector) -> V::Vector>(
-        self,
-        law: F,
-    ) -> Simulation<'a, R, F, OnBase<D, V>, W, Sampled> {
-        self.with_laws(|_, tool_wrench, asked| (law, tool_wrench, asked))
+    pub fn torque<F>(self, law: F) -> Simulation<'a, R, F, OnBase<N, V>, Sampled>
+    where
+        F: FnMut(f64, &Pose<f64>, &SVector<f64, N>, &SVector<f64, V>) -> SVector<f64, V>,
+    {
+        self.with_laws(|_, asked| (law, asked))
     }
 }
