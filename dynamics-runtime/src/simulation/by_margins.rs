@@ -30,7 +30,10 @@ where
         if margin >= 0.0 && !search.dips(start, &after)? {
             return Ok(Some(after));
         }
-        search.locate(start.t, motion.least_margin(&start.phase, &start.held))?;
+        search.locate(
+            start.t,
+            motion.least_margin(&motion.contacts(), &start.phase, &start.held),
+        )?;
         Ok(None)
     }
 }
@@ -71,7 +74,8 @@ where
         } = start;
         let to = self.stepper.phase();
         let h = self.stepper.t() - t;
-        let of_velocity = |i: usize| match self.motion.contact(i) {
+        let contacts = self.motion.contacts();
+        let of_velocity = |i: usize| match contacts[i] {
             Contact::Slides(way) => lowest(
                 [way * from.qd[i], way * to.qd[i]],
                 [way * before.qdd[i] * h, way * after.qdd[i] * h],

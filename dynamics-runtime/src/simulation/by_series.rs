@@ -29,7 +29,8 @@ impl<S: Steady<N>, const N: usize> Finder<S, SeriesStepper<S::Arm, N>, Const<N>>
         start: &Start<Const<N>>,
     ) -> Result<Option<Held<Const<N>>>, Cause> {
         let limits = &motion.limits;
-        let of_joint = |i: usize| match motion.contact(i) {
+        let contacts = motion.contacts();
+        let of_joint = |i: usize| match contacts[i] {
             Contact::Leans(inwards) => {
                 let force = stepper.holding_force(i).less(0.0, inwards);
                 force.first_passage(ROUNDINGS_OF_FORCE * f64::EPSILON * force.size())

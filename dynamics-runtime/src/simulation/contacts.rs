@@ -5,7 +5,7 @@ use super::error::Cause;
 use super::friction::Contact;
 use super::joint_set::JointSet;
 use super::limits::AtLimit;
-use super::motion::{Held, Motion};
+use super::motion::{Contacts, Held, Motion};
 use crate::integrate::Phase;
 use crate::size::Size;
 
@@ -18,7 +18,7 @@ impl<D: Size> Held<D> {
 
 impl<D: Size> Motion<'_, D> {
     /// The contacts of joints in a phase, as far as they hold.
-    pub(super) fn classified(&self, phase: &Phase<D>) -> D::Each<Contact> {
+    pub(super) fn classified(&self, phase: &Phase<D>) -> Contacts<D> {
         self.each(|i| {
             let moves = phase.qd[i] != 0.0;
             match self.leaning_place(i, phase) {
@@ -38,8 +38,14 @@ impl<D: Size> Motion<'_, D> {
     }
 
     /// Whether joint `i` does what its contact says: the force that holds it is possible, or it moves that way.
-    fn is_balanced(&self, i: usize, phase: &Phase<D>, held: &Held<D>) -> bool {
-        match self.contact(i) {
+    fn is_balanced(
+        &self,
+        contacts: &Contacts<D>,
+        i: usize,
+        phase: &Phase<D>,
+        held: &Held<D>,
+    ) -> bool {
+        match contacts[i] {
             Contact::Slides(_) if phase.qd[i] != 0.0 => true,
             Contact::Slides(way) => {
                 let inwards = self.leaning_place(i, phase);
@@ -62,10 +68,16 @@ impl<D: Size> Motion<'_, D> {
 
     /// The margin of joint `i` to its next event. If it slides, that is the lesser of velocity and way to a limit; if
     /// it sticks, the friction left; if it leans on a stop, the force there.
-    pub(super) fn margin(&self, i: usize, phase: &Phase<D>, held: &Held<D>) -> f64 {
+    pub(super) fn margin(
+        &self,
+        contact: Contact,
+        i: usize,
+        phase: &Phase<D>,
+        held: &Held<D>,
+    ) -> f64 {
         let limits = &self.limits;
         let to_ends = limits.ends(i).map(|end| limits.margin(&end, phase.q[i]));
-        match self.contact(i) {
+        match contact {
             Contact::Slides(0.0) => to_ends.fold(f64::INFINITY, f64::min),
             Contact::Slides(way) => to_ends.fold(way * phase.qd[i], f64::min),
             Contact::Sticks => self.breakaway(i, held.way_out(i)) - held.forces[i].abs(),
@@ -74,8 +86,14 @@ impl<D: Size> Motion<'_, D> {
     }
 
     /// The least margin of all joints.
-    pub(super) fn least_margin(&self, phase: &Phase<D>, held: &Held<D>) -> f64 {
-        let margins = self.joints().map(|i| self.margin(i, phase, held));
+    pub(super) fn least_margin(
+        &self,
+        contacts: &Contacts<D>,
+        phase: &Phase<D>,
+        held: &Held<D>,
+    ) -> f64 {
+        let margin = |i| self.margin(contacts[i], i, phase, held);
+        let margins = self.joints().map(margin);
         margins.fold(f64::INFINITY, f64::min)
     }
 }
@@ -83,21 +101,31 @@ impl<D: Size> Motion<'_, D> {
 impl<D: Size> Motion<'_, D> {
     /// Lets go of joints that nothing holds, and that have somewhere to go; holds those at rest that would
     /// pass a stop.
-    pub(super) fn settle(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {
-        let held = self.balance(t, phase)?;
-        match self.driven_back(t, phase, &held)? {
+    pub(super) fn settle(
+        &self,
+        contacts: &Contacts<D>,
+        t: f64,
+        phase: &Phase<D>,
+    ) -> Result<(Contacts<D>, Held<D>), Cause> {
+        let (contacts, held) = self.balance(contacts, t, phase)?;
+        match self.driven_back(&contacts, t, phase, &held)? {
             Some(joint) => Err(Cause::Chatter { joint }),
-            None => Ok(held),
+            None => Ok((contacts, held)),
         }
     }
 
     /// The contacts of joints at rest, and the forces there. They stay as they are if they hold; else they are those of
     /// the one balance that there is.
-    fn balance(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {
-        let held = self.held(t, phase)?;
-        let contacts = self.contacts();
-        if self.joints().all(|i| self.is_balanced(i, phase, &held)) {
-            return Ok(held);
+    fn balance(
+        &self,
+        contacts: &Contacts<D>,
+        t: f64,
+        phase: &Phase<D>,
+    ) -> Result<(Contacts<D>, Held<D>), Cause> {
+        let held = self.held(contacts, t, phase)?;
+        let balanced = |i| self.is_balanced(contacts, i, phase, &held);
+        if self.joints().all(balanced) {
+            return Ok((contacts.clone(), held));
         }
         let start = self.each(|i| match contacts[i] {
             Contact::Slides(way) if way > 0.0 => Place::Low,
@@ -108,15 +136,15 @@ impl<D: Size> Motion<'_, D> {
         for i in self.joints().filter(|i| phase.qd[*i] != 0.0) {
             before[i] = contacts[i];
         }
-        self.set_contacts(before.clone());
-        let balance = self.balance_at_rest(t, phase, start)?;
-        self.set_contacts(self.each(|i| match (before[i], balance.places[i]) {
+        let balance = self.balance_at_rest(&before, t, phase, start)?;
+        let after = self.each(|i| match (before[i], balance.places[i]) {
             (contact @ Contact::Slides(_), _) | (contact, Place::Between) => contact,
             (Contact::Leans(inwards), _) => self.let_in(i, inwards),
             (Contact::Sticks, Place::Low) => Contact::Slides(1.0),
             (Contact::Sticks, Place::High) => Contact::Slides(-1.0),
-        }));
-        self.held(t, phase)
+        });
+        let held = self.held(&after, t, phase)?;
+        Ok((after, held))
     }
 
     /// The balance of the forces of stops and friction at the joints that lean or stick.
@@ -125,11 +153,11 @@ impl<D: Size> Motion<'_, D> {
     /// search begins at `start`, or between the bounds where that one is infinite.
     pub(super) fn balance_at_rest(
         &self,
+        contacts: &Contacts<D>,
         t: f64,
         phase: &Phase<D>,
         start: D::Each<Place>,
     ) -> Result<Balance<D>, Cause> {
-        let contacts = self.contacts();
         let bounds = self.each(|i| {
             let [negative, positive] = [-1.0, 1.0].map(|way| self.breakaway(i, way));
             match contacts[i] {
@@ -145,7 +173,8 @@ impl<D: Size> Motion<'_, D> {
             _ => Place::Between,
         });
         let held = self.each(|i| contacts[i].holds());
-        let (qdd, responses) = self.responses(phase, &self.torques(t, phase)?, &held)?;
+        let tau = self.torques(contacts, t, phase)?;
+        let (qdd, responses) = self.responses(phase, &tau, &held)?;
         let joints = self.joints().filter(|i| held[*i]).collect::<JointSet>();
         balanced::<D>(&qdd, &responses, &bounds, finite_start).ok_or(Cause::Impacts { joints })
     }
@@ -154,11 +183,11 @@ impl<D: Size> Motion<'_, D> {
     /// between the two.
     fn driven_back(
         &self,
+        contacts: &Contacts<D>,
         t: f64,
         phase: &Phase<D>,
         held: &Held<D>,
     ) -> Result<Option<usize>, Cause> {
-        let contacts = self.contacts();
         let way = |i: usize| match contacts[i] {
             Contact::Slides(way) if phase.qd[i] == 0.0 => way,
             _ => 0.0,
@@ -171,7 +200,7 @@ impl<D: Size> Motion<'_, D> {
         for i in self.joints() {
             moves.qd[i] += way(i) * f64::MIN_POSITIVE;
         }
-        let after = self.held(t, &moves)?;
+        let after = self.held(contacts, t, &moves)?;
         let turns_back = |i: &usize| way(*i) * held.qdd[*i] >= 0.0 && way(*i) * after.qdd[*i] < 0.0;
         let back = self.joints().find(turns_back);
         Ok(back.filter(|_| self.torque.torque(t, phase) != self.torque.torque(t, &moves)))
@@ -185,8 +214,8 @@ impl<D: Size> Motion<'_, D> {
         phase: &Phase<D>,
         within: f64,
     ) -> Option<usize> {
-        let held = self.held(t, phase).ok()?;
         let contacts = self.contacts();
+        let held = self.held(&contacts, t, phase).ok()?;
         let time_left = |i: &usize| match contacts[*i] {
             Contact::Slides(way) if way * held.qdd[*i] < 0.0 => -phase.qd[*i] / held.qdd[*i],
             _ => f64::INFINITY,
@@ -199,10 +228,7 @@ impl<D: Size> Motion<'_, D> {
         let (mut stopped, mut then) = (phase.clone(), contacts.clone());
         stopped.qd[next] = 0.0;
         then[next] = Contact::Sticks;
-        self.set_contacts(then);
-        let settled = self.settle(t, &stopped);
-        self.set_contacts(contacts);
-        match settled {
+        match self.settle(&then, t, &stopped) {
             Err(Cause::Chatter { joint }) => Some(joint),
             _ => None,
         }

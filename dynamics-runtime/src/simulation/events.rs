@@ -6,7 +6,7 @@ use super::error::Cause;
 use super::friction::Contact;
 use super::joint_set::JointSet;
 use super::limits::{AtLimit, End};
-use super::motion::{Held, Motion};
+use super::motion::{Contacts, Held, Motion};
 use super::progress::Progress;
 use super::recorder::Recorder;
 use super::sampling::Instants;
@@ -39,8 +39,9 @@ pub(super) fn here<S, D: Size>(
     stepper: &(impl Stepper<S, Cause, D> + ?Sized),
 ) -> Result<(f64, Held<D>), Cause> {
     let phase = stepper.phase();
-    let held = motion.held(stepper.t(), phase)?;
-    Ok((motion.least_margin(phase, &held), held))
+    let contacts = motion.contacts();
+    let held = motion.held(&contacts, stepper.t(), phase)?;
+    Ok((motion.least_margin(&contacts, phase, &held), held))
 }
 
 /// An integration whose steps end at the events that `F` finds.
@@ -67,7 +68,7 @@ where
         duration: f64,
         control: Option<ErrorControl>,
     ) -> Result<Self, Cause> {
-        let held = motion.held(stepper.t(), stepper.phase())?;
+        let held = motion.held(&motion.contacts(), stepper.t(), stepper.phase())?;
         Ok(Eventful {
             motion,
             system,
@@ -110,15 +111,18 @@ where
     /// Goes on after a step: after an event in it, and from where the laws are asked again.
     fn turn(&mut self, event: bool, recorder: &mut Recorder<D>) -> Result<(), Cause> {
         let t = self.stepper.t();
+        let mut contacts = self.motion.contacts().clone();
         if event {
-            recorder.phase = self.change(recorder.phase.clone())?;
+            (recorder.phase, contacts) = self.change(recorder.phase.clone())?;
         }
         let begins = self.instants.begin(t);
         if begins {
             self.motion.torque.sample(t, &recorder.phase)?;
         }
         if event || begins {
-            self.held = self.motion.settle(t, &recorder.phase)?;
+            let (contacts, held) = self.motion.settle(&contacts, t, &recorder.phase)?;
+            self.held = held;
+            self.motion.go_on_under(contacts);
             self.stepper.restart(self.system, recorder.phase.clone())?;
         }
         Ok(())
@@ -169,15 +173,18 @@ where
 
     /// The phase after an event: joints that hit a stop are thrown back. Otherwise one that stopped sticks, and one
     /// that nothing holds is let go.
-    fn change(&mut self, phase: Phase<D>) -> Result<Phase<D>, Cause> {
+    fn change(&mut self, phase: Phase<D>) -> Result<(Phase<D>, Contacts<D>), Cause> {
         self.passes(&phase)?;
-        if let Some(impact) = self.motion.thrown_back(self.stepper.t(), &phase)? {
+        let contacts = self.motion.contacts();
+        let impact = self
+            .motion
+            .thrown_back(&contacts, self.stepper.t(), &phase)?;
+        if let Some(impact) = impact {
             self.progress.count(impact.joints, None);
-            return Ok(impact.after);
+            return Ok((impact.after, impact.contacts));
         }
         let (least, held) = here(self.motion, self.stepper)?;
-        let contacts = self.motion.contacts();
-        let free = |i: usize| self.motion.margin(i, &phase, &held) <= least.max(0.0);
+        let free = |i: usize| self.motion.margin(contacts[i], i, &phase, &held) <= least.max(0.0);
         let next = self.motion.each(|i| match contacts[i] {
             Contact::Slides(way) if way != 0.0 && phase.qd[i] == 0.0 => Contact::Sticks,
             // It was held until now by all the friction that there is.
@@ -187,8 +194,7 @@ where
         });
         let changed = self.motion.joints().find(|i| contacts[*i] != next[*i]);
         self.progress.count(JointSet::default(), changed);
-        self.motion.set_contacts(next);
-        Ok(phase)
+        Ok((phase, next))
     }
 
     /// Passing a limit, where that is an error.

@@ -25,7 +25,7 @@ use super::complementarity::{Place, balanced};
 use super::error::Cause;
 use super::joint_set::JointSet;
 use super::limits::{AtLimit, End};
-use super::motion::Motion;
+use super::motion::{Contacts, Motion};
 use crate::integrate::Phase;
 use crate::size::{JointMatrix as _, JointVector as _, Size};
 
@@ -34,6 +34,8 @@ use crate::size::{JointMatrix as _, JointVector as _, Size};
 pub(super) struct Impact<D: Size> {
     /// The phase after it.
     pub(super) after: Phase<D>,
+    /// The contacts behind it.
+    pub(super) contacts: Contacts<D>,
     /// The joints that hit.
     pub(super) joints: JointSet,
 }
@@ -42,11 +44,13 @@ impl<D: Size> Motion<'_, D> {
     /// Begins a motion: joints that hit a stop are thrown back, and joints at rest stick or lean on a stop, if they are
     /// held. Returns the phase after that.
     pub(super) fn settle_at_start(&self, phase: &Phase<D>) -> Result<Phase<D>, Cause> {
-        self.set_contacts(self.classified(phase));
-        let impact = self.thrown_back(0.0, phase)?;
+        // The first sample is taken under the last contacts that there are, also if a law refuses.
+        self.go_on_under(self.classified(phase));
+        let impact = self.thrown_back(&self.contacts(), 0.0, phase)?;
         let after = impact.map_or_else(|| phase.clone(), |impact| impact.after);
-        self.set_contacts(self.classified(&after));
-        self.settle(0.0, &after)?;
+        self.go_on_under(self.classified(&after));
+        let (contacts, _) = self.settle(&self.contacts(), 0.0, &after)?;
+        self.go_on_under(contacts);
         Ok(after)
     }
 
@@ -56,6 +60,7 @@ impl<D: Size> Motion<'_, D> {
     /// contacts of the motion are those after them.
     pub(super) fn thrown_back(
         &self,
+        contacts: &Contacts<D>,
         t: f64,
         before: &Phase<D>,
     ) -> Result<Option<Impact<D>>, Cause> {
@@ -73,14 +78,17 @@ impl<D: Size> Motion<'_, D> {
                 phase.q[i] = end.at;
             }
         }
-        let (tau, at_end) = (self.torques(t, &phase)?, self.each(|i| ends[i].is_some()));
+        let tau = self.torques(contacts, t, &phase)?;
+        let at_end = self.each(|i| ends[i].is_some());
         let (_, responses) = self.responses(&phase, &tau, &at_end)?;
         let mut joints = JointSet::default();
         let rebound = rebounds::<D>(phase.qd, &ends, &responses, restitution, &mut joints);
         phase.qd = rebound.ok_or(Cause::Impacts { joints })?;
         let after = self.at_rest(t, phase, &ends, &responses)?;
+        let after = after.ok_or(Cause::Impacts { joints })?;
         Ok(Some(Impact {
-            after: after.ok_or(Cause::Impacts { joints })?,
+            contacts: self.classified(&after),
+            after,
             joints,
         }))
     }
@@ -100,7 +108,6 @@ impl<D: Size> Motion<'_, D> {
             }
             // Joints at rest stay so: each time there are more of them.
             if self.joints().all(|i| !rest[i] || phase.qd[i] == 0.0) {
-                self.set_contacts(self.classified(&phase));
                 return Ok(Some(phase));
             }
             let wanted = self.each(|i| {
@@ -134,8 +141,8 @@ impl<D: Size> Motion<'_, D> {
                 still.qd[i] = 0.0;
                 still.q[i] = ends[i].map_or(phase.q[i], |end| end.at);
             }
-            self.set_contacts(self.classified(&still));
-            let balance = self.balance_at_rest(t, &still, self.each(|_| Place::Between))?;
+            let (contacts, start) = (self.classified(&still), self.each(|_| Place::Between));
+            let balance = self.balance_at_rest(&contacts, t, &still, start)?;
             let rises = |i: usize| {
                 let Some(end) = ends[i].filter(|_| balance.places[i] == Place::Between) else {
                     return true;

@@ -1,6 +1,6 @@
 //! A robot and its laws as one equation of motion.
 
-use core::cell::{Cell, RefCell};
+use core::cell::{Cell, Ref, RefCell};
 use core::fmt::Debug;
 use core::ops::Range;
 
@@ -25,13 +25,16 @@ pub(super) struct Motion<'a, D: Size> {
     pub(super) torque: &'a dyn TorqueLaw<D>,
     pub(super) friction: Law<D>,
     pub(super) limits: Limits<D>,
-    /// The contact of each joint; without meaning in a motion without events.
-    contacts: RefCell<D::Each<Contact>>,
+    /// The contacts under which a method integrates; without meaning in a motion without events.
+    contacts: RefCell<Contacts<D>>,
     /// How often the equations of motion were evaluated.
     pub(super) evaluations: Cell<u64>,
     /// The least rise of a bounce where there are bounces without end, relative to the position and to 1 rad or 1 m; else 0.
     pub(super) coarse: Cell<f64>,
 }
+
+/// The contact of each joint.
+pub(super) type Contacts<D> = <D as Size>::Each<Contact>;
 
 /// Accelerations, and the forces that hold the joints that stick or lean on a stop.
 #[derive(Clone, Debug)]
@@ -104,25 +107,21 @@ impl<'a, D: Size> Motion<'a, D> {
         }
     }
 
-    pub(super) fn contacts(&self) -> D::Each<Contact> {
-        self.contacts.borrow().clone()
+    /// The contacts under which a method integrates.
+    pub(super) fn contacts(&self) -> Ref<'_, Contacts<D>> {
+        self.contacts.borrow()
     }
 
-    /// The contact of joint `i`.
-    pub(super) fn contact(&self, i: usize) -> Contact {
-        self.contacts.borrow()[i]
-    }
-
-    pub(super) fn set_contacts(&self, contacts: D::Each<Contact>) {
+    /// Goes on under other contacts.
+    pub(super) fn go_on_under(&self, contacts: Contacts<D>) {
         *self.contacts.borrow_mut() = contacts;
     }
 
     /// Which joints are held where they are, where any is.
-    pub(super) fn still(&self) -> Option<D::Each<bool>> {
+    pub(super) fn still(&self, contacts: &Contacts<D>) -> Option<D::Each<bool>> {
         if !self.has_events() {
             return None;
         }
-        let contacts = self.contacts.borrow();
         let still = self.each(|i| contacts[i].holds());
         still.as_ref().contains(&true).then_some(still)
     }
@@ -131,18 +130,23 @@ impl<'a, D: Size> Motion<'a, D> {
 impl<D: Size> Motion<'_, D> {
     /// The torques at a time in a phase, where both are finite. In place of the friction that the
     /// forward dynamics takes off, a multiple of sign(qd), they have that of the simulation.
-    pub(super) fn torques(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
+    pub(super) fn torques(
+        &self,
+        contacts: &Contacts<D>,
+        t: f64,
+        phase: &Phase<D>,
+    ) -> Result<D::Vector, Cause> {
         if let Some(joint) = phase.first_non_finite() {
             return Err(Cause::NonFiniteState { joint });
         }
-        Ok(self.with_friction(phase, self.torque.torque(t, phase)?))
+        Ok(self.with_friction(contacts, phase, self.torque.torque(t, phase)?))
     }
 
     #[inline]
-    fn with_friction(&self, phase: &Phase<D>, tau: D::Vector) -> D::Vector {
+    fn with_friction(&self, contacts: &Contacts<D>, phase: &Phase<D>, tau: D::Vector) -> D::Vector {
         match self.friction.kind {
             Friction::Sign => tau,
-            _ => tau + self.instead_of_sign(&phase.qd),
+            _ => tau + self.instead_of_sign(contacts, &phase.qd),
         }
     }
 
@@ -151,8 +155,8 @@ impl<D: Size> Motion<'_, D> {
     // Apart from the path without it, which is to be inlined in every stage.
     #[cold]
     #[inline(never)]
-    fn instead_of_sign(&self, qd: &D::Vector) -> D::Vector {
-        let law = |i: usize| match (self.friction.kind, self.contact(i)) {
+    fn instead_of_sign(&self, contacts: &Contacts<D>, qd: &D::Vector) -> D::Vector {
+        let law = |i: usize| match (self.friction.kind, contacts[i]) {
             (Friction::Sign, _) => Scalar::sign(qd[i]),
             (Friction::Regularised { speed }, _) => (qd[i] / speed).tanh(),
             (Friction::Sticking, Contact::Slides(way)) => way,
@@ -167,12 +171,23 @@ impl<D: Size> Motion<'_, D> {
 
 impl<D: Size> Motion<'_, D> {
     /// The accelerations, and the forces that keep those of the joints that are held at zero.
-    pub(super) fn held(&self, t: f64, phase: &Phase<D>) -> Result<Held<D>, Cause> {
-        self.held_under(phase, &self.torques(t, phase)?)
+    pub(super) fn held(
+        &self,
+        contacts: &Contacts<D>,
+        t: f64,
+        phase: &Phase<D>,
+    ) -> Result<Held<D>, Cause> {
+        let tau = self.torques(contacts, t, phase)?;
+        self.held_under(contacts, phase, &tau)
     }
 
-    fn held_under(&self, phase: &Phase<D>, tau: &D::Vector) -> Result<Held<D>, Cause> {
-        match self.still() {
+    fn held_under(
+        &self,
+        contacts: &Contacts<D>,
+        phase: &Phase<D>,
+        tau: &D::Vector,
+    ) -> Result<Held<D>, Cause> {
+        match self.still(contacts) {
             Some(still) => self.hold(phase, tau, &still),
             None => Ok(Held {
                 qdd: self.free(phase, tau)?,
@@ -237,7 +252,11 @@ impl<D: Size> Motion<'_, D> {
     pub(super) fn sample_at(&self, t: f64, phase: Phase<D>) -> Taken<D> {
         let (evaluations, tau) = (self.evaluations.get(), self.torque.motors(t, &phase));
         let law = torque::finite(tau.clone()).and_then(|tau| self.torque.with_tool(tau, t, &phase));
-        let held = law.and_then(|tau| self.held_under(&phase, &self.with_friction(&phase, tau)));
+        let contacts = self.contacts();
+        let held = law.and_then(|tau| {
+            let tau = self.with_friction(&contacts, &phase, tau);
+            self.held_under(&contacts, &phase, &tau)
+        });
         self.evaluations.set(evaluations);
         let unknown = |_| self.size.vector_of(|_| f64::NAN);
         let (qdd, Phase { q, qd }) = (held.map_or_else(unknown, |held| held.qdd), phase);
@@ -309,8 +328,9 @@ impl<D: Size> Equations<D> for Motion<'_, D> {
     // times, and be no faster.
     #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        let tau = self.torques(t, phase)?;
-        match self.still() {
+        let contacts = self.contacts();
+        let tau = self.torques(&contacts, t, phase)?;
+        match self.still(&contacts) {
             Some(still) => Ok(self.hold(phase, &tau, &still)?.qdd),
             None => self.free(phase, &tau),
         }
@@ -389,13 +409,15 @@ impl<D: Size> Canonical<D> for InMomenta<'_, D> {
     }
 
     fn phase(&self, at: &Point<D>) -> Result<Phase<D>, Cause> {
-        self.phase_beside(self.motion.still().as_ref(), at)
+        let still = self.motion.still(&self.motion.contacts());
+        self.phase_beside(still.as_ref(), at)
     }
 
     fn rate(&self, t: f64, at: &Point<D>) -> Result<Point<D>, Cause> {
-        let still = self.motion.still();
+        let contacts = self.motion.contacts();
+        let still = self.motion.still(&contacts);
         let phase = self.phase_beside(still.as_ref(), at)?;
-        let tau = self.motion.torques(t, &phase)?;
+        let tau = self.motion.torques(&contacts, t, &phase)?;
         self.motion.count(1);
         let mut p = finite(self.arm.force(&phase.q, &phase.qd, &tau))?;
         // The forces that hold a joint act on its momentum alone, which nothing reads.

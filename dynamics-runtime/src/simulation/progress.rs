@@ -253,7 +253,7 @@ impl<D: Size> Motion<'_, D> {
         let back = |way: f64| {
             let mut moves = phase.clone();
             moves.qd[joint] = way * f64::MIN_POSITIVE;
-            let held = self.held(t, &moves).ok()?;
+            let held = self.held(&self.contacts(), t, &moves).ok()?;
             Some(-way * held.qdd[joint]).filter(|back| *back > 0.0)
         };
         Some(back(1.0)?.max(back(-1.0)?))

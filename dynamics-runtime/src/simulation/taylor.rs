@@ -240,7 +240,7 @@ impl<R: TaylorDynamics<N>, const N: usize> Steady<N> for SeriesOf<'_, R, N> {
     }
 
     fn held(&self) -> Option<[bool; N]> {
-        self.motion.still()
+        self.motion.still(&self.motion.contacts())
     }
 }
 
