@@ -86,10 +86,10 @@ const OF_FORMATS: [&str; 6] = ["urdf", "xacro", "mimic", "xml", "toml", "json"];
 /// So that a further format is a reader alone.
 #[test]
 fn the_tree_of_links_knows_no_format() {
-    let sources = read("dynamics-codegen");
+    let sources = &read("dynamics-codegen")[0];
     let path = |file: usize| sources.files[file].path.as_str();
     let is_of_links = |file: usize| path(file).starts_with("files/links/");
-    let edges = Names::of(&sources).edges();
+    let edges = Names::of(sources).edges();
     let used = edges.iter().filter(|(file, _)| is_of_links(*file));
     let used = used.map(|(file, on)| (path(*file), path(*on)));
     let files = (0..sources.files.len()).filter(|&file| is_of_links(file));
