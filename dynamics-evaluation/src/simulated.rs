@@ -20,7 +20,7 @@ use crate::{EvaluationError, RuntimeRobot};
 pub struct RuntimeDynamics<'a> {
     arm: &'a RuntimeRobot,
     table: RuntimeTable,
-    /// Those of [`OF_SIMULATIONS`] that the robot needs.
+    /// The ones of [`OF_SIMULATIONS`] that the robot needs.
     functions: Vec<&'a Compiled>,
 }
 

@@ -6,7 +6,7 @@ use super::wrench::HeldWrench;
 use super::{Sampled, Simulation, WithoutPeriod, WrenchAt};
 use crate::place::Place;
 
-/// Of a robot that is known at run time, laws are given the place: q, and the pose of a base that moves. Velocities,
+/// Laws of a robot that is known at run time are given its place: q, and the pose of a base that moves. Velocities,
 /// accelerations and forces have the six numbers of such a base first.
 impl<'a, R: 'a, L, S> Simulation<'a, R, L, Dyn, S> {
     /// The place and the velocities at t = 0; m, rad, and per second. A base that moves begins in the world's frame if the
