@@ -82,10 +82,10 @@ pub(crate) fn read_both(
     Ok([one, read(two.with_values()?, Vec::new())?])
 }
 
-/// As [`read_on_any_base`], where links of a URDF file are frames, up to so many. A table may be one of geometry.
-pub(crate) fn read_with_links(given: &RobotOptions, most: usize) -> Result<Model, Failure> {
+/// As [`read_on_any_base`], where all links of a URDF file may be frames. A table may be one of geometry.
+pub(crate) fn read_with_links(given: &RobotOptions, keeps: bool) -> Result<Model, Failure> {
     let mut beside = source(given).with_values()?;
-    beside.options = beside.options.keep_links(most);
+    beside.options = beside.options.keep_links(keeps);
     read(beside.masses(Masses::IfAny), Vec::new())
 }
 

@@ -19,7 +19,7 @@ pub(crate) fn run(given: &arguments::Page) -> Result<String, Failure> {
     let poses = shown_poses(&mut robot);
     let start = start(given, &robot)?;
     // The values that the fields have at first are judged as those of a file without fields.
-    read_with_links(&given.robot, 0)?;
+    read_with_links(&given.robot, false)?;
     let requests = FUNCTIONS.map(Request::from).into_iter();
     let requests: Vec<_> = requests.chain(poses.iter().cloned()).collect();
     let programs = programs(&file.path, &robot, &requests)?;

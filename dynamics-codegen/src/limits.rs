@@ -36,44 +36,27 @@ pub(crate) const MOST_TERMS_IN_ALL: usize = 20_000;
 /// either. The smallest `f64` in 100 digits has 1,400 bits.
 pub(crate) const MOST_BITS: usize = dynamics_symbolic::exact::MOST_BITS;
 
-/// Bits of all exact numbers in the cells of a table, 50,000 digits. A table of 64 joints with every
-/// cell a decimal of 17 digits has 160,000; where six joints share as many, expansion takes ten
+/// Bits of all exact numbers in the cells of a table, 75,000 digits. A table of 100 joints with every
+/// cell a decimal of 17 digits has as many; where six joints share 50,000 digits, expansion takes ten
 /// seconds.
-pub(crate) const MOST_BITS_IN_ALL: usize = 170_000;
-
-/// Joints of a robot, those that are locked or follow others included; a base that moves counts as six of them, here and
-/// below. The default set of functions of 64 joints, all cells full, takes ten seconds.
-pub(crate) const MOST_JOINTS: usize = 64;
+pub(crate) const MOST_BITS_IN_ALL: usize = 250_000;
 
 /// Fixed joints on the ways to all links of a file from those that move them: each is a place of a link's frame.
 #[cfg(feature = "files")]
 pub(crate) const MOST_PLACES: usize = 20_000;
 
-/// Joints that follow others, for which a table has room without an allocator.
-pub(crate) const MOST_FOLLOWERS: usize = 8;
+/// Operations of all functions of a call, by [`Growth`](dynamics_symbolic::function::Growth). The default set has as many
+/// of 125 joints, and `coriolis_matrix`, `regressor`, `inverse_dynamics_derivatives` and the default set together of 43.
+/// They take half a minute to a minute. Memory grows with the longest function: 190 MB where these are of 38 joints, 780 MB
+/// of the default set of 125.
+pub(crate) const MOST_OPERATIONS: usize = 400_000;
 
-/// Joints where a function is requested whose length grows with their square or cube, such as
-/// `coriolis_matrix`: it takes ten seconds, all cells full, and has 180,000 operations.
-pub(crate) const MOST_JOINTS_OF_LONG_FUNCTIONS: usize = 32;
+/// What a function in a tuple counts besides its operations, for each joint: each is derived several times over. Four
+/// functions of 64 joints are allowed, 36 of seven.
+pub(crate) const OPERATIONS_OF_A_PART: usize = 1_100;
 
-/// Joints where a function is requested that has as many values as the cube of their number: a quarter
-/// of a minute, and 57,000 operations for 7,000 values.
-pub(crate) const MOST_JOINTS_OF_CUBIC_FUNCTIONS: usize = 12;
-
-/// The same where the base moves: a quadruped has as many.
-pub(crate) const MOST_OF_CUBIC_FUNCTIONS_ON_A_MOVING_BASE: usize = 18;
-
-/// Such functions of one call, times the cube of the number of joints: two functions of 32 joints, all
-/// six of 22. The two longest of 32 joints have 390,000 operations.
-pub(crate) const MOST_LONG_FUNCTIONS: usize = 2 * MOST_JOINTS_OF_LONG_FUNCTIONS.pow(3);
-
-/// Functions in all tuples of one call, times the number of joints: each is derived several times over.
-/// Four of 64 joints, 36 of seven.
-pub(crate) const MOST_PARTS: usize = 256;
-
-/// Functions of frames in one call, times the number of joints: 64 of 64 joints. One that solves with M grows with the
-/// square of that number, and counts as so many: one of 64 joints takes seconds and 130 MB, four of 30 are allowed.
-pub(crate) const MOST_OF_FRAMES: usize = 4096;
+/// Operations that are derived in a second.
+pub(crate) const OPERATIONS_IN_A_SECOND: usize = 8_000;
 
 /// Names that a message lists.
 pub(crate) const MOST_LISTED: usize = 20;

@@ -125,7 +125,7 @@ pub struct ReadOptions {
     names_are_fields: bool,
     needed: Vec<Function>,
     audience: Audience,
-    room_for_links: usize,
+    keeps_links: bool,
     masses: Masses,
 }
 
@@ -227,10 +227,10 @@ impl ReadOptions {
         self
     }
 
-    /// Links of a URDF file are frames of the robot, up to so many frames, and not only those that a function names.
+    /// Whether all links of a URDF file are frames of the robot, and not only those that a function names.
     #[doc(hidden)]
-    pub fn keep_links(mut self, most: usize) -> Self {
-        self.room_for_links = most;
+    pub fn keep_links(mut self, keeps: bool) -> Self {
+        self.keeps_links = keeps;
         self
     }
 
@@ -248,7 +248,7 @@ impl ReadOptions {
         let functions = names.map_or(String::new(), |names| format!("functions = {names:?}"));
         let entries = "\n".repeat(lines) + &functions + "\n" + &self.entries;
         let mut table = table(robot, &entries, Format::Toml, &Request::default())?;
-        (table.audience, table.room_for_links) = (self.audience, self.room_for_links);
+        (table.audience, table.keeps_links) = (self.audience, self.keeps_links);
         table.masses = self.masses;
         table.needed.clone_from(&self.needed);
         if self.audience == Audience::Command {

@@ -28,7 +28,7 @@ pub struct Row {
     pub second: Option<Second>,
     /// How the gauge is chosen (see `derive::gauge`).
     pub search: Search,
-    /// How its length grows with the number of joints.
+    /// How many operations it has.
     pub growth: Growth,
     /// How it depends on masses.
     pub masses: Masses,
@@ -114,13 +114,24 @@ pub enum Search {
     Accuracy,
 }
 
-/// How the length of a function, or the time to derive it, grows with the number of joints.
+/// How many operations a function has of a chain of n joints whose rows are full, as measured at 10 to 64 of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// With its square at most.
-    Moderate,
-    /// Faster.
-    Steep,
-    /// With its cube, as does the number of its values.
-    Cubic,
+    /// So many times n.
+    Linear(usize),
+    /// So many times its square.
+    Square(usize),
+    /// So many times its cube.
+    Cube(usize),
+}
+
+impl Growth {
+    /// Operations with so many joints, about.
+    pub const fn operations(self, joints: usize) -> usize {
+        match self {
+            Growth::Linear(each) => each.saturating_mul(joints),
+            Growth::Square(each) => each.saturating_mul(joints.saturating_pow(2)),
+            Growth::Cube(each) => each.saturating_mul(joints.saturating_pow(3)),
+        }
+    }
 }

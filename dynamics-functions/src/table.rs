@@ -43,7 +43,7 @@ const USUAL: Row = Row {
     provided: None,
     second: None,
     search: Search::Own,
-    growth: Growth::Moderate,
+    growth: Growth::Linear(150),
     masses: Masses::Inertia,
     of_tip: false,
     compared_with: None,
@@ -98,6 +98,7 @@ functions! {
             (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).",
         symbol: Some("M"), set: Set::Default, provided: Some("MassMatrix"),
         reads_base: false,
+        growth: Growth::Square(18),
     }
 
     /// V(q, qd), Coriolis and centrifugal terms.
@@ -114,6 +115,7 @@ functions! {
         "Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at \
             rest without springs.",
         symbol: Some("G"), set: Set::Default, provided: Some("GravityVector"), second: ASSEMBLED,
+        growth: Growth::Linear(35),
     }
 
     /// F(qd), viscous and dry friction.
@@ -123,6 +125,7 @@ functions! {
             the table has one, else C.",
         symbol: Some("F"), set: Set::WithFriction, masses: Masses::Unread,
         reads_base: false,
+        growth: Growth::Linear(30),
     }
 
     /// K(q), the forces of the springs.
@@ -147,6 +150,7 @@ functions! {
             or m/s^2; K is of springs, F of friction.",
         refuses: true, set: Set::Default, provided: Some("ForwardDynamics"),
         second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
+        growth: Growth::Linear(480),
     }
 
     /// T(q, qd), with reflected inertias.
@@ -154,6 +158,7 @@ functions! {
         "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
         symbol: Some("T"), set: Set::Default,
         reads_base: false,
+        growth: Growth::Linear(60),
     }
 
     /// U(q), of gravity, zero at the origin of the world, and of springs.
@@ -161,6 +166,7 @@ functions! {
         "Potential energy U(q) = -sum m g.c, zero at the origin of the {frame}, and that of springs, \
             1/2 stiffness (q - rest)^2, J.",
         symbol: Some("U"), set: Set::Default,
+        growth: Growth::Linear(20),
     }
 
     /// V + G + K + F.
@@ -177,7 +183,7 @@ functions! {
         // All Christoffel symbols are shorter than a recursion for up to six joints.
         symbol: Some("C"),
         second: Some(Second { form: Form::Assembled, up_to: 8, trial: Trial::Promising }),
-        growth: Growth::Steep,
+        growth: Growth::Square(48),
         reads_base: false,
     }
 
@@ -185,14 +191,14 @@ functions! {
     CoriolisCoefficients: coriolis_coefficients(Position) -> Shape::Matrix(Freedoms, Pairs) => {
         "Coriolis coefficients B(q), N x N(N-1)/2, columns in the order (1,2), (1,3), ..., (N-1,N), of the \
             configuration-space form tau = M qdd + B [qd qd] + C [qd^2] + G.",
-        symbol: Some("B"), growth: Growth::Steep,
+        symbol: Some("B"), growth: Growth::Cube(4),
     }
 
     /// C(q) of the configuration-space form.
     CentrifugalCoefficients: centrifugal_coefficients(Position) -> SQUARE => {
         "Centrifugal coefficients C(q), N x N, of the configuration-space form \
             tau = M qdd + B [qd qd] + C [qd^2] + G.",
-        symbol: Some("C"), growth: Growth::Steep,
+        symbol: Some("C"), growth: Growth::Square(31),
     }
 
     /// Homogeneous transform of the tip in the world.
@@ -200,6 +206,7 @@ functions! {
         "Forward kinematics: the homogeneous transform of the {tip} in the {frame}, m.",
         symbol: Some("T"), masses: Masses::Unread,
         of_tip: true,
+        growth: Growth::Linear(60),
     }
 
     /// Homogeneous transforms of every link frame in the world.
@@ -213,6 +220,7 @@ functions! {
         "Geometric Jacobian of the {tip}'s origin, 6 x N, rows vx vy vz wx wy wz, in the {frame}.",
         symbol: Some("J"), masses: Masses::Unread,
         of_tip: true,
+        growth: Growth::Linear(60),
     }
 
     /// d tau/dq and d tau/dqd.
@@ -221,7 +229,7 @@ functions! {
             tau_i by joint j. d tau/dqdd is M(q). The stiffness of springs is on the diagonal of d tau/dq, viscous \
             friction on that of d tau/dqd; Coulomb friction counts as constant: its derivative is zero wherever it has \
             one.",
-        second: OF_SMALL_ARMS, growth: Growth::Steep,
+        second: OF_SMALL_ARMS, growth: Growth::Square(80),
     }
 
     /// d qdd/dq, d qdd/dqd and M^-1.
@@ -232,14 +240,14 @@ functions! {
             it has one.",
         refuses: true,
         second: Some(Second { form: Form::Assembled, up_to: ANY, trial: Trial::Unsimplified }),
-        search: Search::By(Function::InverseDynamicsDerivatives), growth: Growth::Steep,
+        search: Search::By(Function::InverseDynamicsDerivatives), growth: Growth::Cube(8),
     }
 
     /// Y(q, qd, qdd), the coefficients of the base inertial parameters in tau - K - F.
     Regressor: regressor(Position, Velocity, Acceleration) -> Shape::Matrix(Freedoms, Parameters) => {
         "Regressor Y(q, qd, qdd), N x P, of the P base inertial parameters: \
             Y * base_parameters = tau - K - F, the joint forces without springs and friction.",
-        second: ASSEMBLED, growth: Growth::Steep, compared_with: Some(Function::BaseParameters),
+        second: ASSEMBLED, growth: Growth::Square(40), compared_with: Some(Function::BaseParameters),
     }
 
     /// The base inertial parameters.
@@ -256,6 +264,7 @@ functions! {
             M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
             where M(q) is nearly singular: about as many digits are right as the data determine.",
         refuses: true, search: Search::Accuracy,
+        growth: Growth::Linear(480),
     }
 
     /// The Taylor coefficients of a motion q(t), from the inverse dynamics over series.
@@ -271,6 +280,7 @@ functions! {
         "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
         masses: Masses::Unread,
         of_tip: true,
+        growth: Growth::Linear(60),
     }
 
     /// J qd
@@ -278,6 +288,7 @@ functions! {
         "Velocity of the tip J(q) qd, vx vy vz wx wy wz, in the {frame}, m/s and rad/s, without J.",
         masses: Masses::Unread,
         of_tip: true,
+        growth: Growth::Linear(60),
     }
 
     /// J qdd + Jdot qd
@@ -286,6 +297,7 @@ functions! {
             rad/s^2, without J and its rate.",
         masses: Masses::Unread,
         of_tip: true,
+        growth: Growth::Linear(90),
     }
 
     /// dJ/dt
@@ -294,6 +306,7 @@ functions! {
             tip is J qdd + dJ/dt qd.",
         search: Search::None, masses: Masses::Unread,
         of_tip: true,
+        growth: Growth::Linear(95),
     }
 
     /// Geometric Jacobian of every link frame's origin.
@@ -301,6 +314,7 @@ functions! {
         "Geometric Jacobians of the origins of all link frames whose joint moves, from the base outwards, each 6 x N, \
             rows vx vy vz wx wy wz, in the {frame}. Columns of joints beyond a link are zero.",
         search: Search::None, masses: Masses::Unread,
+        growth: Growth::Square(10),
     }
 
     /// The centre of mass of all links.
@@ -336,7 +350,7 @@ functions! {
         "Inverse of the inertia that the tip has in task space, J(q) M(q)^-1 J(q)^T, 6 x 6, rows and columns as those of \
             `jacobian`: the acceleration of the tip by a wrench on it. It exists for every arm whose M is regular; where it is \
             regular itself, its inverse is the operational-space inertia (Khatib).",
-        refuses: true, search: Search::By(Function::MassMatrix),
+        refuses: true, search: Search::By(Function::MassMatrix), growth: Growth::Square(45),
         of_tip: true,
     }
 
@@ -366,7 +380,7 @@ functions! {
         "Regressor Y_r(q, qd, qd_r, qdd_r), N x P, of the P base inertial parameters: \
             Y_r * base_parameters = M qdd_r + C qd_r + G, the `passivity_torque` without springs and friction, from which adaptive control \
             learns (Slotine and Li).",
-        search: Search::By(Function::Regressor), growth: Growth::Steep,
+        search: Search::By(Function::Regressor), growth: Growth::Square(60),
         compared_with: Some(Function::BaseParameters),
     }
 
@@ -383,6 +397,7 @@ functions! {
         "First and second derivative by time of the inverse dynamics along a motion, (d tau/dt, d2 tau/dt2), N m/s and \
             N m/s^2 (N/s and N/s^2). Viscous friction counts; Coulomb friction counts as constant.",
         second: OF_SMALL_ARMS,
+        growth: Growth::Linear(460),
     }
 
     /// The second derivatives of tau, and dM/dq.
@@ -393,6 +408,6 @@ functions! {
             last one in i and j. Friction that falls with the velocity is in d2 tau/dqd dqd; that of other friction \
             and of springs is zero.",
         second: OF_SMALL_ARMS, search: Search::By(Function::InverseDynamicsDerivatives),
-        growth: Growth::Cubic,
+        growth: Growth::Cube(33),
     }
 }

@@ -158,7 +158,7 @@ impl Arm<'_> {
     /// has none.
     pub(crate) fn dry_friction<V: Size>(self) -> V::Each<JointFriction> {
         let of_joint = |joint: usize| {
-            let all = self.followers.iter().flatten();
+            let all = self.followers.iter();
             let followers = all.filter(|follower| follower.leader == joint);
             JointFriction {
                 own: DryFriction::of(&self.rows[joint]),
@@ -235,7 +235,7 @@ mod tests {
                 ..Row::new(JointType::Revolute)
             }],
         );
-        assert!(table.followers.push(follower));
+        table.followers.push(follower);
         let [joint] = table.arm().dry_friction::<Const<1>>();
         assert!(!joint.is_none());
         assert_relative_eq!(joint.force(2.0), 0.5 + 0.5 * 0.2);

@@ -151,8 +151,8 @@ pub use state::SizedState;
 pub use table::RuntimeTable;
 #[doc(hidden)]
 pub use table::{
-    Arm, AsArm, Carrier, Convention, FixedFrame, FloatingBase, Follower, Followers, Frame, Frames,
-    JointMotion, JointType, Placement, Row, Spring, Stribeck, Table, Tool,
+    Arm, AsArm, Carrier, Convention, FixedFrame, FloatingBase, Follower, Frame, JointMotion,
+    JointType, Placement, Row, Spring, Stribeck, Table, Tool,
 };
 #[doc(hidden)]
 pub use taylor::{

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 use crate::Scalar;
 #[cfg(feature = "std")]
 use crate::table::RuntimeTable;
-use crate::table::{AsArm, MOST_FOLLOWERS, Table};
+use crate::table::{AsArm, List, Table};
 
 mod sealed {
     pub trait Sealed {}
@@ -181,14 +181,10 @@ impl<const N: usize> Size for Const<N> {
 
     #[inline(always)]
     fn links<X: Copy + Debug>(self, count: usize, entry: X) -> Self::Links<X> {
-        let mut links = Inline {
+        Inline {
             first: [entry; N],
-            more: None,
-        };
-        if count > N {
-            links.more = Some([entry; MOST_FOLLOWERS]);
+            more: List::filled(count.saturating_sub(N), entry),
         }
-        links
     }
 }
 
@@ -227,12 +223,12 @@ where
     }
 }
 
-/// A list without an allocator, with room for `N` entries, and for those of the joints that may follow others where
-/// there are any.
-#[derive(Clone, Copy, Debug)]
+/// A list with room for `N` entries, and for those of the joints that follow others where there are any: an allocator is
+/// needed where these are more than 8.
+#[derive(Clone, Debug)]
 pub struct Inline<X, const N: usize> {
     first: [X; N],
-    more: Option<[X; MOST_FOLLOWERS]>,
+    more: List<X, 8>,
 }
 
 impl<X, const N: usize> Index<usize> for Inline<X, N> {
@@ -242,7 +238,7 @@ impl<X, const N: usize> Index<usize> for Inline<X, N> {
     fn index(&self, k: usize) -> &X {
         match self.first.get(k) {
             Some(entry) => entry,
-            None => &self.more.as_ref().expect("so many links")[k - N],
+            None => &self.more[k - N],
         }
     }
 }
@@ -252,7 +248,7 @@ impl<X, const N: usize> IndexMut<usize> for Inline<X, N> {
     fn index_mut(&mut self, k: usize) -> &mut X {
         match self.first.get_mut(k) {
             Some(entry) => entry,
-            None => &mut self.more.as_mut().expect("so many links")[k - N],
+            None => &mut self.more[k - N],
         }
     }
 }

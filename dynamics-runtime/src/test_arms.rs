@@ -250,9 +250,7 @@ pub(crate) fn floating_table<const N: usize>(convention: Convention, seed: u64) 
             inertia: [0.3, 0.4, 0.5, 0.02, -0.01, 0.03],
         }),
         rows,
-        frames: [frame(None), frame(Some(1)), frame(N.checked_sub(1))]
-            .iter()
-            .collect(),
+        frames: [frame(None), frame(Some(1)), frame(N.checked_sub(1))][..].into(),
         tool: Tool::NONE,
         ..table
     }

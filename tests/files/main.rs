@@ -5,6 +5,7 @@ mod compiled;
 mod floating;
 mod generated;
 mod mimic;
+mod sizes;
 mod tables;
 mod trees;
 mod urdf;

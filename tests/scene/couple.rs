@@ -429,8 +429,8 @@ fn the_table_knows_what_follows() {
     assert_eq!(follower.row.mass, 0.15);
     assert_eq!(table.total_mass(), 3.0 + 1.0 + 0.2 + 0.15 + 1.5);
     // Without it the arm is another one.
-    let mut alone = table;
-    alone.followers = robot_dynamics::table::Followers::NONE;
+    let mut alone = table.clone();
+    alone.followers = robot_dynamics::table::List::NONE;
     let q = SVector::from([0.1, 0.2, 0.03]);
     let [m, other] = [table, alone].map(|table| NewtonEuler::new(&table).mass_matrix(&q));
     assert!((m - other).amax() > 0.1);

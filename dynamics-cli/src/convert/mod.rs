@@ -27,7 +27,6 @@ use std::path::Path;
 
 use dynamics_codegen::Model;
 use dynamics_codegen::files::Format;
-use dynamics_runtime::table::MOST_FRAMES;
 use dynamics_symbolic::robot::Robot;
 
 use crate::arguments::{Convert, WITHOUT};
@@ -45,11 +44,7 @@ use table::Table;
 pub(crate) fn run(given: &Convert) -> Result<String, Failure> {
     let path = &given.robot.file.path;
     let target = target(given);
-    let room = match target {
-        Format::Urdf => usize::MAX,
-        _ => MOST_FRAMES,
-    };
-    let model = read_with_links(&given.robot, room)?;
+    let model = read_with_links(&given.robot, true)?;
     let Some(arm) = Arm::new(&model.robot) else {
         return Err(Failure::of_file(path, "expected numbers in every cell"));
     };

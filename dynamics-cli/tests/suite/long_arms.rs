@@ -39,6 +39,25 @@ fn long_arms_are_compared_with_newton_euler() {
     assert!(text.contains("ok"), "{text}");
 }
 
+/// The default functions of more joints than most humanoids have, and of a hand in which 40 fingers follow one joint.
+#[test]
+fn robots_of_many_joints_are_checked_and_shown() {
+    let long = file("seventy.toml", chain(70));
+    let follow: Vec<String> = (1..=40)
+        .map(|k| format!("j{k} = \"0.{k} * j0 + 0.1\""))
+        .collect();
+    let hand = format!("{}[couple]\n{}\n", chain(42), follow.join("\n"));
+    for path in [long, file("hand.toml", hand)] {
+        let text = output(&["check", &path, "--samples", "1"]);
+        assert!(
+            text.contains("forward_dynamics") && text.contains("ok"),
+            "{text}"
+        );
+        let text = output(&["show", &path, "--functions", "gravity_vector"]);
+        assert!(text.contains("j0"), "{text}");
+    }
+}
+
 /// Twelve joints fall for a moment, and keep their energy.
 #[test]
 fn long_arms_fall() {

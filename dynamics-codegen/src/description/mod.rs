@@ -46,8 +46,8 @@ pub struct Table {
     pub keys: Vec<(&'static str, Place)>,
     /// Every name in the text of the entries, including those entries that could not be read.
     pub mentions: BTreeSet<String>,
-    /// How many frames the robot may have for links of a URDF file to be among them that no function names.
-    pub room_for_links: usize,
+    /// Whether all links of a URDF file are frames, and not only those that a function names.
+    pub keeps_links: bool,
     /// The reader of messages.
     pub audience: Audience,
     /// Functions that are derived besides those that the entries request: the table has to say what they read.

@@ -233,7 +233,7 @@ fn add(table: &mut Table, beside: Table) {
     table.fields.extend(beside.fields);
     table.audience = beside.audience;
     table.needed = beside.needed;
-    table.room_for_links = beside.room_for_links;
+    table.keeps_links = beside.keeps_links;
     table.masses = beside.masses;
 }
 

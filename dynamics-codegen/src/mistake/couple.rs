@@ -1,7 +1,6 @@
 //! Mistakes in joints that follow others.
 
 use super::{Mistake, hint};
-use crate::limits::MOST_FOLLOWERS;
 use crate::words::{all, quoted, shortened};
 
 mistakes! {
@@ -20,7 +19,6 @@ mistakes! {
         "`{name}` follows `{leader}` by a factor and an offset: write `factor * {leader} + offset`";
     factor_zero(name: &str, leader: &str) [lock: lock(name, "position")]
         "the factor of `{leader}` is zero: where `{name}` stands still, write {lock}";
-    too_many() "more joints follow others than an arm may have: at most {MOST_FOLLOWERS}";
     /// Joints that follow one another: the names, the first one again at the end.
     circle(names: &[&str]) {first: names[0], chain: quoted(&names[1..], ", which follows ")}
         "`{first}` follows {chain}: one of them has to move by itself";

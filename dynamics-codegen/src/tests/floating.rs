@@ -318,19 +318,11 @@ fn the_base_counts_where_robots_are_long() {
             "struct Legs; convention: modified, gravity: [0, 0, -9.81], {base}, joints: [{rows}], functions: [{functions}],"
         ))
     };
-    assert_eq!(legs(58, "mass_matrix"), [""; 0]);
-    assert_eq!(
-        legs(59, "mass_matrix"),
-        ["more than 58 joints on a base that moves"]
-    );
+    assert_eq!(legs(100, "mass_matrix"), [""; 0]);
     let cubic = "inverse_dynamics_second_derivatives";
-    assert_eq!(legs(12, cubic), [""; 0]);
-    assert_eq!(
-        legs(13, cubic),
-        [format!(
-            "`{cubic}` of more than 18 degrees of freedom would be too long"
-        )]
-    );
+    assert_eq!(legs(16, cubic), [""; 0]);
+    let start = format!("`{cubic}` of 23 degrees of freedom has about 401,000 operations");
+    assert!(legs(17, cubic)[0].starts_with(&start));
 }
 
 /// A file in the words of TOML may say it beside another one.

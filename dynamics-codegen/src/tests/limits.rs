@@ -13,7 +13,13 @@ const SOON: f64 = 5.0;
 const IN_SECONDS: f64 = 30.0;
 
 /// Bytes of the heap at any one time.
-const MOST_BYTES: u64 = 200_000_000;
+const MOST_BYTES: u64 = 800_000_000;
+
+/// Joints of the longest arm with the default set.
+const LONGEST: usize = 125;
+
+/// Functions in all tuples of one call, times the number of joints.
+const PARTS: usize = 256;
 
 /// The messages about a call, which must come soon.
 fn refusal(source: &str) -> Vec<String> {
@@ -72,7 +78,9 @@ fn with_head(head: &str, cells: &str) -> String {
 
 #[test]
 fn a_thousand_rows() {
-    let message = format!("more than {MOST_JOINTS} joints");
+    let message = "`default` of 1000 joints has about 18,925,000 operations, which take about 2365 s to derive: one call has at \
+                   most 400,000. Request fewer functions, lock joints or leave them out, or evaluate the table numerically \
+                   by `NewtonEuler`";
     assert_eq!(
         refusal(&with_rows(&rows(1_000, "a: 1, mass: 1"))),
         [message]
@@ -85,15 +93,17 @@ fn a_thousand_rows_of_which_one_is_locked() {
     let messages = refusal(&format!(
         "{call} lock: [joint1 = 0.5], couple: [joint2 = joint3]"
     ));
-    assert_eq!(messages, [format!("more than {MOST_JOINTS} joints")]);
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(messages[0].starts_with("`default` of 999 joints has about "));
 }
 
 #[test]
 fn a_thousand_rows_with_one_name() {
     let rows = rows(1_000, "").replace("joint1", "joint");
-    assert_eq!(refusal(&with_rows(&rows)).len(), 1);
+    assert_eq!(refusal(&with_rows(&rows)).len(), MOST_ERRORS);
 }
 
+/// The default set of the longest arm, and of one in which 40 joints follow others.
 #[test]
 #[ignore = "takes seconds: .ci/run runs it"]
 fn as_many_joints_as_are_allowed() {
@@ -104,25 +114,50 @@ fn as_many_joints_as_are_allowed() {
                      viscous: 0.3, coulomb: { positive: 0.2, negative: 0.1 }, \
                      stribeck: { static: 0.5, velocity: 0.05 }, \
                  }";
-    let call = with_rows(&rows(MOST_JOINTS, cells));
-    let followers: Vec<_> = (0..MOST_FOLLOWERS)
-        .map(|i| format!("joint{} = 2 * joint{}", 4 * i + 3, 4 * i + 1))
+    let call = with_rows(&rows(LONGEST, cells));
+    let (items, _) = expansion(&call, IN_SECONDS);
+    assert_eq!(errors(&items), [""; 0]);
+    assert_eq!(refusal(&with_rows(&rows(LONGEST + 1, cells))).len(), 1);
+    let followers: Vec<_> = (0..40)
+        .map(|i| format!("joint{} = 2 * joint{}", 2 * i + 1, 2 * i))
         .collect();
-    for call in [&call, &format!("{call} couple: [{}]", followers.join(", "))] {
-        let (items, _) = expansion(call, IN_SECONDS);
-        assert!(errors(&items).is_empty());
-    }
+    let call = with_rows(&rows(110, cells));
+    let (items, _) = expansion(
+        &format!("{call} couple: [{}]", followers.join(", ")),
+        IN_SECONDS,
+    );
+    assert_eq!(errors(&items), [""; 0]);
+}
+
+/// What identification, control and optimisation of a humanoid need, in one call.
+#[test]
+#[ignore = "takes seconds: .ci/run runs it"]
+fn a_humanoid_with_long_functions() {
+    let cells = "a: 0.1, alpha: 0.5, d: 0.2, theta: 0.3, mass: 1, com: [0.1, 0.2, 0.3], \
+                 inertia: { xx: 2, yy: 2, zz: 2, xy: 0.1, yz: 0.1, xz: 0.1 }";
+    let asked = "functions: [default, coriolis_matrix, regressor, inverse_dynamics_derivatives]";
+    let (items, _) = expansion(
+        &format!("{} {asked}", with_rows(&rows(38, cells))),
+        IN_SECONDS,
+    );
+    assert_eq!(errors(&items), [""; 0]);
 }
 
 #[test]
 fn functions_that_would_be_too_long() {
-    let call = with_rows(&rows(MOST_JOINTS_OF_LONG_FUNCTIONS + 1, "a: 1, mass: 1"));
+    let call = with_rows(&rows(130, "a: 1, mass: 1"));
     let asked = "functions: [coriolis_matrix, mass_matrix, regressor]";
+    let remedy = "one call has at most 400,000. Request fewer functions, lock joints or leave them out, or evaluate the table \
+                  numerically by `NewtonEuler`";
     assert_eq!(
         refusal(&format!("{call} {asked}")),
         [
-            "`coriolis_matrix` of more than 32 joints would be too long",
-            "`regressor` of more than 32 joints would be too long",
+            format!(
+                "`coriolis_matrix` of 130 joints has about 811,000 operations, which take about 101 s to derive: {remedy}"
+            ),
+            format!(
+                "`regressor` of 130 joints has about 676,000 operations, which take about 84 s to derive: {remedy}"
+            ),
         ]
     );
 }
@@ -137,17 +172,14 @@ fn with_cubic_functions(joints: usize) -> String {
 
 #[test]
 fn a_cubic_function_of_too_many_joints() {
-    let message = "`inverse_dynamics_second_derivatives` of more than 12 joints would be too long";
-    assert_eq!(
-        refusal(&with_cubic_functions(MOST_JOINTS_OF_CUBIC_FUNCTIONS + 1)),
-        [message]
-    );
+    let message = "`inverse_dynamics_second_derivatives` of 24 joints has about 456,000 operations";
+    assert!(refusal(&with_cubic_functions(24))[0].starts_with(message));
 }
 
 #[test]
 #[ignore = "takes seconds: .ci/run runs it"]
 fn a_cubic_function_of_as_many_joints_as_are_allowed() {
-    let call = with_cubic_functions(MOST_JOINTS_OF_CUBIC_FUNCTIONS);
+    let call = with_cubic_functions(18);
     let (items, _) = expansion(&call, IN_SECONDS);
     assert!(errors(&items).is_empty());
 }
@@ -157,21 +189,21 @@ fn functions_that_would_be_too_long_together() {
     let asked = "functions: [regressor, mass_matrix, coriolis_matrix, inverse_dynamics_derivatives, coriolis_coefficients]";
     let call = |joints| format!("{} {asked}", with_rows(&rows(joints, "a: 1, mass: 1")));
     assert_eq!(
-        refusal(&call(MOST_JOINTS_OF_LONG_FUNCTIONS)),
+        refusal(&call(38)),
         [
-            "`inverse_dynamics_derivatives` besides `regressor` and `coriolis_matrix` would be too long for one \
-             call with 32 joints: request it in a call of its own, for a second struct with this table"
+            "`coriolis_coefficients` besides `regressor`, `mass_matrix`, `coriolis_matrix` and `inverse_dynamics_derivatives` \
+             makes about 488,000 operations with 38 joints, which take about 61 s to derive: one call has at most 400,000. \
+             Request it in a call of its own, for a second struct with this table"
         ]
     );
-    assert_eq!(refusal(&call(26)).len(), 1);
-    assert_eq!(messages_of(&call(25)), [""; 0]);
+    assert_eq!(messages_of(&call(34)), [""; 0]);
 }
 
 /// As many tuples of three functions as an arm of so many joints may have.
 fn with_tuples(joints: usize, more: usize) -> String {
     let cells = "a: 0.1, alpha: 0.5, d: 0.2, mass: 1, com: [0.1, 0.2, 0.3]";
     let tuple = |i| format!("tuple{i} = (mass_matrix, coriolis_vector, gravity_vector)");
-    let tuples: Vec<String> = (0..MOST_PARTS / joints / 3 + more).map(tuple).collect();
+    let tuples: Vec<String> = (0..PARTS / joints / 3 + more).map(tuple).collect();
     let functions = format!("functions: [{}]", tuples.join(", "));
     format!("{} {functions}", with_rows(&rows(joints, cells)))
 }
@@ -179,8 +211,11 @@ fn with_tuples(joints: usize, more: usize) -> String {
 #[test]
 fn more_parts_of_tuples_than_are_allowed() {
     assert_eq!(messages_of(&with_tuples(7, 0)), [""; 0]);
-    let message = "the tuples of one call have at most 36 functions in all with 7 joints";
-    assert_eq!(refusal(&with_tuples(7, 1)), [message]);
+    let messages = refusal(&with_tuples(7, 6));
+    assert!(
+        messages[0].starts_with("`tuple15` besides `tuple0`, "),
+        "{messages:?}"
+    );
 }
 
 /// `cargo test -p dynamics-codegen --lib limits:: -- --ignored`
@@ -205,19 +240,16 @@ fn with_functions_of_frames(count: usize) -> String {
     let cells = "a: 0.1, alpha: 0.5, d: 0.2, mass: 1, com: [0.1, 0.2, 0.3]";
     format!(
         "{} frames: {{ {frames} }}, functions: [{asked}]",
-        with_rows(&rows(MOST_JOINTS, cells))
+        with_rows(&rows(64, cells))
     )
 }
 
 #[test]
 fn too_many_functions_of_frames() {
-    assert_eq!(
-        refusal(&with_functions_of_frames(2)),
-        [
-            "`operational_inertia_inverse(f1)` besides the other functions of frames would be too long for one call with 64 \
-          joints: request it in a call of its own, for a second struct with this table"
-        ]
-    );
+    let messages = refusal(&with_functions_of_frames(3));
+    let start = "`operational_inertia_inverse(f2)` besides `operational_inertia_inverse(f0)` and \
+                 `operational_inertia_inverse(f1)` makes about 552,000 operations with 64 joints";
+    assert!(messages[0].starts_with(start), "{messages:?}");
 }
 
 #[test]
@@ -465,7 +497,7 @@ fn digits_of_all_cells() {
     let (items, _) = expansion(&with_rows(&six.join(",")), IN_SECONDS);
     assert_eq!(errors(&items), [""; 0]);
     let many: Vec<String> = (0..60).map(|i| row(&format!("joint{i}"))).collect();
-    let message = "the exact fractions of this table have more than 50,000 digits in all: write decimal numbers";
+    let message = "the exact fractions of this table have more than 75,000 digits in all: write decimal numbers";
     assert_eq!(refusal(&with_rows(&many.join(","))), [message]);
 }
 

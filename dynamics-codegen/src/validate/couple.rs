@@ -10,7 +10,6 @@ use super::lock::report_out_of_limits;
 use super::measured::Measured;
 use super::scope::Scope;
 use crate::description::{self, Given, Name, Positioned};
-use crate::limits::MOST_FOLLOWERS;
 use crate::mistake::couple as mistake;
 use crate::place::Place;
 
@@ -73,9 +72,6 @@ pub(super) fn couple(
     written: &[description::Row],
     scope: &Scope,
 ) {
-    if report_too_many(couples, scope) {
-        return;
-    }
     let laws = laws_of_rows(rows, couples, written, scope);
     if report_circles(&laws, couples, written, scope) {
         return;
@@ -89,15 +85,6 @@ pub(super) fn couple(
             follow(rows, row, coupling, place, scope);
         }
     }
-}
-
-/// Reports more followers than there may be; whether it did.
-fn report_too_many(couples: &[Couple], scope: &Scope) -> bool {
-    let first_too_many = couples.get(MOST_FOLLOWERS);
-    if let Some(couple) = first_too_many {
-        scope.error(&couple.name, mistake::too_many());
-    }
-    first_too_many.is_some()
 }
 
 /// How each row is led. Reports names that are no joints, joints that follow twice, and what their rows say that a

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::{Frame, Row, Tool, Value};
+use dynamics_symbolic::robot::{Frame, Tool, Value};
 
 use super::body::body;
 use super::known::norm;
@@ -73,44 +73,6 @@ pub(super) fn report_names(table: &Table, scope: &Scope) {
             scope.error(name, wrong::frame_named_as_joint(word));
         }
     }
-}
-
-/// Keeps links of a file as frames, as long as there is room: first the outermost ones, then those that joints do not move by
-/// themselves, then the others.
-pub(super) fn keep_links(kept: &mut [bool], frames: &[Option<Frame>], rows: &[Row], table: &Table) {
-    let on: Vec<_> = frames
-        .iter()
-        .map(|frame| frame.as_ref().and_then(|frame| frame.on))
-        .collect();
-    let is_end = |row: Option<usize>| (0..rows.len()).all(|i| rows[i].on.parent(i) != row);
-    let is_outermost = |i: usize| is_end(on[i]) && !on[i + 1..].contains(&on[i]);
-    let is_of_joint: Vec<_> = table
-        .frames()
-        .map(|frame| frame.places.is_empty())
-        .collect();
-    let mut others: Vec<usize> = (0..kept.len()).filter(|&i| !kept[i]).collect();
-    others.sort_by_key(|&i| (!is_outermost(i), is_of_joint[i]));
-    let room = table
-        .room_for_links
-        .saturating_sub(kept.len() - others.len());
-    for i in others.into_iter().take(room) {
-        kept[i] = true;
-    }
-}
-
-/// The note on links for which there is no room.
-pub(super) fn left_out(kept: &[bool], table: &Table) -> Option<String> {
-    let links = table.frames().zip(kept).filter(|(_, is_kept)| !**is_kept);
-    let names: Vec<_> = links
-        .map(|(link, _)| format!("`{}`", link.word()))
-        .collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            " Left out, because a table has room for {} frames, unless a function names them: the links {}.",
-            table.room_for_links,
-            names.join(", ")
-        )
-    })
 }
 
 /// A frame; `None` where it is in error.

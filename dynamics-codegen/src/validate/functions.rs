@@ -4,18 +4,15 @@ use std::collections::BTreeMap;
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
-use dynamics_symbolic::function::{Freedoms, Growth, INVERSE_KINEMATICS, Part, Request};
+use dynamics_symbolic::function::{Freedoms, INVERSE_KINEMATICS, Part, Request};
 use dynamics_symbolic::robot::{Frame, Robot, Row};
 
-use super::named::{named, read_masses};
+use super::named::read_masses;
 use super::scope::Scope;
 use crate::description::{Asked, Masses, Name, Table, Wanted};
 use crate::diagnose::Diagnostics;
 use crate::keys::word_list;
-use crate::limits::{
-    MOST_JOINTS_OF_CUBIC_FUNCTIONS, MOST_JOINTS_OF_LONG_FUNCTIONS, MOST_LONG_FUNCTIONS,
-    MOST_OF_CUBIC_FUNCTIONS_ON_A_MOVING_BASE, MOST_OF_FRAMES, MOST_PARTS,
-};
+use crate::limits::{MOST_OPERATIONS, OPERATIONS_OF_A_PART};
 use crate::mistake::{entry as mistake, link, size, value};
 use crate::place::Place;
 use crate::words;
@@ -258,72 +255,49 @@ fn report_parts(name: &Name, parts: &[Wanted], scope: &Scope) {
     }
 }
 
-/// Reports functions that would be too long, or take too long to find, for so many joints: each by itself, or all of
-/// them together.
-pub(super) fn report_long(asked: &[Asked], freedoms: Freedoms, scope: &Scope) {
-    report_long_functions(asked, freedoms, scope);
-    report_many_of_frames(asked, freedoms, scope);
-    let tuples = asked.iter().filter_map(|asked| match asked {
-        Asked::Fused(name, parts) => Some((name, parts.len())),
-        Asked::Default(_) | Asked::One(..) | Asked::Unreadable => None,
-    });
-    let mut parts = 0;
-    for (name, count) in tuples {
-        parts += count;
-        if parts * freedoms.all() > MOST_PARTS {
-            scope.error(name, size::parts(freedoms));
-            return;
-        }
-    }
-}
-
-fn report_many_of_frames(asked: &[Asked], freedoms: Freedoms, scope: &Scope) {
-    let (mut weight, all) = (0, freedoms.all());
-    for wanted in named(asked).filter(|wanted| wanted.frame.is_some()) {
-        let solves = wanted.function.row().refuses;
-        weight += if solves { all.pow(2) } else { all };
-        if weight > MOST_OF_FRAMES {
-            let mistake = size::of_frames(&wanted.to_string(), freedoms);
-            scope.error(wanted.place, mistake);
-            return;
-        }
-    }
-}
-
-fn report_long_functions(asked: &[Asked], freedoms: Freedoms, scope: &Scope) {
-    let (all, base) = (freedoms.all(), freedoms.base);
-    let most_freedoms = |function: Function| match function.row().growth {
-        Growth::Moderate => None,
-        Growth::Steep => Some(MOST_JOINTS_OF_LONG_FUNCTIONS),
-        Growth::Cubic if freedoms.has_base() => Some(MOST_OF_CUBIC_FUNCTIONS_ON_A_MOVING_BASE),
-        Growth::Cubic => Some(MOST_JOINTS_OF_CUBIC_FUNCTIONS),
-    };
+/// Reports functions that have too many operations with so many joints: each by itself, or the first that has too many
+/// besides those before it. Nothing is written where the default set is not requested by its word.
+pub(super) fn report_long(
+    asked: Option<&[Asked]>,
+    freedoms: Freedoms,
+    unwritten: Option<Place>,
+    scope: &Scope,
+) {
+    let default = unwritten.map(Asked::Default);
+    let asked = asked.unwrap_or(default.as_slice()).iter();
+    let lengths = asked.filter_map(|asked| length(asked, freedoms.all()));
     let mut are_short = true;
-    for Wanted {
-        function, place, ..
-    } in named(asked)
-    {
-        if let Some(most) = most_freedoms(*function).filter(|most| all > *most) {
-            let joints = most - base;
-            let most = Freedoms { base, joints };
-            scope.error(*place, size::long_function(function.name(), most));
+    for (name, operations, place) in lengths.clone() {
+        if operations > MOST_OPERATIONS {
+            scope.error(place, size::long_function(&name, operations, freedoms));
             are_short = false;
         }
     }
-    if !are_short {
-        return;
+    let (mut names, mut operations) = (Vec::new(), 0);
+    for (name, own, place) in lengths.filter(|_| are_short) {
+        operations += own;
+        if operations > MOST_OPERATIONS {
+            let mistake = size::long_functions(&name, &names, operations, freedoms);
+            return scope.error(place, mistake);
+        }
+        names.push(name);
     }
-    let long = named(asked).filter(|wanted| most_freedoms(wanted.function).is_some());
-    let most = MOST_LONG_FUNCTIONS / all.pow(3).max(1);
-    if let Some(Wanted {
-        function, place, ..
-    }) = long.clone().nth(most)
-    {
-        let names: Vec<&str> = long
-            .map(|wanted| wanted.function.name())
-            .take(most)
-            .collect();
-        let mistake = size::long_functions(function.name(), &names, freedoms);
-        scope.error(*place, mistake);
+}
+
+/// What is requested, its operations with so many joints, and its place. Inverse kinematics is short.
+fn length(asked: &Asked, joints: usize) -> Option<(String, usize, Place)> {
+    let of = |function: Function| function.row().growth.operations(joints);
+    match asked {
+        Asked::Default(place) => {
+            let set = Function::default_set(true).into_iter();
+            Some(("default".to_owned(), set.map(of).sum(), *place))
+        }
+        Asked::One(wanted) => Some((wanted.to_string(), of(wanted.function), wanted.place)),
+        Asked::Fused(name, parts) => {
+            let of_part = |part: &Wanted| of(part.function) + OPERATIONS_OF_A_PART * joints;
+            let operations = parts.iter().map(of_part).sum();
+            Some((name.plain().to_owned(), operations, name.into()))
+        }
+        Asked::Unreadable => None,
     }
 }

@@ -32,13 +32,12 @@ use dynamics_symbolic::Request;
 use dynamics_symbolic::function::Freedoms;
 use dynamics_symbolic::robot::{Base, Convention, Frame, Robot, Row, Tool, Value};
 
-use crate::description::{self, Asked, Entry, Joints, Name, Table};
+use crate::description::{self, Asked, Entry, Name, Table};
 #[cfg(feature = "files")]
 use crate::description::{Allow, Expr};
 use crate::diagnose::Diagnostics;
 use crate::finding::Finding;
-use crate::limits::MOST_JOINTS;
-use crate::mistake::{Mistake, base as base_mistake, entry, file, joint, size, structure};
+use crate::mistake::{Mistake, base as base_mistake, entry, file, joint, structure};
 use crate::place::Place;
 #[cfg(feature = "files")]
 pub(crate) use angle::is_in_whole_degrees;
@@ -195,10 +194,16 @@ impl Parts {
                 }
                 Entry::Joints(place, joints) => {
                     parts.rows = Some(match joints {
-                        Some(joints) if number_is_good(joints, *place, table, scope) => {
+                        Some(joints) => {
+                            if joints.rows.is_empty()
+                                && joints.complete
+                                && !base::may_be_alone(table)
+                            {
+                                scope.error(*place, joint::none());
+                            }
                             row::rows(table, scope)
                         }
-                        _ => Vec::new(),
+                        None => Vec::new(),
                     });
                 }
                 Entry::Beside(place, _) => {
@@ -241,11 +246,15 @@ impl Parts {
             }
         }
         frames::report_names(table, scope);
+        if let Some(rows) = &parts.rows {
+            let freedoms = Freedoms {
+                base: table.floating().map_or(0, |_| Base::FREEDOMS),
+                joints: rows.len().saturating_sub(parts.lock.len()),
+            };
+            let place = table.name.as_ref().map(Place::from);
+            functions::report_long(parts.functions.as_deref(), freedoms, place, scope);
+        }
         if let Some(functions) = &parts.functions {
-            if let Some(rows) = &parts.rows {
-                let freedoms = freedoms(rows.len(), table);
-                functions::report_long(functions, freedoms, scope);
-            }
             functions::report(functions, table, scope);
         }
         let asked = parts.functions.as_deref().unwrap_or_default();
@@ -335,15 +344,12 @@ impl Parts {
         let asked = named::named(self.functions.as_deref().unwrap_or_default());
         let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
         let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
-        let is_needed = |frame: &description::Frame| !frame.is_link || asked.contains(frame.word());
-        let mut kept: Vec<bool> = table.frames().map(is_needed).collect();
+        let is_kept = |frame: &description::Frame| {
+            table.keeps_links || !frame.is_link || asked.contains(frame.word())
+        };
         let rows: Vec<Row> = self.rows?.into_iter().collect::<Option<_>>()?;
-        let mut notes = table.notes.clone();
-        if table.room_for_links > 0 {
-            frames::keep_links(&mut kept, &self.frames, &rows, table);
-            notes.extend(frames::left_out(&kept, table));
-        }
-        let frames = self.frames.into_iter().zip(kept);
+        let notes = table.notes.clone();
+        let frames = self.frames.into_iter().zip(table.frames().map(is_kept));
         let frames = frames.filter_map(|(frame, is_kept)| is_kept.then_some(frame));
         let frames: Option<Vec<Frame>> = frames.collect();
         let robot = Robot {
@@ -367,25 +373,4 @@ impl Parts {
             warnings: Vec::new(),
         })
     }
-}
-
-/// The degrees of freedom of so many rows, none of which is locked.
-fn freedoms(rows: usize, table: &Table) -> Freedoms {
-    Freedoms {
-        base: table.floating().map_or(0, |_| Base::FREEDOMS),
-        joints: rows,
-    }
-}
-
-fn number_is_good(joints: &Joints, place: Place, table: &Table, scope: &Scope) -> bool {
-    if joints.rows.is_empty() && joints.complete && !base::may_be_alone(table) {
-        scope.error(place, joint::none());
-    }
-    let most = MOST_JOINTS - freedoms(0, table).base;
-    let Some(row) = joints.rows.get(most) else {
-        return true;
-    };
-    let place = row.name.as_ref().map_or(place, Place::from);
-    scope.error(place, size::joints(most, table.floating().is_some()));
-    false
 }

@@ -11,4 +11,5 @@ mod languages;
 mod python_values;
 mod reach;
 mod refusals;
+mod sizes;
 mod warnings;

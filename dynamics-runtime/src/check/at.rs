@@ -130,7 +130,7 @@ impl<'a> At<'a> {
         }
     }
 
-    /// Whether the table has room for the frame: it has room for 16 frames where it is an array.
+    /// Whether the table has the frame: a hand-written robot may name others.
     pub(super) fn has_frame(&self) -> bool {
         self.frame
             .is_none_or(|frame| frame < self.table.frames.len())

@@ -156,7 +156,7 @@ pub(super) fn reason(function: &str) -> String {
         Some(Row {
             rule: Rule::Beside(..),
             ..
-        }) => "the table in numbers has room for 16 frames".to_owned(),
+        }) => "the table in numbers has no such frame".to_owned(),
         _ => "the mass matrix is singular".to_owned(),
     }
 }

@@ -71,8 +71,8 @@ mod tests {
                 com: [0.0; 3],
                 inertia: [0.0; 6],
             });
-            let robot = FloatingNewtonEuler::<5, 11>::new(&Table { floating, ..table });
             let arm = NewtonEuler::new(&table);
+            let robot = FloatingNewtonEuler::<5, 11>::new(&Table { floating, ..table });
             let State { q, qd, .. } = random_state::<5>(seed);
             let (base, mut v) = (Pose::identity(), SVector::<f64, 11>::zeros());
             v.fixed_rows_mut::<5>(6).copy_from(&qd);

@@ -37,7 +37,7 @@ fn a_turned_base_is_gravity_turned_the_other_way() {
             let plain = Table {
                 base: Frame::IDENTITY,
                 gravity: gravity.into(),
-                ..mounted
+                ..mounted.clone()
             };
             let (arm, plain) = (NewtonEuler::new(&mounted), NewtonEuler::new(&plain));
             let State { q, qd, qdd } = random_state::<5>(seed);

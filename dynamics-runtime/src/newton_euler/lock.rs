@@ -8,10 +8,9 @@ use super::joint::Joint;
 use super::pose::Pose;
 #[cfg(feature = "std")]
 use crate::RuntimeTable;
-use crate::table::{Arm, Carrier, FixedFrame, MOST_FOLLOWERS, MOST_FRAMES, tip_row};
+use crate::table::{Arm, Carrier, FixedFrame, List, tip_row};
 use crate::{
-    Convention, FloatingBase, Follower, Followers, Frame, JointMotion, JointType, Placement, Row,
-    Table, Tool,
+    Convention, FloatingBase, Follower, Frame, JointMotion, JointType, Placement, Row, Table, Tool,
 };
 
 impl<const N: usize> Table<N> {
@@ -35,7 +34,7 @@ impl<const N: usize> Table<N> {
 
     /// The table of an arm some of whose joints follow others; joints may be locked too, as in
     /// [`Table::lock`]. `motions` says for each of the L rows how its joint moves. N joints must move by
-    /// themselves, and at most 8 may follow one of those: otherwise this panics.
+    /// themselves, otherwise this panics. Without the feature `std` at most 8 may follow one of those.
     pub fn couple<const L: usize>(
         convention: Convention,
         gravity: [f64; 3],
@@ -45,8 +44,8 @@ impl<const N: usize> Table<N> {
         Self::of_rows(None, (convention, gravity), &rows, &motions, &[])
     }
 
-    /// As [`Table::couple`], with frames on the rows or on the base. The table has the first 16 of them. The body of any
-    /// further one becomes a part of the link that carries it.
+    /// As [`Table::couple`], with frames on the rows or on the base. Without the feature `std` the table has the first 16 of
+    /// them. The body of any further one becomes a part of the link that carries it.
     ///
     /// This panics where [`Table::couple`] does, and if a frame stands on a row that is not there.
     pub fn with_frames<const L: usize, const F: usize>(
@@ -80,8 +79,8 @@ impl<const N: usize> Table<N> {
         frames: &[FixedFrame],
     ) -> Self {
         let mut joints = [Row::new(JointType::Revolute); N];
-        let (mut followers, mut free) = (Followers::NONE, 0);
-        let (kept, bodies) = frames.split_at(frames.len().min(MOST_FRAMES));
+        let (mut followers, mut free) = (List::NONE, 0);
+        let (kept, bodies) = frames.split_at(frames.len().min(List::<FixedFrame, 16>::MOST));
         let rows = Rows {
             convention,
             rows,
@@ -95,10 +94,7 @@ impl<const N: usize> Table<N> {
                     joints[free] = row;
                     free += 1;
                 }
-                Read::Follower(follower) => {
-                    let is_placed = followers.push(follower);
-                    assert!(is_placed, "at most {MOST_FOLLOWERS} joints follow others");
-                }
+                Read::Follower(follower) => followers.push(follower),
             }
         }
         assert_eq!(free, N, "so many joints move by themselves");
@@ -169,7 +165,7 @@ impl RuntimeTable {
         for row in rows.moving() {
             match row {
                 Read::Joint(row) => table.rows.push(row),
-                Read::Follower(follower) => table.followers.push(Some(follower)),
+                Read::Follower(follower) => table.followers.push(follower),
             }
         }
         table.frames = frames.iter().map(|frame| rows.frame(frame)).collect();

@@ -233,7 +233,7 @@ impl<const N: usize> Model<N> for NewtonEuler<N> {
     const JOINT_NAMES: [&'static str; N] = numbered();
 
     fn table(&self) -> Table<N> {
-        self.table
+        self.table.clone()
     }
 
     fn energies(&self, q: &SVector<f64, N>, qd: &SVector<f64, N>) -> Option<[f64; 2]> {

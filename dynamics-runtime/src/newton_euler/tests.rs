@@ -200,7 +200,7 @@ fn to_modified<const N: usize>(table: &Table<N>) -> Table<N> {
     Table {
         convention: Convention::Modified,
         rows: core::array::from_fn(row),
-        ..*table
+        ..table.clone()
     }
 }
 
@@ -260,7 +260,7 @@ fn forward_dynamics_is_the_inverse_of_inverse_dynamics() {
 #[test]
 fn forward_dynamics_refuses_a_singular_mass_matrix() {
     let table = CRAIG_ARM.table();
-    let mut on_axis = table;
+    let mut on_axis = table.clone();
     on_axis.rows[1].com = [0.0; 3];
     let rest = Vector2::zeros();
     let tip = NewtonEuler::new(&on_axis);
@@ -268,7 +268,7 @@ fn forward_dynamics_refuses_a_singular_mass_matrix() {
     assert_eq!(found.joint, 1);
     assert_eq!(tip.forward_dynamics_aba(&rest, &rest, &rest), Err(found));
 
-    let mut massless = table;
+    let mut massless = table.clone();
     massless.rows[0].mass = 0.0;
     let straight = NewtonEuler::new(&massless);
     let found = straight.forward_dynamics(&rest, &rest, &rest);

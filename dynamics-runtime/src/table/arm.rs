@@ -11,7 +11,7 @@ pub struct Arm<'t> {
     pub(crate) base: &'t Frame,
     pub(crate) floating: Option<&'t FloatingBase>,
     pub(crate) rows: &'t [Row],
-    pub(crate) followers: &'t [Option<Follower>],
+    pub(crate) followers: &'t [Follower],
     pub(crate) frames: &'t [FixedFrame],
     pub(crate) tool: &'t Tool,
     pub(crate) tip: Option<&'t Placement>,
@@ -33,7 +33,7 @@ impl<'t> Arm<'t> {
     /// All rows from the base outwards, those of followers in their places.
     pub(crate) fn chain(self) -> impl Iterator<Item = Moving<'t>> + Clone {
         let followers_at = move |place: usize| {
-            let followers = self.followers.iter().flatten();
+            let followers = self.followers.iter();
             followers
                 .filter(move |follower| follower.place == place)
                 .map(|follower| Moving {
@@ -120,7 +120,7 @@ impl<const N: usize> AsArm for Table<N> {
             base: &self.base,
             floating: self.floating.as_ref(),
             rows: &self.rows,
-            followers: &self.followers.list,
+            followers: &self.followers,
             frames: &self.frames,
             tool: &self.tool,
             tip: self.tip.as_ref(),

@@ -2,9 +2,6 @@
 
 use super::Row;
 
-/// How many joints of an arm may follow others.
-pub(crate) const MOST_FOLLOWERS: usize = 8;
-
 /// A joint that follows another one, at `factor * q + offset` with the position q of that one, and its link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -20,13 +17,6 @@ pub struct Follower {
     pub factor: f64,
     /// Where it is while that joint is at zero, rad or m.
     pub offset: f64,
-}
-
-/// The joints of an arm that follow others.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Followers {
-    pub(super) list: [Option<Follower>; MOST_FOLLOWERS],
 }
 
 /// How the joint of a row moves, in a table with rows of every kind.
@@ -45,27 +35,4 @@ pub enum JointMotion {
         /// Where it is while that joint is at zero, rad or m.
         offset: f64,
     },
-}
-
-impl Followers {
-    /// None.
-    pub const NONE: Followers = Followers {
-        list: [None; MOST_FOLLOWERS],
-    };
-
-    /// The followers from the base outwards.
-    pub fn iter(&self) -> impl Iterator<Item = &Follower> {
-        self.list.iter().flatten()
-    }
-
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.iter().next().is_none()
-    }
-
-    /// Adds one; `false` where there is no place for it.
-    pub(crate) fn push(&mut self, follower: Follower) -> bool {
-        let place = self.list.iter_mut().find(|place| place.is_none());
-        place.map(|place| *place = Some(follower)).is_some()
-    }
 }

@@ -1,13 +1,7 @@
 //! Frames that are fixed to links, and the bodies in them.
 
-use core::borrow::Borrow;
-use core::ops::Deref;
-
 use super::{Placement, Row};
 use crate::JointType;
-
-/// How many frames a [`Table`](super::Table) has room for.
-pub const MOST_FRAMES: usize = 16;
 
 /// A frame that is fixed to a link or to the base, and a body in it.
 ///
@@ -58,56 +52,5 @@ impl FixedFrame {
             inertia: self.inertia,
             ..Row::new(JointType::Revolute)
         }
-    }
-}
-
-/// The frames of a [`Table`](super::Table): a slice of at most 16.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Frames {
-    list: [FixedFrame; MOST_FRAMES],
-    count: usize,
-}
-
-impl Default for Frames {
-    fn default() -> Self {
-        Frames::NONE
-    }
-}
-
-impl Frames {
-    /// None.
-    pub const NONE: Frames = Frames {
-        list: [FixedFrame::new(None, Placement::IDENTITY); MOST_FRAMES],
-        count: 0,
-    };
-
-    /// These frames; `None` where there are more than 16.
-    pub fn new(frames: &[FixedFrame]) -> Option<Self> {
-        (frames.len() <= MOST_FRAMES).then(|| frames.iter().collect())
-    }
-}
-
-/// This panics where there are more than 16.
-impl<F: Borrow<FixedFrame>> FromIterator<F> for Frames {
-    fn from_iter<I: IntoIterator<Item = F>>(frames: I) -> Self {
-        let mut all = Frames::NONE;
-        for frame in frames {
-            assert!(
-                all.count < MOST_FRAMES,
-                "a table has room for {MOST_FRAMES} frames"
-            );
-            all.list[all.count] = *frame.borrow();
-            all.count += 1;
-        }
-        all
-    }
-}
-
-impl Deref for Frames {
-    type Target = [FixedFrame];
-
-    fn deref(&self) -> &[FixedFrame] {
-        self.list.get(..self.count).unwrap_or(&self.list)
     }
 }

@@ -4,17 +4,16 @@ mod arm;
 mod carrier;
 mod followers;
 mod frames;
+mod list;
 #[cfg(feature = "std")]
 mod runtime;
 
 pub use arm::{Arm, AsArm};
 pub(crate) use arm::{Moving, tip_row};
 pub use carrier::Carrier;
-pub(crate) use followers::MOST_FOLLOWERS;
-pub use followers::{Follower, Followers, JointMotion};
-#[doc(hidden)]
-pub use frames::MOST_FRAMES;
-pub use frames::{FixedFrame, Frames};
+pub use followers::{Follower, JointMotion};
+pub use frames::FixedFrame;
+pub use list::List;
 #[cfg(feature = "std")]
 pub use runtime::RuntimeTable;
 
@@ -206,7 +205,7 @@ impl Row {
 ///
 /// A table is written as `Table { tool, ..Table::new(convention, gravity, rows) }`, because later versions may have more
 /// entries.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Table<const N: usize> {
     /// Convention of the rows.
@@ -223,10 +222,10 @@ pub struct Table<const N: usize> {
     pub rows: [Row; N],
     /// The rows of the joints that follow these.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub followers: Followers,
+    pub followers: List<Follower, 8>,
     /// Frames on the links, and the bodies in them.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub frames: Frames,
+    pub frames: List<FixedFrame, 16>,
     /// The tool at the tip: on the link of the only row that carries no other, whether its joint is locked or not. A robot
     /// in which several rows carry no other has no tip, and no tool.
     pub tool: Tool,
@@ -249,8 +248,8 @@ impl<const N: usize> Table<N> {
             base: Frame::IDENTITY,
             floating: None,
             rows,
-            followers: Followers::NONE,
-            frames: Frames::NONE,
+            followers: List::NONE,
+            frames: List::NONE,
             tool: Tool::NONE,
             tip: None,
             non_exhaustive: (),

@@ -1,6 +1,6 @@
 //! A table whose number of joints is known at run time alone.
 
-use super::{Arm, AsArm, Convention, FixedFrame, Follower, Frames, Placement, Row, Table};
+use super::{Arm, AsArm, Convention, FixedFrame, Follower, Placement, Row, Table};
 use crate::frame::{FloatingBase, Frame, Tool};
 
 /// The table of a robot whose number of joints is known at run time alone, as numbers. Nothing is validated.
@@ -26,8 +26,7 @@ pub struct RuntimeTable {
     /// The tip of a robot whose rows are all locked, as in [`Table::tip`].
     #[cfg_attr(feature = "serde", serde(default))]
     pub tip: Option<Placement>,
-    /// Each of them is there.
-    pub(crate) followers: Vec<Option<Follower>>,
+    pub(crate) followers: Vec<Follower>,
 }
 
 impl RuntimeTable {
@@ -48,25 +47,21 @@ impl RuntimeTable {
 
     /// The rows of the joints that follow others.
     pub fn followers(&self) -> impl Iterator<Item = &Follower> {
-        self.followers.iter().flatten()
+        self.followers.iter()
     }
 
-    /// The same table for an arm of `N` joints; `None` if it has another number of joints, or more followers or frames than
-    /// [`Followers`](super::Followers) or [`Frames`] has room for.
+    /// The same table for an arm of `N` joints; `None` if it has another number of joints.
     pub fn of_joints<const N: usize>(&self) -> Option<Table<N>> {
         let rows = <[Row; N]>::try_from(&self.rows[..]).ok()?;
-        let mut table = Table {
+        Some(Table {
             base: self.base,
             floating: self.floating,
-            frames: Frames::new(&self.frames)?,
+            followers: self.followers[..].into(),
+            frames: self.frames[..].into(),
             tool: self.tool,
             tip: self.tip,
             ..Table::new(self.convention, self.gravity, rows)
-        };
-        let mut followers = self.followers();
-        followers
-            .all(|follower| table.followers.push(*follower))
-            .then_some(table)
+        })
     }
 }
 
@@ -82,7 +77,7 @@ impl<const N: usize> From<&Table<N>> for RuntimeTable {
             frames: table.frames.to_vec(),
             tool: table.tool,
             tip: table.tip,
-            followers: table.followers.iter().copied().map(Some).collect(),
+            followers: table.followers.to_vec(),
         }
     }
 }

@@ -56,7 +56,7 @@ impl<const N: usize> Samples<N> {
         let mut random = Random::seeded(560);
         let exact = Exact(table);
         let mut samples = Samples {
-            table: *table,
+            table: table.clone(),
             states: Vec::new(),
             values: Vec::new(),
         };

@@ -57,7 +57,10 @@ pub(super) fn axes<const N: usize>(table: &Table<N>) -> Vec<Axis> {
 pub(super) fn with_axes<const N: usize>(table: &Table<N>, axes: &[Axis]) -> Table<N> {
     let rows: Vec<Row> = axes.iter().map(|axis| axis.row).collect();
     if let Ok(rows) = <[Row; N]>::try_from(rows.as_slice()) {
-        return Table { rows, ..*table };
+        return Table {
+            rows,
+            ..table.clone()
+        };
     }
     let row_of = |joint: usize| {
         let mut places = axes.iter();

@@ -37,8 +37,8 @@ fn cases() -> impl Iterator<Item = Case> {
         let table = floating_table::<5>(convention, seed);
         let State { q, qd: v, qdd: a } = random_state::<11>(seed);
         Case {
-            table,
             robot: Robot::new(&table),
+            table,
             base: random_pose(seed),
             q: q.fixed_rows::<5>(0).into_owned(),
             v,
@@ -302,7 +302,7 @@ fn momentum_changes_by_outer_forces_alone() {
         } = &case;
         let robot = Robot::new(&Table {
             gravity: [0.0; 3],
-            ..*table
+            ..table.clone()
         });
         let momenta =
             |base: &Pose<f64>, q: &SVector<f64, 5>| robot.centroidal_momentum_matrix(base, q);
@@ -350,7 +350,7 @@ fn the_pose_of_the_base_turns_gravity_alone() {
         let turn = other.rotation * base.rotation.transpose();
         let turned = Robot::new(&Table {
             gravity: (turn * Vector3::from(table.gravity)).into(),
-            ..*table
+            ..table.clone()
         });
         assert_near(turned.inverse_dynamics(&other, q, v, a), case.tau(), 1e-13);
     }
