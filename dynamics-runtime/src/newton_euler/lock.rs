@@ -80,7 +80,8 @@ impl<const N: usize> Table<N> {
     ) -> Self {
         let mut joints = [Row::new(JointType::Revolute); N];
         let (mut followers, mut free) = (List::NONE, 0);
-        let (kept, bodies) = frames.split_at(frames.len().min(List::<FixedFrame, 16>::MOST));
+        let most = List::<FixedFrame, 16>::MOST;
+        let (kept, bodies) = frames.split_at_checked(most).unwrap_or((frames, &[]));
         let rows = Rows {
             convention,
             rows,

@@ -28,7 +28,7 @@ impl<const N: usize> Decimals<N> {
         let moved = Table {
             rows,
             gravity,
-            ..doubles
+            ..doubles.clone()
         };
         Decimals { doubles, moved }
     }
