@@ -47,7 +47,7 @@ fn robots_of_many_joints_are_checked_and_shown() {
         .map(|k| format!("j{k} = \"0.{k} * j0 + 0.1\""))
         .collect();
     let hand = format!("{}[couple]\n{}\n", chain(42), follow.join("\n"));
-    for path in [long, file("hand.toml", hand)] {
+    for path in [long, file("forty_fingers.toml", hand)] {
         let text = output(&["check", &path, "--samples", "1"]);
         assert!(
             text.contains("forward_dynamics") && text.contains("ok"),

@@ -600,7 +600,6 @@ fn links_are_frames() {
         "unphysical_inertia",
     ];
     let text = output(&call);
-    assert!(!text.contains("Left out"), "{text}");
     let urdf = output(&[&call[..], &["--to", "urdf"]].concat());
     let links = std::fs::read_to_string(&path).expect("the file");
     let links = links
@@ -609,7 +608,9 @@ fn links_are_frames() {
         .map(|rest| rest.split('"').next());
     for name in links.flatten() {
         assert!(urdf.contains(&format!("<link name=\"{name}\"")), "{name}");
-        assert!(text.contains(&format!("[frame.{name}]")), "{name}: {text}");
+        // `base` is a word of tables.
+        let frame = if name == "base" { "base_link" } else { name };
+        assert!(text.contains(&format!("[frame.{frame}]")), "{name}: {text}");
     }
 }
 
