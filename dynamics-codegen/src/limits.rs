@@ -51,7 +51,7 @@ pub(crate) const MOST_PLACES: usize = 20_000;
 /// of the default set of 125.
 pub(crate) const MOST_OPERATIONS: usize = 400_000;
 
-/// What a function in a tuple counts besides its operations, for each joint: each is derived several times over. Four
+/// Operations that a function in a tuple counts besides its own, for each joint: it is derived several times over. Four
 /// functions of 64 joints are allowed, 36 of seven.
 pub(crate) const OPERATIONS_OF_A_PART: usize = 1_100;
 

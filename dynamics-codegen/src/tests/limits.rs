@@ -129,7 +129,7 @@ fn as_many_joints_as_are_allowed() {
     assert_eq!(errors(&items), [""; 0]);
 }
 
-/// What identification, control and optimisation of a humanoid need, in one call.
+/// A humanoid with the functions that identification, control and optimisation need, in one call.
 #[test]
 #[ignore = "takes seconds: .ci/run runs it"]
 fn a_humanoid_with_long_functions() {

@@ -284,7 +284,7 @@ pub(super) fn report_long(
     }
 }
 
-/// What is requested, its operations with so many joints, and its place. Inverse kinematics is short.
+/// The word of a request, its operations with so many joints, and its place. Inverse kinematics is short.
 fn length(asked: &Asked, joints: usize) -> Option<(String, usize, Place)> {
     let of = |function: Function| function.row().growth.operations(joints);
     match asked {
