@@ -71,7 +71,42 @@
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 
+// The names that the documentation shows; generated code names others besides.
+#[cfg(feature = "plot")]
+#[doc(inline)]
+pub use dynamics_runtime::plot;
+#[doc(hidden)]
 pub use dynamics_runtime::*;
+#[doc(inline)]
+pub use dynamics_runtime::{
+    AccelerationDerivatives, Certified, Conditioning, CoriolisVector, Cycloidal, DoubleDouble,
+    Energy, FloatingNewtonEuler, FloatingState, Formula, ForwardDynamics, GravityVector,
+    InverseDynamics, InverseKinematics, Kinematics, MassMatrix, Model, NewtonEuler, NumericArm,
+    NumericFloating, Operations, Pose, Scalar, SecondDerivatives, SharedSines, SingularMassMatrix,
+    Size, State, certified, closed_form, inverse_kinematics, layouts, nalgebra, table,
+};
+#[cfg(feature = "std")]
+#[doc(inline)]
+pub use dynamics_runtime::{
+    Batch, Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory, batch,
+    check, check_against_rnea, simulation,
+};
+
+#[doc = include_str!("robot_dynamics.md")]
+// `$crate` is this crate under whatever name and through whatever re-export the caller sees it, so that the generated code
+// finds the runtime without a dependency of its own. The runtime itself compiles beside the engine of the macro.
+#[macro_export]
+macro_rules! robot_dynamics {
+    ($($tokens:tt)*) => {
+        $crate::__private::expand! { @[$crate] $($tokens)* }
+    };
+}
+
+/// The procedural macro behind [`robot_dynamics!`].
+#[doc(hidden)]
+pub mod __private {
+    pub use dynamics_macros::robot_dynamics as expand;
+}
 
 #[cfg(feature = "runtime-robot")]
 pub use dynamics_evaluation as evaluation;

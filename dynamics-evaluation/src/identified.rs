@@ -243,7 +243,7 @@ impl RuntimeRobot {
         if residual.amax() > 0.0 {
             return Err(impossible());
         }
-        let written = equations.written(&robot, self.fields(), &parameters);
+        let written = equations.robot_with(&robot, self.fields(), &parameters);
         robot = written.ok_or_else(impossible)?;
         change(&mut robot)?;
         let functions = self.functions().iter();
@@ -404,7 +404,12 @@ impl Equations {
     }
 
     /// The robot with these links and motors, where their numbers are finite.
-    fn written(&self, robot: &Robot, fields: &[f64], parameters: &DVector<f64>) -> Option<Robot> {
+    fn robot_with(
+        &self,
+        robot: &Robot,
+        fields: &[f64],
+        parameters: &DVector<f64>,
+    ) -> Option<Robot> {
         let mut robot = robot.clone();
         for (columns, &row) in self.columns().zip(self.rows.iter().chain(&self.rows)) {
             let p = &parameters.as_slice()[columns.clone()];

@@ -5,7 +5,7 @@ use dynamics_runtime::nalgebra::{DMatrix, DVector};
 use crate::value::FromValue;
 use crate::{EvaluationError, RuntimeRobot};
 
-dynamics_macros::runtime_methods! {}
+dynamics_items::runtime_methods! {}
 
 impl RuntimeRobot {
     fn of_kind<V: FromValue>(

@@ -1,8 +1,8 @@
-//! The way of the macro's tokens to the procedural macro.
+//! Macros that generated code and its call need.
 
-#[doc = include_str!("robot_dynamics.md")]
-// `$crate` is this crate under whatever name and through whatever re-export the caller sees it, so
-// that the generated code finds the runtime without a dependency of its own.
+/// Generates a struct with the equations of motion of a robot arm as its methods, from the arm's Denavit-Hartenberg table.
+///
+/// It is the macro of the crate `robot-dynamics`, which documents it, for who depends on this crate alone.
 #[cfg(feature = "macro")]
 #[macro_export]
 macro_rules! robot_dynamics {

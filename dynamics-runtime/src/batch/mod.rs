@@ -28,7 +28,7 @@ pub use parallel::on_all_cores;
 use run::{Failure, Task};
 pub use wide::Precision;
 
-dynamics_macros::batch_methods! {
+dynamics_items::batch_methods! {
 /// The generated functions at many states at once, each under its name with `_batch` behind it.
 ///
 /// Every robot whose table generates a function has its batch: `use robot_dynamics::Batch`. Methods that are not called
@@ -112,7 +112,7 @@ impl<'a, R> From<&'a [R]> for WithParameters<'a, R> {
     }
 }
 
-dynamics_macros::batch_methods! {
+dynamics_items::batch_methods! {
 impl<R> WithParameters<'_, R> {}
 }
 

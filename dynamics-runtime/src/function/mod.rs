@@ -15,7 +15,7 @@ use crate::{Inputs, Scalar, SingularMassMatrix};
 /// The functions by their names: a type for each, for [`Function`].
 #[doc(hidden)]
 pub mod functions {
-    dynamics_macros::function_names! {}
+    dynamics_items::function_names! {}
 
     /// Several functions as one, by their number among those of a robot.
     #[derive(Clone, Copy, Debug)]

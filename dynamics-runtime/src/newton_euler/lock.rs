@@ -41,7 +41,7 @@ impl<const N: usize> Table<N> {
         rows: [Row; L],
         motions: [JointMotion; L],
     ) -> Self {
-        Self::of_rows(None, (convention, gravity), &rows, &motions, &[])
+        Self::from_motions(None, (convention, gravity), &rows, &motions, &[])
     }
 
     /// As [`Table::couple`], with frames on the rows or on the base. Without the feature `std` the table has the first 16 of
@@ -55,7 +55,7 @@ impl<const N: usize> Table<N> {
         motions: [JointMotion; L],
         frames: [FixedFrame; F],
     ) -> Self {
-        Self::of_rows(None, (convention, gravity), &rows, &motions, &frames)
+        Self::from_motions(None, (convention, gravity), &rows, &motions, &frames)
     }
 
     /// As [`Table::with_frames`], on a base that moves. The links of rows that are locked to the base become parts of its body.
@@ -68,10 +68,11 @@ impl<const N: usize> Table<N> {
         frames: [FixedFrame; F],
     ) -> Self {
         let head = (convention, gravity);
-        Self::of_rows(Some(&base), head, &rows, &motions, &frames)
+        Self::from_motions(Some(&base), head, &rows, &motions, &frames)
     }
 
-    fn of_rows(
+    /// The table of rows whose joints move so, on a base that moves if there is one.
+    fn from_motions(
         base: Option<&FloatingBase>,
         (convention, gravity): (Convention, [f64; 3]),
         rows: &[Row],
@@ -131,7 +132,7 @@ impl RuntimeTable {
         motions: &[JointMotion],
         frames: &[FixedFrame],
     ) -> Self {
-        Self::of_rows(None, (convention, gravity), rows, motions, frames)
+        Self::from_motions(None, (convention, gravity), rows, motions, frames)
     }
 
     /// As [`RuntimeTable::with_frames`], on a base that moves. The links of rows that are locked to the base become parts of
@@ -144,10 +145,11 @@ impl RuntimeTable {
         motions: &[JointMotion],
         frames: &[FixedFrame],
     ) -> Self {
-        Self::of_rows(Some(base), (convention, gravity), rows, motions, frames)
+        Self::from_motions(Some(base), (convention, gravity), rows, motions, frames)
     }
 
-    fn of_rows(
+    /// The table of rows whose joints move so, on a base that moves if there is one.
+    fn from_motions(
         base: Option<&FloatingBase>,
         (convention, gravity): (Convention, [f64; 3]),
         rows: &[Row],

@@ -107,7 +107,7 @@ impl<D: Size> Motion<'_, D> {
         t: f64,
         phase: &Phase<D>,
     ) -> Result<(Contacts<D>, Held<D>), Cause> {
-        let (contacts, held) = self.balance(contacts, t, phase)?;
+        let (contacts, held) = self.balanced_contacts(contacts, t, phase)?;
         match self.driven_back(&contacts, t, phase, &held)? {
             Some(joint) => Err(Cause::Chatter { joint }),
             None => Ok((contacts, held)),
@@ -116,7 +116,7 @@ impl<D: Size> Motion<'_, D> {
 
     /// The contacts of joints at rest, and the forces there. They stay as they are if they hold; else they are those of
     /// the one balance that there is.
-    fn balance(
+    fn balanced_contacts(
         &self,
         contacts: &Contacts<D>,
         t: f64,

@@ -121,8 +121,9 @@ impl<'g> Displaced<'g> {
         }
     }
 
-    /// The second derivatives of a force with this row of M by two velocities or two rotations of the base.
-    fn of_base(
+    /// Adds the second derivatives of a force by two velocities of the base, or by two rotations of it. `mass` is the row of M
+    /// that belongs to the force.
+    fn add_second_derivatives(
         &self,
         mass: &[Expr<'g>],
         by_position: &mut Matrix<Expr<'g>>,
@@ -192,6 +193,6 @@ pub(super) fn second<'g>(
         let slopes: Vec<Vec<_>> = (0..n).map(slope).collect();
         let by_position = &mut derivatives.by_position[i];
         base.mixed(&slopes, by_position, &mut derivatives.by_both[i]);
-        base.of_base(mass, by_position, &mut derivatives.by_velocity[i]);
+        base.add_second_derivatives(mass, by_position, &mut derivatives.by_velocity[i]);
     }
 }

@@ -69,10 +69,7 @@ const TAIL: &str = "        }
 /// Every function is explained where the notation is fixed, and listed on the macro's page.
 #[test]
 fn documents_name_every_function() {
-    for document in [
-        "../docs/NOTATION.md",
-        "../dynamics-runtime/src/robot_dynamics.md",
-    ] {
+    for document in ["../docs/NOTATION.md", "../src/robot_dynamics.md"] {
         let path = format!("{}/{document}", env!("CARGO_MANIFEST_DIR"));
         let text = std::fs::read_to_string(path).expect("the document can be read");
         for function in Function::ALL {

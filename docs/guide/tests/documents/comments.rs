@@ -7,11 +7,12 @@ use crate::sentences::{LONGEST, is_headless};
 use crate::{assert_none, files, root};
 
 /// Folders of Rust files.
-const FOLDERS: [&str; 20] = [
+const FOLDERS: [&str; 21] = [
     "src",
     "examples",
     "dynamics-runtime",
     "dynamics-functions",
+    "dynamics-items",
     "dynamics-macros",
     "dynamics-codegen",
     "dynamics-symbolic/src",

@@ -24,7 +24,7 @@ const HEADLESS: [&str; 4] = ["What ", "Those ", "That of ", "Of "];
 /// Documents for users beside the guide; `ERRATA.md` is about other people's books.
 const REFERENCE: [&str; 8] = [
     "README.md",
-    "dynamics-runtime/src/robot_dynamics.md",
+    "src/robot_dynamics.md",
     "docs/README.md",
     "docs/NOTATION.md",
     "docs/TRUST.md",

@@ -61,8 +61,8 @@ impl Scaling<'_, '_> {
         tally
     }
 
-    /// The multiplications of a tally if the sum's multiple is `x`.
-    pub(super) fn local_cost(&mut self, tally: &Tally, x: Ratio) -> usize {
+    /// The multiplications by constants that a tally counts, if its sum were computed as `x` times itself.
+    pub(super) fn cost_with_multiple(&mut self, tally: &Tally, x: Ratio) -> usize {
         let unit = magnitude(x.value);
         let first = tally.units.partition_point(|&other| other < unit);
         let same = tally.units[first..].iter();
@@ -171,9 +171,9 @@ mod tests {
         assert!(scaling.sums.len() >= 5);
         for sum in 0..scaling.sums.len() {
             let (tally, old) = (scaling.tally(sum), scaling.sums[sum].multiple.ratio);
-            let rest = scaling.total_cost() - scaling.local_cost(&tally, old);
+            let rest = scaling.total_cost() - scaling.cost_with_multiple(&tally, old);
             for ratio in scaling.ratios(sum) {
-                let local = scaling.local_cost(&tally, ratio);
+                let local = scaling.cost_with_multiple(&tally, ratio);
                 scaling.sums[sum].multiple.ratio = ratio;
                 assert_eq!(scaling.total_cost(), rest + local);
                 scaling.sums[sum].multiple.ratio = old;

@@ -97,13 +97,13 @@ impl<'g> Scaling<'_, 'g> {
     fn improve(&mut self, sum: usize, drift: bool) {
         let old = self.sums[sum].multiple;
         let tally = self.tally(sum);
-        let mut best = (self.local_cost(&tally, old.ratio), None);
+        let mut best = (self.cost_with_multiple(&tally, old.ratio), None);
         for candidate in self.candidates(sum) {
             let ratio: Ratio = self.multiple(sum, candidate);
             if ratio.value == old.ratio.value || !ratio.is_moderate() {
                 continue;
             }
-            let cost = self.local_cost(&tally, ratio);
+            let cost = self.cost_with_multiple(&tally, ratio);
             if cost < best.0 || drift && cost == best.0 && best.1.is_none() {
                 best = (cost, Some(candidate));
             }

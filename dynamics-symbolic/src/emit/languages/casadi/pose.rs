@@ -44,7 +44,7 @@ impl OfPose {
         number: usize,
     ) -> Option<String> {
         if self.function == Function::CenterOfMass {
-            return self.of_center(values, row, number);
+            return self.center_of_mass(values, row, number);
         }
         let (gravity, axis) = self.gravity(number)?;
         if matches!(
@@ -79,7 +79,14 @@ impl OfPose {
         Some((along.as_ref()?, number % 3))
     }
 
-    fn of_center(&self, values: &[Option<String>], row: usize, number: usize) -> Option<String> {
+    /// The derivative of a coordinate of the centre of mass c = p + R s by a number of the pose. That by R_ij is s_j for c_i.
+    /// `values` are the entries of the Jacobian, whose column of a turn about axis k of the base is R (e_k x s).
+    fn center_of_mass(
+        &self,
+        values: &[Option<String>],
+        row: usize,
+        number: usize,
+    ) -> Option<String> {
         let (along, axis) = (number / 3, number % 3);
         if number >= OF_ROTATION {
             return (row == number - OF_ROTATION).then(|| "1.0".to_owned());
