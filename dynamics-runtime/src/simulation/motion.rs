@@ -136,10 +136,16 @@ impl<D: Size> Motion<'_, D> {
         t: f64,
         phase: &Phase<D>,
     ) -> Result<D::Vector, Cause> {
-        if let Some(joint) = phase.first_non_finite() {
-            return Err(Cause::NonFiniteState { joint });
+        Ok(self.with_friction(contacts, phase, self.torques_of_laws(t, phase)?))
+    }
+
+    /// The torques of the laws alone.
+    #[inline]
+    fn torques_of_laws(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
+        match phase.first_non_finite() {
+            Some(joint) => Err(Cause::NonFiniteState { joint }),
+            None => self.torque.torque(t, phase),
         }
-        Ok(self.with_friction(contacts, phase, self.torque.torque(t, phase)?))
     }
 
     #[inline]
@@ -201,6 +207,22 @@ impl<D: Size> Motion<'_, D> {
         self.count(1);
         let qdd = self.robot.accelerations(phase, tau)?;
         finite(qdd)
+    }
+
+    /// The acceleration under contacts and torques of the laws.
+    // Apart from the path without contacts, which is inlined in each stage.
+    #[inline(never)]
+    fn acceleration_under(
+        &self,
+        contacts: &Contacts<D>,
+        phase: &Phase<D>,
+        tau: D::Vector,
+    ) -> Result<D::Vector, Cause> {
+        let tau = self.with_friction(contacts, phase, tau);
+        match self.still(contacts) {
+            Some(still) => Ok(self.hold(phase, &tau, &still)?.qdd),
+            None => self.free(phase, &tau),
+        }
     }
 
     /// `qdd = a + W f` with a the accelerations without the holding forces f, and W = M^-1: those of
@@ -328,12 +350,11 @@ impl<D: Size> Equations<D> for Motion<'_, D> {
     // times, and be no faster.
     #[inline(never)]
     fn acceleration(&self, t: f64, phase: &Phase<D>) -> Result<D::Vector, Cause> {
-        let contacts = self.contacts();
-        let tau = self.torques(&contacts, t, phase)?;
-        match self.still(&contacts) {
-            Some(still) => Ok(self.hold(phase, &tau, &still)?.qdd),
-            None => self.free(phase, &tau),
+        let tau = self.torques_of_laws(t, phase)?;
+        if self.friction.kind == Friction::Sign && !self.limits.matter() {
+            return self.free(phase, &tau);
         }
+        self.acceleration_under(&self.contacts(), phase, tau)
     }
 
     #[inline]
