@@ -3,12 +3,7 @@
 use std::path::Path;
 
 use dynamics_codegen::Model;
-use dynamics_symbolic::emit::{
-    CNumbers, c_project, c_source_in, casadi_requests, casadi_source, inverse_in_c,
-    inverse_in_javascript, javascript_module, matlab_files, python_module, python_module_name,
-    snake_case,
-};
-use dynamics_symbolic::proven_plan;
+use dynamics_export::{CNumbers, Error, Language, Options, files};
 
 use crate::arguments::{FileOptions, Generate};
 use crate::failure::Failure;
@@ -20,22 +15,17 @@ use crate::write::{make_folder, not_over_what_is_read, write};
 pub(crate) fn run(given: &Generate) -> Result<String, Failure> {
     let FileOptions { path, name, .. } = &given.robot.file;
     not_over_what_is_read([path], [&Some(given.out.clone()), &None])?;
-    let c = OfC {
+    let options = Options {
+        of: &path.file_name().unwrap_or_default().to_string_lossy(),
+        struct_name: name.as_deref(),
         numbers: c_numbers(given)?,
         is_project: given.project,
     };
     let mut model = read_with_names(&given.robot)?;
-    let files = match given.lang.as_str() {
-        "rust" => vec![rust(path, model, name.as_deref())?],
-        language => {
-            let mut inverses = inverses(language, path, &mut model)?;
-            // A file of inverse kinematics alone.
-            if inverses.is_empty() || !model.requests.is_empty() {
-                inverses.splice(0..0, other(language, c, path, &model)?);
-            }
-            inverses
-        }
-    };
+    if given.lang != Language::Rust {
+        leave_out(given.lang, &mut model)?;
+    }
+    let files = written(given.lang, path, model, &options)?;
     make_folder(&given.out)?;
     let contents = files.into_iter();
     let placed: Vec<_> = contents
@@ -48,27 +38,47 @@ pub(crate) fn run(given: &Generate) -> Result<String, Failure> {
     Ok(names.collect())
 }
 
-/// The expansion of the macro.
-fn rust(path: &Path, model: Model, name: Option<&str>) -> Result<(String, String), Failure> {
-    let progress = Progress::new(1);
-    progress.doing("deriving and proving the functions");
-    let of_file = path.file_name().unwrap_or_default().to_string_lossy();
-    let source = dynamics_cli::rust::source(&of_file, model, name);
+/// Names and texts of the files.
+fn written(
+    language: Language,
+    path: &Path,
+    model: Model,
+    options: &Options<'_>,
+) -> Result<Vec<(String, String)>, Failure> {
+    // The expansion of the macro derives all functions at once.
+    let progress = (language == Language::Rust).then(|| Progress::new(1));
+    if let Some(progress) = &progress {
+        progress.doing("deriving and proving the functions");
+    }
+    let files = files(language, model, options, |robot, requests| {
+        programs(path, robot, requests)
+    });
     drop(progress);
-    source.map_err(|messages| Failure::of_file(path, messages))
+    files.map_err(|error| match error {
+        Error::Programs(failure) => failure,
+        Error::Unwritten(messages) => Failure::of_file(path, messages),
+    })
 }
 
-/// The options of C.
-struct OfC {
-    numbers: CNumbers,
-    /// Whether a header for C++, a file for CMake and a test are written too.
-    is_project: bool,
+/// Leaves out of a model what is no program over numbers, and inverse kinematics unless the language has it. Remarks say so.
+fn leave_out(language: Language, model: &mut Model) -> Result<(), Failure> {
+    let written = match language.has_closed_forms() {
+        true => core::mem::take(&mut model.inverses),
+        false => Vec::new(),
+    };
+    // A file of inverse kinematics alone.
+    if written.is_empty() || !model.requests.is_empty() {
+        let kept = requests(model)?.into_iter();
+        model.requests = kept.map(|request| (request, None)).collect();
+    }
+    model.inverses = written;
+    Ok(())
 }
 
 /// The numbers of C. `--scalar`, `--sines` and `--project` are of no other language.
 fn c_numbers(given: &Generate) -> Result<CNumbers, Failure> {
     let (scalar, sines) = (&given.scalar, &given.sines);
-    let is_c = given.lang == "c";
+    let is_c = given.lang == Language::C;
     for (option, word) in [("scalar", scalar), ("sines", sines)] {
         if let (Some(word), false) = (word, is_c) {
             return Err(Failure::of_the_command_line(format!(
@@ -86,69 +96,4 @@ fn c_numbers(given: &Generate) -> Result<CNumbers, Failure> {
         scalar.as_deref() == Some("float"),
         sines.is_some(),
     ))
-}
-
-/// Names and texts of the files of inverse kinematics in closed form, in the languages that have them: they are no longer
-/// requested then.
-fn inverses(
-    language: &str,
-    path: &Path,
-    model: &mut Model,
-) -> Result<Vec<(String, String)>, Failure> {
-    if model.inverses.is_empty() || !matches!(language, "c" | "js") {
-        return Ok(Vec::new());
-    }
-    let robot = &model.robot;
-    let mut plans = Vec::new();
-    for (frame, _) in core::mem::take(&mut model.inverses) {
-        let plan = proven_plan(robot, frame).map_err(|why| {
-            let message = format!(
-                "the inverse kinematics of this arm have no closed form, because {why}; `robot-dynamics reach` solves \
-                 numerically"
-            );
-            Failure::of_file(path, message)
-        })?;
-        plans.push((frame.map(|frame| robot.frames[frame].name.as_str()), plan));
-    }
-    Ok(match language {
-        "c" => inverse_in_c(robot, &plans).to_vec(),
-        _ => vec![inverse_in_javascript(robot, &plans)],
-    })
-}
-
-/// Names and texts of the files in another language.
-fn other(
-    language: &str,
-    c: OfC,
-    path: &Path,
-    model: &Model,
-) -> Result<Vec<(String, String)>, Failure> {
-    let robot = &model.robot;
-    let requests = requests(model)?;
-    if language == "casadi" {
-        let programs = programs(path, robot, &casadi_requests(robot, &requests))?;
-        let source = casadi_source(robot, &requests, &programs);
-        return Ok(vec![(source.name, source.text)]);
-    }
-    let programs = programs(path, robot, &requests)?;
-    let name = snake_case(&robot.name);
-    Ok(match language {
-        "c" => {
-            let source = c_source_in(robot, &programs, c.numbers);
-            let mut files = vec![
-                (format!("{name}.h"), source.header),
-                (format!("{name}.c"), source.source),
-            ];
-            if c.is_project {
-                files.extend(c_project(robot, &programs, c.numbers));
-            }
-            files
-        }
-        "python" => vec![(
-            format!("{}.py", python_module_name(robot)),
-            python_module(robot, &programs),
-        )],
-        "matlab" => matlab_files(robot, &programs),
-        _ => vec![(format!("{name}.mjs"), javascript_module(robot, &programs))],
-    })
 }

@@ -16,7 +16,7 @@ mod inverse_dynamics;
 mod lint;
 mod load;
 mod measure;
-mod page_file;
+mod page;
 mod progress;
 mod reach;
 mod show;
@@ -83,7 +83,7 @@ fn output(given: &Subcommand) -> Result<String, Failure> {
         Subcommand::Convert(given) => {
             put(&given.robot.file, &given.output, &|| convert::run(given))
         }
-        Subcommand::Page(given) => put(&given.robot.file, &given.output, &|| page_file::run(given)),
+        Subcommand::Page(given) => put(&given.robot.file, &given.output, &|| page::run(given)),
         Subcommand::Lint(given) => lint::run(given),
         Subcommand::Completions(given) => put_out([], [&given.output.out, &None], || {
             Ok(arguments::completions(given))

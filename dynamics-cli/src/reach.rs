@@ -1,7 +1,7 @@
 //! The positions of the joints at which the tip or a frame has a pose.
 
-use dynamics_cli::poses::poses;
 use dynamics_evaluation::RuntimePlace;
+use dynamics_export::poses::poses;
 use dynamics_runtime::inverse_kinematics::{InverseKinematics, Reached, Target};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Rotation3, Vector3};
 use dynamics_runtime::{JointVector as _, SizedKinematics as _};

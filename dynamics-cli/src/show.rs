@@ -4,7 +4,7 @@ mod table;
 
 use std::fmt::Write as _;
 
-use dynamics_symbolic::emit::description;
+use dynamics_export::description;
 use dynamics_symbolic::formula::{Budget, Format, Formulas, MOST_JOINTS, TooLong};
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};

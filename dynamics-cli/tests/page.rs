@@ -628,7 +628,7 @@ fn motions(arm: &Arm) -> String {
     )
 }
 
-/// Pages in Chromium, by `page/test/page.mjs`: sliders move the arm, play moves time, and the numbers are those of Rust
+/// Pages in Chromium, by `dynamics-export/page/test/page.mjs`: sliders move the arm, play moves time, and the numbers are those of Rust
 /// and of the commands `inverse` and `simulate`. A phone shows all of it, and no error is reported.
 #[test]
 #[ignore = "needs Chromium and node, and takes two minutes: .ci/run runs it"]
@@ -665,7 +665,8 @@ fn pages_do_what_they_should_in_a_browser() {
     let _ = write!(cases, "{{\"pages\": [\n{}\n]}}\n", pages.join(",\n"));
     let path = folder().join("cases.json");
     std::fs::write(&path, cases).expect("a file");
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("page/test/page.mjs");
+    let script =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../dynamics-export/page/test/page.mjs");
     let mut node = Command::new("node");
     node.arg(script).arg("chromium").arg(&path);
     let output = node.output().expect("node");

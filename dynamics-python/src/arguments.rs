@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
 use crate::mask::require_unmasked;
-use crate::motion::pose_of;
+use crate::pose::pose_of;
 
 /// An argument of a function.
 pub(crate) struct Argument {

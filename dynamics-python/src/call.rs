@@ -12,7 +12,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use crate::arguments::{Given, broadcast};
 use crate::errors;
-use crate::function::Ready;
+use crate::ready::{MOST_ARGUMENTS, Ready, SHORT};
 use crate::results::{Out, Results, array};
 use dynamics_evaluation::Arrangement;
 
@@ -22,12 +22,6 @@ const DETACHED: usize = 16;
 /// The most threads of a call: more than there are processors gain nothing.
 static PROCESSORS: LazyLock<usize> =
     LazyLock::new(|| thread::available_parallelism().map_or(1, usize::from));
-
-/// The most arguments of a call without detours.
-pub(crate) const MOST_ARGUMENTS: usize = 5;
-
-/// The most numbers of all its arguments, and of its value.
-pub(crate) const SHORT: usize = 64;
 
 /// The value at one state, whose arguments are plain vectors of aligned doubles; `None` of others.
 pub(crate) fn of_one_state<'py>(

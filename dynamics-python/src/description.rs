@@ -207,6 +207,15 @@ impl Description {
         }
     }
 
+    /// The programs of all functions.
+    pub(crate) fn programs(self: &Arc<Self>, py: Python<'_>) -> PyResult<Vec<(Request, Proven)>> {
+        let programs = (0..self.functions.len()).map(|place| {
+            let derived = self.derived(py, place)?;
+            Ok((derived.request.clone(), derived.proven.clone()))
+        });
+        programs.collect()
+    }
+
     fn derive(&self, request: &Request) -> Result<Derived, String> {
         let proven = proven_program(&self.robot, request).map_err(|failure| failure.to_string())?;
         let programs = [(request.clone(), proven)];

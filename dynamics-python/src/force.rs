@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::mask::require_unmasked;
-use crate::motion::{by_rows, rows_of};
+use crate::pose::{by_rows, rows_of};
 use crate::results::array;
 
 /// After so many calls of a constant force signals such as Ctrl-C are looked for.

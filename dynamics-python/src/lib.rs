@@ -12,10 +12,13 @@ mod force;
 mod function;
 mod mask;
 mod motion;
+mod pose;
 mod questions;
 mod reach;
+mod ready;
 mod results;
 mod robot;
+mod source;
 
 use pyo3::prelude::*;
 

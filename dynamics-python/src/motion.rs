@@ -1,12 +1,12 @@
 //! Simulations, under torques that are constant or a law of Python.
 
 use dynamics_evaluation::{EvaluationError, RuntimeDynamics, RuntimeRobot};
-use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Matrix4, Vector3};
+use dynamics_runtime::nalgebra::{DVector, Dyn};
 use dynamics_runtime::simulation::{
     Cause, Dop853, DormandPrince, FreeMotion, Method, Place, Radau5, SizedSimulationError,
     SizedTrajectory, Work,
 };
-use dynamics_runtime::{Friction, Pose, Simulation};
+use dynamics_runtime::{Friction, Simulation};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -14,6 +14,7 @@ use pyo3::types::PyDict;
 use crate::arguments::require_transform;
 use crate::errors::warn_of_degrees;
 use crate::force::{Force, Wrench};
+use crate::pose::{by_rows, pose_of};
 use crate::results::array;
 use crate::robot::Arm;
 
@@ -227,24 +228,6 @@ fn ran(
             .collect(),
     };
     (motion, stopped)
-}
-
-/// The entries of a homogeneous matrix by rows.
-pub(crate) fn rows_of(matrix: &Matrix4<f64>) -> [f64; 16] {
-    core::array::from_fn(|k| matrix[(k / 4, k % 4)])
-}
-
-/// The pose of a homogeneous matrix by rows.
-pub(crate) fn pose_of(rows: &[f64]) -> Pose<f64> {
-    Pose {
-        rotation: Matrix3::from_fn(|i, j| rows[4 * i + j]),
-        position: Vector3::from_fn(|i, _| rows[4 * i + 3]),
-    }
-}
-
-/// The homogeneous matrix of a pose by rows.
-pub(crate) fn by_rows(pose: &Pose<f64>) -> [f64; 16] {
-    rows_of(&pose.homogeneous())
 }
 
 impl Motion {

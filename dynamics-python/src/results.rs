@@ -11,8 +11,8 @@ use pyo3::prelude::*;
 use pyo3::types::{PySlice, PyTuple};
 
 use crate::arguments::tuple;
-use crate::function::Ready;
 use crate::mask::require_unmasked;
+use crate::ready::Ready;
 
 /// Numbers as an array of these axes, or as a number of numpy where there are none.
 pub(crate) fn array<'py>(

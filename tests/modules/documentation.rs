@@ -4,12 +4,13 @@ use std::fs;
 use std::path::Path;
 
 /// The crates behind the facade, by the names that Rust code has for them.
-const BEHIND: [&str; 7] = [
+const BEHIND: [&str; 8] = [
     "dynamics_functions",
     "dynamics_runtime",
     "dynamics_evaluation",
     "dynamics_symbolic",
     "dynamics_codegen",
+    "dynamics_export",
     "dynamics_items",
     "dynamics_macros",
 ];

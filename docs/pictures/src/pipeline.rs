@@ -32,8 +32,8 @@ read; both become a tree, the tree a description with places in the source, and 
 mistakes. In dynamics-symbolic the robot is read as a mechanism of joints on links; derivation makes expressions of it,
 simplification a network, and building a program of operations in their order. The proof takes the Lagrangian's textbook
 definition from the robot alone, and compares it with the program at a random point modulo a prime. Then the program is
-emitted: as Rust, which runs on dynamics-runtime; as C, Python, MATLAB, JavaScript and CasADi; or as a tape for robots
-known at run time, in dynamics-evaluation.";
+emitted: as Rust, which runs on dynamics-runtime; as C, Python, MATLAB, JavaScript and CasADi, in dynamics-export; or as
+a tape for robots known at run time, in dynamics-evaluation.";
 
 fn bands(drawing: &mut Drawing) {
     let bands = [
@@ -84,7 +84,10 @@ fn boxes(drawing: &mut Drawing) {
     let wide = [230.0, 66.0];
     let words = ["methods of a struct,", "run on dynamics-runtime"];
     put([24.0, results], wide, "Rust", &words);
-    let words = ["C, Python, MATLAB,", "JavaScript, CasADi"];
+    let words = [
+        "C, Python, MATLAB, JavaScript,",
+        "CasADi, in dynamics-export",
+    ];
     put([325.0, results], wide, "other languages", &words);
     let words = ["robots known at run time,", "in dynamics-evaluation"];
     put([626.0, results], wide, "tape", &words);

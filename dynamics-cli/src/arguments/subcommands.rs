@@ -6,6 +6,7 @@ use clap::ArgAction::{Append, Set};
 use clap::{Arg, ArgGroup, Args};
 use clap_complete::Shell;
 use dynamics_codegen::files::Format as FileFormat;
+use dynamics_export::Language;
 use dynamics_symbolic::formula::Format;
 use dynamics_symbolic::robot::Convention;
 
@@ -106,8 +107,8 @@ pub(crate) struct Generate {
     #[command(flatten)]
     pub(crate) robot: RobotOptions,
     /// The language
-    #[arg(long, value_name = "LANGUAGE", value_parser = ["rust", "c", "js", "python", "matlab", "casadi"])]
-    pub(crate) lang: String,
+    #[arg(long, value_name = "LANGUAGE", value_parser = choice(Language::ALL.map(|language| (language.name(), language))))]
+    pub(crate) lang: Language,
     /// The numbers of C; `double` where this is left out
     #[arg(long, value_name = "TYPE", value_parser = ["double", "float"])]
     pub(crate) scalar: Option<String>,

@@ -14,7 +14,7 @@ use crate::arguments::Evaluate;
 use crate::failure::Failure;
 use crate::load::{arm, read_on_any_base, requests};
 use crate::state::State;
-use dynamics_cli::poses::poses;
+use dynamics_export::poses::poses;
 use labels::Labels;
 use tables::{Tables, state_table};
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use dynamics_cli::cell::text;
+use dynamics_export::cell::text;
 use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::{
     Body, Convention, Frame, JointType, Mount, Placement, Robot, Row, Value,

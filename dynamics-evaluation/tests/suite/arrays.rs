@@ -6,9 +6,9 @@ use std::fmt::Write as _;
 use std::process::Command;
 
 use dynamics_evaluation::RuntimeRobot;
+use dynamics_export::{matlab_files, python_module};
 use dynamics_runtime::Scalar;
 use dynamics_runtime::nalgebra::{Isometry3, Rotation3, Translation3};
-use dynamics_symbolic::emit::{matlab_files, python_module};
 use dynamics_symbolic::function::Argument;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_program};

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::process::Command;
 
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_symbolic::emit::{casadi_requests, casadi_source};
+use dynamics_export::{casadi_requests, casadi_source};
 use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, Proven, Request, proven_program};
 

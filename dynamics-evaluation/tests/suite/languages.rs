@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use dynamics_evaluation::{EvaluationError, RuntimeRobot, Value};
+use dynamics_export::{CNumbers, CSource, c_source, c_source_in, javascript_module};
 use dynamics_runtime::Scalar;
 use dynamics_runtime::nalgebra::Rotation3;
-use dynamics_symbolic::emit::{CNumbers, CSource, c_source, c_source_in, javascript_module};
 use dynamics_symbolic::mechanism::Mechanism;
 use dynamics_symbolic::robot::{Frame, Placement, Robot};
 use dynamics_symbolic::{Function, Proven, Request, proven_program};

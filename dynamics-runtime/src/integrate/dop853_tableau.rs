@@ -153,10 +153,10 @@ mod tests {
     /// written from these, by `UPDATE_EXPECT=1 cargo test -p dynamics-runtime --lib dop853_tableau`.
     #[test]
     fn the_page_has_the_same_digits() {
-        let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../dynamics-cli/page");
+        let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../dynamics-export/page");
         // A package of this crate has no page beside it.
         if std::path::Path::new(page).is_dir() {
-            let file = expect_file!["../../../dynamics-cli/page/src/dop853_tableau.js"];
+            let file = expect_file!["../../../dynamics-export/page/src/dop853_tableau.js"];
             file.assert_eq(&javascript());
         }
     }

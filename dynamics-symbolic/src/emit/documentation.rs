@@ -33,7 +33,7 @@ pub(super) fn documentation(
 
 /// The quantities, the units of the arguments, the base parameters, some notes, the operations, and the structure of
 /// the values: the lines that stand above formulas and errors in every language.
-pub(super) fn facts(
+pub fn facts(
     robot: &Robot,
     request: &Request,
     program: &Program,
@@ -112,7 +112,7 @@ fn errors(unresisted: &[&str]) -> String {
 }
 
 /// The joints whose pivot is the constant 0, whatever the state.
-pub(super) fn unresisted<'r>(
+pub fn unresisted<'r>(
     robot: &'r Robot,
     request: &Request,
     Proven { program, constants }: &Proven,
@@ -205,14 +205,14 @@ fn formulas_elsewhere(robot: &Robot, request: &Request) -> Vec<String> {
 }
 
 /// The formulas that are short enough to read at a method.
-pub(super) fn short_formula_lines(formulas: &Formulas) -> Vec<String> {
+pub fn short_formula_lines(formulas: &Formulas) -> Vec<String> {
     let mut line = |name: &str, too_long: TooLong| Some(format!(" {name}: {too_long}"));
     formula_lines(formulas, MOST_TERMS, &mut line)
 }
 
 /// The formulas of at most so many terms, each behind the name of its value, and what the names of sines in
 /// them mean; `longer` gives the line of a value that has more, if there is one.
-pub(super) fn formula_lines(
+pub fn formula_lines(
     formulas: &Formulas,
     most_terms: usize,
     longer: &mut dyn FnMut(&str, TooLong) -> Option<String>,

@@ -107,7 +107,7 @@ pub(super) fn input_name(robot: &Robot, symbol: &Symbol, angles: &[&Symbol]) -> 
 }
 
 /// The variables of a program's inputs.
-pub(super) fn input_names(robot: &Robot, program: &Program) -> Vec<String> {
+pub fn input_names(robot: &Robot, program: &Program) -> Vec<String> {
     let angles = program.angles();
     let inputs = program.inputs.iter();
     inputs
@@ -116,7 +116,7 @@ pub(super) fn input_names(robot: &Robot, program: &Program) -> Vec<String> {
 }
 
 /// The inputs in the order in which they are read, each with its index.
-pub(super) fn in_order(program: &Program) -> Vec<(usize, &Symbol)> {
+pub fn in_order(program: &Program) -> Vec<(usize, &Symbol)> {
     let mut inputs: Vec<_> = program.inputs.iter().enumerate().collect();
     inputs.sort_by_key(|(_, symbol)| place(symbol));
     inputs

@@ -6,7 +6,6 @@ use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints, shown, variable};
 use crate::function::{Argument, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
-use crate::program::Operand;
 use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -23,12 +22,14 @@ pub fn inverse_kinematics(
         robot,
         plan,
         writer: Writer::new(robot, &proven),
-        stages: stages(plan),
+        stages: plan.stages(),
         path,
         searches,
     };
     let [pose, solutions] = ["pose", "solutions"].map(ident);
-    let turns = turning(robot);
+    // For each joint whether it turns.
+    let joints = robot.joints();
+    let turns = joints.map(|row| row.joint_type == JointType::Revolute);
     let reads_rotation = plan.target != Target::Position;
     let elbow = (plan.target == Target::PoseAndElbow).then(|| ident("elbow"));
     let is_angle = elbow
@@ -150,7 +151,8 @@ fn method_of(
     }
 }
 
-pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
+/// The joint positions that inverse kinematics gives, and what it reads of the pose: a line behind a space.
+pub fn description_of_inverse(frame: Option<&str>, plan: &Plan) -> String {
     let frame = frame.map_or("tip".to_owned(), |frame| format!("frame `{frame}`"));
     let read = match plan.target {
         Target::Pose => "",
@@ -169,13 +171,17 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
         Target::Position => "none if it is out of reach",
         _ => "none if it is out of reach, or no rigid transform",
     };
+    format!(
+        " Inverse kinematics in closed form: all joint positions that lead the {frame} to `pose`, a homogeneous transform as \
+         `forward_kinematics` gives it, at most {most}; {none}.{read}"
+    )
+}
+
+fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
     let operations = plan.program.operations();
     let count = operations.multiplications + operations.additions + operations.divisions;
     vec![
-        format!(
-            " Inverse kinematics in closed form: all joint positions that lead the {frame} to `pose`, a homogeneous transform as \
-             `forward_kinematics` gives it, at most {most}; {none}.{read}"
-        ),
+        description_of_inverse(frame, plan),
         String::new(),
         format!(
             " Each solution has been proven to lead to the pose. Equations of one joint each, whose coefficients take {count} \
@@ -187,12 +193,6 @@ pub(super) fn documentation(frame: Option<&str>, plan: &Plan) -> Vec<String> {
     ]
 }
 
-/// For each joint whether it turns.
-pub(super) fn turning(robot: &Robot) -> impl Iterator<Item = bool> {
-    let joints = robot.joints();
-    joints.map(|row| row.joint_type == JointType::Revolute)
-}
-
 struct Method<'a> {
     robot: &'a Robot,
     plan: &'a Plan,
@@ -202,28 +202,6 @@ struct Method<'a> {
     path: &'a TokenStream,
     /// Whether the positions that a pose leaves free are searched, or it is only noted that they should be.
     searches: bool,
-}
-
-/// For each instruction the number of steps whose joints it depends on.
-pub(super) fn stages(plan: &Plan) -> Vec<usize> {
-    let program = &plan.program;
-    let of_input = |symbol: &Symbol| {
-        let mut steps = plan.steps.iter();
-        let step = steps.position(|step| step.part(symbol).is_some());
-        step.map_or(0, |step| step + 1)
-    };
-    let inputs: Vec<usize> = program.inputs.iter().map(of_input).collect();
-    let mut stages: Vec<usize> = Vec::with_capacity(program.instructions.len());
-    for instruction in &program.instructions {
-        let of_operand = |operand: &Operand| match operand {
-            Operand::Constant(_) => 0,
-            Operand::Input(index) => inputs[*index as usize],
-            Operand::Result(index) => stages[*index as usize],
-        };
-        let operands = instruction.operands();
-        stages.push(operands.iter().map(of_operand).max().unwrap_or(0));
-    }
-    stages
 }
 
 impl Method<'_> {

@@ -1,13 +1,13 @@
-//! Emission: programs as Rust methods, and in other languages.
+//! Emission: programs as Rust methods.
 //!
 //! Straight-line code, one assignment a line, generic over the runtime's `Scalar`. The same program has the same
-//! tokens each time.
+//! tokens each time. Other languages (`dynamics-export`) write the same lines: names of variables, the order of inputs,
+//! pivots and the lines of documentation are public for them.
 
 mod body;
 mod documentation;
 mod inputs;
 mod inverse;
-mod languages;
 mod names;
 mod parameters;
 mod parts;
@@ -16,14 +16,13 @@ mod polynomial;
 mod series;
 mod signature;
 
-pub use documentation::{meanings, quantities};
-pub use inverse::{inverse_kinematics, stub_of_inverse};
-pub use languages::{
-    CNumbers, CSource, CasadiSource, c_project, c_source, c_source_in, casadi_requests,
-    casadi_source, description, inverse_in_c, inverse_in_javascript, javascript_module,
-    matlab_files, python_module, python_module_name, snake_case,
+pub use documentation::{
+    facts, formula_lines, meanings, quantities, short_formula_lines, unresisted,
 };
-pub use names::{field, shown, visible};
+pub use inputs::{in_order, input_names};
+pub use inverse::{description_of_inverse, inverse_kinematics, stub_of_inverse};
+pub use names::{field, line_names, shown, visible};
+pub use pivots::pivots;
 pub use signature::{
     Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub,
     stub_of_function, stub_of_trait,

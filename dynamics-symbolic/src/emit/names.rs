@@ -58,7 +58,7 @@ pub fn field(name: &str) -> Ident {
 }
 
 /// The variables of the results that have a line.
-pub(super) fn line_names(lines: &[Option<Line>]) -> Vec<Option<String>> {
+pub fn line_names(lines: &[Option<Line>]) -> Vec<Option<String>> {
     let mut count = 0;
     let name = |line: &Option<Line>| {
         line.map(|_| {

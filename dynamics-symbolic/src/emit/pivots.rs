@@ -5,7 +5,7 @@ use crate::program::{Output, Program};
 
 /// The degree of freedom of each pivot, the pivot and the diagonal entry that it is tested against, from the tip inwards. Two
 /// functions of one program may have the same pivots: they are tested once.
-pub(super) fn pivots(
+pub fn pivots(
     freedoms: Freedoms,
     request: &Request,
     program: &Program,

@@ -77,7 +77,7 @@ impl Step {
     }
 
     /// The function that solves it.
-    pub(crate) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         self.row().0
     }
 
@@ -92,7 +92,7 @@ impl Step {
     }
 
     /// The part of its solution that a symbol of the program stands for; `None` of another step's.
-    pub(crate) fn part(self, symbol: &Symbol) -> Option<&'static str> {
+    pub fn part(self, symbol: &Symbol) -> Option<&'static str> {
         match (self, symbol) {
             (Step::Joint(joint, _), Symbol::Sine(i) | Symbol::Position(i)) if *i == joint => {
                 Some("sine")
@@ -108,12 +108,12 @@ impl Step {
 
 impl Plan {
     /// The program of a plan that was proven, with rounded constants.
-    pub(crate) fn proven(&self) -> Proven {
+    pub fn proven(&self) -> Proven {
         Proven::rounding(self.program.clone())
     }
 
     /// The place of an entry of the pose, one of the first twelve: its row and its column.
-    pub(crate) fn place_in_pose(entry: usize) -> (usize, usize) {
+    pub fn place_in_pose(entry: usize) -> (usize, usize) {
         if entry < 9 {
             (entry / 3, entry % 3)
         } else {
@@ -147,7 +147,7 @@ impl Plan {
     }
 
     /// The joints whose families ask how far the equation of a step is from having a solution.
-    pub(crate) fn families_before(&self, step: usize) -> Vec<usize> {
+    pub fn families_before(&self, step: usize) -> Vec<usize> {
         let earlier = self.steps[..step].iter().enumerate();
         let joints = earlier.filter_map(|(k, step)| match step {
             Step::Joint(joint, _) if self.has_family(k) => Some(*joint),
@@ -159,14 +159,14 @@ impl Plan {
 
     /// Whether other positions of a joint, where a pose leaves it free, may decide if the equation of a later one has a
     /// solution: that of a step reads it.
-    pub(crate) fn has_family(&self, step: usize) -> bool {
+    pub fn has_family(&self, step: usize) -> bool {
         let turns = matches!(self.steps[step], Step::Joint(_, Rule::Turn | Rule::Turns));
         let mut later = step + 1..self.steps.len();
         turns && later.any(|k| self.may_fail(k) && self.reads(k, step))
     }
 
     /// Whether any joint has a family.
-    pub(crate) fn has_families(&self) -> bool {
+    pub fn has_families(&self) -> bool {
         (0..self.steps.len()).any(|step| self.has_family(step))
     }
 
@@ -194,8 +194,30 @@ impl Plan {
     }
 
     /// The inputs of the program that are parts of a step's solution, by their indices, each with the name of that part.
-    pub(crate) fn inputs_of(&self, step: Step) -> impl Iterator<Item = (usize, &'static str)> {
+    pub fn inputs_of(&self, step: Step) -> impl Iterator<Item = (usize, &'static str)> {
         let inputs = self.program.inputs.iter().enumerate();
         inputs.filter_map(move |(index, symbol)| Some((index, step.part(symbol)?)))
+    }
+
+    /// For each instruction the number of steps whose joints it depends on.
+    pub fn stages(&self) -> Vec<usize> {
+        let program = &self.program;
+        let of_input = |symbol: &Symbol| {
+            let mut steps = self.steps.iter();
+            let step = steps.position(|step| step.part(symbol).is_some());
+            step.map_or(0, |step| step + 1)
+        };
+        let inputs: Vec<usize> = program.inputs.iter().map(of_input).collect();
+        let mut stages: Vec<usize> = Vec::with_capacity(program.instructions.len());
+        for instruction in &program.instructions {
+            let of_operand = |operand: &Operand| match operand {
+                Operand::Constant(_) => 0,
+                Operand::Input(index) => inputs[*index as usize],
+                Operand::Result(index) => stages[*index as usize],
+            };
+            let operands = instruction.operands();
+            stages.push(operands.iter().map(of_operand).max().unwrap_or(0));
+        }
+        stages
     }
 }

@@ -130,7 +130,7 @@ impl Proven {
     }
 
     /// The same for a compiler that keeps the order of lines.
-    pub(crate) fn ordered(&self) -> Self {
+    pub fn ordered(&self) -> Self {
         Proven {
             program: self.program.ordered(),
             constants: self.constants.clone(),

@@ -1,6 +1,5 @@
 //! The text of generated code: readable, and the same each time.
 
-use super::formulas::two_link_craig;
 use dynamics_symbolic::robot::{Robot, Value};
 use dynamics_symbolic::{Function, Request, expand};
 use expect_test::expect_file;
@@ -35,7 +34,7 @@ fn two_link_arm_with_numbers() {
 
 #[test]
 fn two_link_arm_with_parameters() {
-    let text = text(&two_link_craig(), &Function::default_set(false));
+    let text = text(&arms::two_link_craig(), &Function::default_set(false));
     expect_file!["../golden/two_link_craig.rs"].assert_eq(&text);
 }
 
@@ -133,7 +132,7 @@ fn no_division_by_a_parameter_is_invented() {
     elbow.gravity = [0, 1, 2].map(Value::field);
     elbow.rows[2].mass = Value::field(3);
     elbow.rows[2].com[0] = Value::field(4);
-    for robot in [elbow, two_link_craig()] {
+    for robot in [elbow, arms::two_link_craig()] {
         for method in expand(&robot, &Function::ALL, &quote!(path)).expect("proven") {
             let divides = |function: Function| function.has_pivots() || function.divides_by_mass();
             assert!(

@@ -12,18 +12,6 @@ const BUDGET: Budget = Budget {
     products: 20_000,
 };
 
-/// The arm of Craig's (6.60) to (6.62): two links with point masses at their ends.
-pub(crate) fn two_link_craig() -> Robot {
-    let mut robot = arms::robot("two_link_craig");
-    robot.fields = ["m1", "m2", "l1", "l2", "g"].map(str::to_owned).to_vec();
-    for (row, (mass, length)) in robot.rows.iter_mut().zip([(0, 2), (1, 3)]) {
-        row.mass = Value::field(mass);
-        row.a = Value::field(length);
-    }
-    robot.gravity[1] = -Value::field(4);
-    robot
-}
-
 /// Saha's: two uniform rods, with the centres of mass in their middles.
 fn two_link_saha() -> Robot {
     let mut robot = arms::robot("two_link_saha");
@@ -72,7 +60,10 @@ fn equations_of_craig() {
         "G1 = l1 g (m1 + m2) c1 + m2 l2 g c12",
         "G2 = m2 l2 g c12",
     ];
-    assert_eq!(lines(&two_link_craig(), &TERMS, Format::Text), expected);
+    assert_eq!(
+        lines(&arms::two_link_craig(), &TERMS, Format::Text),
+        expected
+    );
 }
 
 /// With i = 1/12 m a^2 about the centres of mass: 1/4 + 1/12 = 1/3.
@@ -111,7 +102,7 @@ fn squares_of_sums_of_angles() {
 /// The formulas are read back and evaluated beside the program.
 #[test]
 fn formulas_are_what_is_computed() {
-    let mut robots = vec![two_link_craig(), two_link_saha()];
+    let mut robots = vec![arms::two_link_craig(), two_link_saha()];
     robots.extend(
         arms::NAMES
             .iter()
@@ -148,7 +139,11 @@ fn formulas_are_what_is_computed() {
 
 #[test]
 fn latex_compiles() {
-    for robot in [two_link_craig(), two_link_saha(), arms::robot("elbow_3r")] {
+    for robot in [
+        arms::two_link_craig(),
+        two_link_saha(),
+        arms::robot("elbow_3r"),
+    ] {
         for line in lines(&robot, &TERMS, Format::Latex) {
             let storage = pulldown_latex::Storage::new();
             let parser = pulldown_latex::Parser::new(&line, &storage);
@@ -163,7 +158,7 @@ fn latex_compiles() {
 /// Every element that is opened is closed, in order.
 #[test]
 fn mathml_is_well_formed() {
-    for line in lines(&two_link_craig(), &TERMS, Format::MathMl) {
+    for line in lines(&arms::two_link_craig(), &TERMS, Format::MathMl) {
         let mut open = Vec::new();
         for tag in line.split('<').skip(1) {
             let tag = tag.split_once('>').expect("a tag ends").0;
@@ -178,7 +173,7 @@ fn mathml_is_well_formed() {
 
 #[test]
 fn a_formula_that_is_too_long_says_how_long() {
-    let robot = two_link_craig();
+    let robot = arms::two_link_craig();
     let program = derive(&robot, Function::MassMatrix);
     let formulas = Formulas::new(&robot, &[Function::MassMatrix.into()], &program, BUDGET);
     let shown = formulas.shown(Format::Text, 2);
@@ -205,7 +200,7 @@ fn a_formula_that_is_too_long_says_how_long() {
 /// the sums that they belong to.
 #[test]
 fn odd_constant_angles() {
-    let mut robot = two_link_craig();
+    let mut robot = arms::two_link_craig();
     robot.rows[0].alpha = arms::decimal(0.3);
     robot.rows[1].mass = Value::integer(2);
     let of_mass = lines(&robot, &[Function::MassMatrix], Format::Text);
@@ -223,7 +218,7 @@ fn odd_constant_angles() {
 /// Fields that look like short names keep theirs: sines are then written out.
 #[test]
 fn a_field_that_is_called_as_a_sine() {
-    let mut robot = two_link_craig();
+    let mut robot = arms::two_link_craig();
     robot.fields[0] = "c1".to_owned();
     let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
     let expected = "G1 = l1 g (c1 + m2) cos(q1) + m2 l2 g cos(q1 + q2)";
@@ -234,7 +229,7 @@ fn a_field_that_is_called_as_a_sine() {
 /// pose of a base that moves.
 #[test]
 fn a_field_that_is_called_as_an_input() {
-    let mut robot = two_link_craig();
+    let mut robot = arms::two_link_craig();
     robot.fields[2] = "qd1".to_owned();
     let of_velocity = lines(&robot, &[Function::CoriolisVector], Format::Text);
     let expected = "V2 = m2 self.qd1 l2 sin(q2) qd1^2";
@@ -248,7 +243,7 @@ fn a_field_that_is_called_as_an_input() {
     let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
     assert_eq!(of_gravity[0], "G1 = 9.81 self.r31 r31");
     // An arm's formulas have no such number.
-    let mut robot = two_link_craig();
+    let mut robot = arms::two_link_craig();
     robot.fields[0] = "r31".to_owned();
     let of_gravity = lines(&robot, &[Function::GravityVector], Format::Text);
     assert_eq!(of_gravity[0], "G1 = l1 g (r31 + m2) c1 + m2 l2 g c12");

@@ -1,19 +1,16 @@
 //! Functions of frames: what the proof takes and refuses, what they cost, and their text.
 
+use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::{derive, derive_plain, derive_together};
-use dynamics_symbolic::emit::{c_source, javascript_module};
 use dynamics_symbolic::function::{Part, Request};
 use dynamics_symbolic::program::Program;
 use dynamics_symbolic::prove::{Assignment, Cause, Number, prove, prove_together};
-use dynamics_symbolic::robot::{
-    Base, Body, Carrier, Convention, Coupling, Frame, JointType, Placement, Robot, Row, Value,
-};
-use dynamics_symbolic::{Function, proven_program};
+use dynamics_symbolic::robot::{Base, Coupling, Frame, Placement, Robot, Value};
 use expect_test::expect_file;
 
 use crate::damage::refused;
 use crate::emission::text;
-use crate::trees::{at, of_tip, ratio, tree_of_five, vector, y_tree};
+use crate::trees::{at, of_tip, ratio, tree_of_five, vector};
 
 fn of_frame(function: Function, frame: usize) -> Part {
     let frame = Some(frame);
@@ -167,65 +164,15 @@ fn joints_that_do_not_carry_a_frame_cost_nothing() {
     }
 }
 
-/// Two fingers beside each other, each with a frame at its end, of which the right one has a body.
-fn fingers() -> Robot {
-    let [width, length] = [0, 1].map(Value::field);
-    let along = |x: Value| [x, Value::zero(), Value::zero()];
-    let row = |name: &str| Row {
-        mass: Value::integer(2),
-        ..Row::new(name, JointType::Revolute)
-    };
-    let right = Row {
-        on: Carrier::Base,
-        at: at(along(width)),
-        ..row("right")
-    };
-    let body = Body {
-        mass: Value::integer(1),
-        com: vector([0; 3]),
-        inertia: [(); 6].map(|()| Value::zero()),
-    };
-    let frame = |name: &str, on: usize, body: Option<Body>| Frame {
-        name: name.to_owned(),
-        on: Some(on),
-        places: at(along(length.clone())),
-        body,
-    };
-    Robot {
-        name: "Fingers".to_owned(),
-        fields: ["width", "length"].map(str::to_owned).to_vec(),
-        rows: vec![row("left"), right],
-        frames: vec![
-            frame("Left tip", 0, None),
-            frame("Right tip", 1, Some(body)),
-        ],
-        gravity: vector([0, 0, -20]),
-        ..y_tree(Convention::Modified)
-    }
-}
-
-fn requests() -> Vec<Request> {
+#[test]
+fn functions_of_frames_have_text() {
     let of_jacobian = |frame| of_frame(Function::Jacobian, frame);
     let parts = [Function::MassMatrix.into(), of_jacobian(0), of_jacobian(1)];
-    vec![
+    let requests = [
         Request::of_frame(Function::ForwardKinematics, 1, "Right tip"),
         Request::of_frame(Function::Jacobian, 0, "Left tip"),
         Request::of_frame(Function::WrenchTorques, 1, "Right tip"),
         Request::fused("pinch", parts),
-    ]
-}
-
-#[test]
-fn frames_have_text_in_all_languages() {
-    let (robot, requests) = (fingers(), requests());
-    expect_file!["../golden/fingers.rs"].assert_eq(&text(&robot, &requests));
-    let program = |request: Request| {
-        let program = proven_program(&robot, &request).expect("proven");
-        (request, program)
-    };
-    let programs: Vec<_> = requests.into_iter().map(program).collect();
-    let files = c_source(&robot, &programs);
-    expect_file!["../golden/fingers.h"].assert_eq(&files.header);
-    expect_file!["../golden/fingers.c"].assert_eq(&files.source);
-    expect_file!["../golden/fingers.mjs"].assert_eq(&javascript_module(&robot, &programs));
+    ];
+    expect_file!["../golden/fingers.rs"].assert_eq(&text(&arms::fingers(), &requests));
 }

@@ -20,7 +20,6 @@ mod functions;
 mod fused;
 mod invariances;
 mod inverse;
-mod languages;
 mod mounts;
 mod neglect;
 mod proof;

@@ -7,7 +7,7 @@ use crate::sentences::{LONGEST, is_headless};
 use crate::{assert_none, files, root};
 
 /// Folders of Rust files.
-const FOLDERS: [&str; 21] = [
+const FOLDERS: [&str; 22] = [
     "src",
     "examples",
     "dynamics-runtime",
@@ -17,6 +17,7 @@ const FOLDERS: [&str; 21] = [
     "dynamics-codegen",
     "dynamics-symbolic/src",
     "dynamics-symbolic/tests",
+    "dynamics-export",
     "dynamics-evaluation",
     "dynamics-cli",
     "dynamics-python/src",
