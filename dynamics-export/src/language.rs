@@ -62,7 +62,7 @@ impl Language {
         all.find(|language| language.name() == name)
     }
 
-    /// What the names of its sources end in: `mjs`.
+    /// The end of the names of its sources: `mjs`.
     pub const fn extension(self) -> &'static str {
         self.row().extension
     }

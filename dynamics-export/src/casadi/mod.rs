@@ -6,11 +6,13 @@
 //! has these two alone (`solved`).
 //!
 //! `derivatives` says which programs have the derivatives of a function, `blocks` puts their values where CasADi
-//! expects them and sums them with weights, `calls` says where these sums read them, `interface` has names, patterns of
-//! entries in compressed columns, and room; `function` writes one function of all that, and `text` what stands around them.
-//! Outputs that are the constant zero are no part of a pattern. `pose` makes derivatives by the pose of a base of those
-//! that programs have. A block of derivatives that no program has, by symbolic parameters, is full of NaN and not left
-//! out: CasADi would take what is left out as zero. `casadi_requests` names the programs that must be derived besides.
+//! expects them and sums them with weights, and `calls` says where these sums read them. `pose` makes derivatives by the
+//! pose of a base of those that programs have. `function` writes one function of the file, `text` what stands around all,
+//! and `interface` names, patterns of entries in compressed columns, and room.
+//!
+//! Outputs that are the constant zero are no part of a pattern. A block of derivatives that no program has, by symbolic
+//! parameters, is full of NaN and not left out: CasADi would take what is left out as zero. `casadi_requests` names the
+//! programs that must be derived besides.
 
 mod blocks;
 mod calls;

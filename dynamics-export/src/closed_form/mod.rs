@@ -1,5 +1,5 @@
 //! Inverse kinematics in closed form as C99 and JavaScript, each in a file of its own with the functions that solve its
-//! equations: a loop over the solutions of each step inside that of the step before, as the Rust method has it.
+//! equations. It is a loop over the solutions of each step inside that of the step before, as the Rust method has it.
 
 mod c;
 mod javascript;
