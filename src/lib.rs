@@ -44,7 +44,10 @@
 //!
 //! | feature | default | what it adds |
 //! |---|---|---|
-//! | `std` | yes | simulation, checks, batches. Without it neither the standard library nor an allocator is needed |
+//! | `std` | yes | all of the next three |
+//! | `batch` | in `std` | batches, and functions by the standard library: all that torques in a loop need. Without it neither the standard library nor an allocator is needed |
+//! | `numeric` | in `std` | [`NewtonEuler`], inverse kinematics by iteration and [`layouts`], from the table alone; with `batch` checks |
+//! | `simulation` | in `std` | [`Simulation`], its methods and trajectories |
 //! | `nalgebra-std` | yes | all of nalgebra: aligned columns of printed matrices, exponentials of matrices, fast products of large ones; a seventh of a first build |
 //! | `files` | yes | `file:` in a call: the readers of TOML, JSON and URDF, three seconds of the macro's build |
 //! | `rayon` | | batches on all cores: `par_NAME_batch` |
@@ -68,28 +71,38 @@
 //! ```
 //!
 //! It runs again after each edit of the crate in which the call stands: put robots into a crate of their own.
-#![cfg_attr(not(feature = "std"), no_std)]
+#![cfg_attr(not(feature = "batch"), no_std)]
 #![forbid(unsafe_code)]
 
 // The names that the documentation shows; generated code names others besides.
-#[cfg(feature = "plot")]
+#[cfg(feature = "numeric")]
 #[doc(inline)]
-pub use dynamics_runtime::plot;
+pub use dynamics_numeric::{
+    FloatingNewtonEuler, InverseKinematics, NewtonEuler, NumericArm, NumericFloating,
+    inverse_kinematics, layouts,
+};
+#[cfg(all(feature = "numeric", feature = "batch"))]
+#[doc(inline)]
+pub use dynamics_numeric::{check, check_against_rnea};
 #[doc(hidden)]
 pub use dynamics_runtime::*;
 #[doc(inline)]
 pub use dynamics_runtime::{
     AccelerationDerivatives, Certified, Conditioning, CoriolisVector, Cycloidal, DoubleDouble,
-    Energy, FloatingNewtonEuler, FloatingState, Formula, ForwardDynamics, GravityVector,
-    InverseDynamics, InverseKinematics, Kinematics, MassMatrix, Model, NewtonEuler, NumericArm,
-    NumericFloating, Operations, Pose, Scalar, SecondDerivatives, SharedSines, SingularMassMatrix,
-    Size, State, certified, closed_form, inverse_kinematics, layouts, nalgebra, table,
+    Energy, FloatingState, Formula, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
+    MassMatrix, Model, Operations, Pose, Scalar, SecondDerivatives, SharedSines,
+    SingularMassMatrix, Size, State, certified, closed_form, nalgebra, table,
 };
-#[cfg(feature = "std")]
+#[cfg(feature = "batch")]
 #[doc(inline)]
-pub use dynamics_runtime::{
-    Batch, Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory, batch,
-    check, check_against_rnea, simulation,
+pub use dynamics_runtime::{Batch, batch};
+#[cfg(feature = "plot")]
+#[doc(inline)]
+pub use dynamics_simulation::plot;
+#[cfg(feature = "simulation")]
+#[doc(inline)]
+pub use dynamics_simulation::{
+    Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory, simulation,
 };
 
 #[doc = include_str!("robot_dynamics.md")]

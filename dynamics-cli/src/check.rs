@@ -27,7 +27,7 @@ pub(crate) fn run(given: &Check) -> Result<String, Failure> {
     let asked = requests(&model)?;
     let mut checked = arm(path, &model.robot, &asked)?;
     let mut text = numbers_of_its_own(&mut checked)?;
-    let check = dynamics_runtime::check::Check::new().samples(given.samples);
+    let check = dynamics_numeric::check::Check::new().samples(given.samples);
     let progress = Progress::new(1);
     progress.doing("comparing with Newton-Euler");
     let report = check.run_any(&checked);

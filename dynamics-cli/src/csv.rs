@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use dynamics_codegen::description::Place;
 use dynamics_codegen::files;
 use dynamics_runtime::nalgebra::Dyn;
-use dynamics_runtime::simulation::{CsvMistake, SizedModel, SizedTrajectory};
+use dynamics_simulation::simulation::{CsvMistake, SizedModel, SizedTrajectory};
 use dynamics_symbolic::robot::Robot;
 
 use crate::failure::Failure;
 use crate::state::note_degrees;
 use crate::write::write;
 
-pub(crate) use dynamics_runtime::simulation::shortest;
+pub(crate) use dynamics_simulation::simulation::shortest;
 
 /// Bytes of a file that is read: 100,000 rows of seven joints have about 15 million.
 const MOST_BYTES: usize = 100_000_000;

@@ -2,7 +2,7 @@
 
 use dynamics_evaluation::RuntimePlace;
 use dynamics_export::poses::poses;
-use dynamics_runtime::inverse_kinematics::{InverseKinematics, Reached, Target};
+use dynamics_numeric::inverse_kinematics::{InverseKinematics, Reached, Target};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Rotation3, Vector3};
 use dynamics_runtime::{JointVector as _, SizedKinematics as _};
 use dynamics_symbolic::robot::{JointType, Robot};

@@ -1,8 +1,8 @@
 //! The motion of an arm.
 
 use dynamics_runtime::nalgebra::{DVector, Dyn};
-use dynamics_runtime::simulation::{Cause, DormandPrince, Place, SizedSimulationError};
-use dynamics_runtime::{Friction, Simulation};
+use dynamics_simulation::simulation::{Cause, DormandPrince, Place, SizedSimulationError};
+use dynamics_simulation::{Friction, Simulation};
 use dynamics_symbolic::Function;
 
 use crate::arguments::Simulate;

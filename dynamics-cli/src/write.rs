@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 
-use dynamics_runtime::replace_files;
+use dynamics_simulation::replace_files;
 
 use crate::failure::Failure;
 

@@ -1,11 +1,8 @@
 //! A robot at run time as checks take it.
 
+use dynamics_numeric::check::{Checked, Evaluation};
 use dynamics_runtime::nalgebra::{DVector, Dyn};
-use dynamics_runtime::{
-    Certified, Pose, Scalar, SizedState,
-    check::{Checked, Evaluation},
-    table::RuntimeTable,
-};
+use dynamics_runtime::{Certified, Pose, Scalar, SizedState, table::RuntimeTable};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::function::{Argument, Part, frame_in_methods};
 

@@ -8,10 +8,10 @@
 use core::fmt;
 use core::ops::Range;
 
+use dynamics_numeric::check::base_parameter_map_any;
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
 use dynamics_runtime::{
     StandardParameters,
-    check::base_parameter_map_any,
     table::{Convention, JointType, Row, RuntimeTable},
 };
 use dynamics_symbolic::exact::SplitMix64;

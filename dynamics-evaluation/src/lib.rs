@@ -27,7 +27,9 @@ mod tape;
 mod validate;
 mod value;
 
+pub use dynamics_numeric;
 pub use dynamics_runtime;
+pub use dynamics_simulation;
 
 pub use error::{BuildError, EvaluationError, UnknownField};
 pub use file::{FileError, FileMistake, ReadOptions};

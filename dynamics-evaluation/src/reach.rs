@@ -1,18 +1,18 @@
 //! A frame of a robot at run time, as numeric inverse kinematics and forces of the surroundings take it.
 
+use dynamics_numeric::inverse_kinematics::SizedTable;
 use dynamics_runtime::SizedKinematics;
-use dynamics_runtime::inverse_kinematics::SizedTable;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Matrix6xX};
-use dynamics_runtime::simulation::Place;
 use dynamics_runtime::table::RuntimeTable;
+use dynamics_simulation::simulation::Place;
 use dynamics_symbolic::Function;
 
 use crate::compiled::Compiled;
 use crate::{EvaluationError, RuntimeRobot};
 
 /// The tip of a [`RuntimeRobot`], or one of its frames: what
-/// [`InverseKinematics`](dynamics_runtime::InverseKinematics) needs of it, and a force at it in a
-/// [`Simulation`](dynamics_runtime::Simulation). Vectors are `DVector<f64>`. Inverse kinematics takes a base that moves to stand in
+/// [`InverseKinematics`](dynamics_numeric::InverseKinematics) needs of it, and a force at it in a
+/// [`Simulation`](dynamics_simulation::Simulation). Vectors are `DVector<f64>`. Inverse kinematics takes a base that moves to stand in
 /// the frame of the world.
 #[derive(Clone, Debug)]
 pub struct RuntimePlace<'a> {
@@ -99,7 +99,7 @@ impl RuntimePlace<'_> {
         values.unwrap_or_else(|_| vec![f64::NAN; function.layout.entries()])
     }
 
-    /// The pose and the Jacobian where the robot is: what [`wrench_at`](dynamics_runtime::Simulation::wrench_at) needs. The
+    /// The pose and the Jacobian where the robot is: what [`wrench_at`](dynamics_simulation::Simulation::wrench_at) needs. The
     /// columns of a base that moves come first.
     pub fn at(&self, place: &Place<Dyn>) -> (Matrix4<f64>, Matrix6xX<f64>) {
         let pose = Matrix4::from_column_slice(&self.entries(self.pose, place));

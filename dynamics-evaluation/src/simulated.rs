@@ -1,18 +1,15 @@
 //! A robot at run time as simulations take it: its number of joints is known at run time alone.
 
 use dynamics_runtime::nalgebra::{DMatrix, DVector, Dyn};
-use dynamics_runtime::{
-    Dual, Pose, Scalar, SingularMassMatrix, SizedMomenta,
-    simulation::{EquationsOfMotion, Place, Responses, SizedModel},
-    table::RuntimeTable,
-};
+use dynamics_runtime::{Dual, Pose, Scalar, SingularMassMatrix, SizedMomenta, table::RuntimeTable};
+use dynamics_simulation::simulation::{EquationsOfMotion, Place, Responses, SizedModel};
 use dynamics_symbolic::Function;
 
 use crate::compiled::Compiled;
 use crate::{EvaluationError, RuntimeRobot};
 
 /// A [`RuntimeRobot`] that has the functions by which it moves, as
-/// [`Simulation`](dynamics_runtime::Simulation) needs them: vectors are `DVector<f64>`, and laws are given a
+/// [`Simulation`](dynamics_simulation::Simulation) needs them: vectors are `DVector<f64>`, and laws are given a
 /// [`Place`].
 ///
 /// A force at the tip or at a frame is that of a [`RuntimeRobot::place`].
@@ -45,7 +42,7 @@ impl RuntimeRobot {
         OF_SIMULATIONS.map(Function::name)
     }
 
-    /// The robot with its motion, which [`Simulation`](dynamics_runtime::Simulation) takes.
+    /// The robot with its motion, which [`Simulation`](dynamics_simulation::Simulation) takes.
     ///
     /// ```
     /// # mod robot_dynamics {

@@ -1,6 +1,6 @@
 //! Arguments: arrays of any shape, strides and kind of numbers, read as rows of doubles.
 
-use dynamics_runtime::simulation::InvalidSetting;
+use dynamics_simulation::simulation::InvalidSetting;
 use numpy::{
     PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
 };

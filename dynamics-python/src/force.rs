@@ -3,7 +3,7 @@
 use std::cell::{Cell, RefCell};
 
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector6};
-use dynamics_runtime::simulation::Place;
+use dynamics_simulation::simulation::Place;
 use numpy::PyArray1;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

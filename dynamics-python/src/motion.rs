@@ -2,11 +2,11 @@
 
 use dynamics_evaluation::{EvaluationError, RuntimeDynamics, RuntimeRobot};
 use dynamics_runtime::nalgebra::{DVector, Dyn};
-use dynamics_runtime::simulation::{
+use dynamics_simulation::simulation::{
     Cause, Dop853, DormandPrince, FreeMotion, Method, Place, Radau5, SizedSimulationError,
     SizedTrajectory, Work,
 };
-use dynamics_runtime::{Friction, Simulation};
+use dynamics_simulation::{Friction, Simulation};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

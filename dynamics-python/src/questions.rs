@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use dynamics_export::page;
-use dynamics_runtime::check::Check;
+use dynamics_numeric::check::Check;
 use dynamics_symbolic::Request;
 use dynamics_symbolic::formula::{Budget, Format, Formulas};
 use pyo3::exceptions::PyValueError;

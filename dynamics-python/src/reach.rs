@@ -1,8 +1,9 @@
 //! Numeric inverse kinematics.
 
-use dynamics_runtime::inverse_kinematics::{NotReached, Places, Reached, Target};
+use dynamics_numeric::InverseKinematics;
+use dynamics_numeric::inverse_kinematics::{NotReached, Places, Reached, Target};
+use dynamics_runtime::SizedKinematics as _;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix3, Vector3};
-use dynamics_runtime::{InverseKinematics, SizedKinematics as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

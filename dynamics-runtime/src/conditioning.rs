@@ -46,7 +46,8 @@ impl Conditioning {
     }
 
     /// The same of M(q) of an arm of any size.
-    pub(crate) fn of_joints<M>(joints: usize, mass_matrix: &M) -> Self
+    #[doc(hidden)]
+    pub fn of_joints<M>(joints: usize, mass_matrix: &M) -> Self
     where
         M: Clone + IndexMut<(usize, usize), Output = f64>,
     {

@@ -7,7 +7,7 @@ use crate::size::JointVector;
 /// `a + b` rounded, and what the rounding has left out (2Sum: D. E. Knuth, *The Art of Computer
 /// Programming* 2, theorem 4.2.2 B).
 #[inline(always)]
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let part = sum - a;
     (sum, (a - (sum - part)) + (b - part))
@@ -16,7 +16,7 @@ pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
 /// The same of every entry.
 #[cfg(feature = "std")]
 #[inline(always)]
-pub(crate) fn two_sums<V: JointVector>(a: &V, b: &V) -> (V, V) {
+pub fn two_sums<V: JointVector>(a: &V, b: &V) -> (V, V) {
     let size = a.entries().len();
     let sums = |part: fn((f64, f64)) -> f64| V::from_entries(size, |i| part(two_sum(a[i], b[i])));
     (sums(|(sum, _)| sum), sums(|(_, rest)| rest))

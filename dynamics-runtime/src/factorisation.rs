@@ -48,7 +48,7 @@ impl<T: Scalar, const N: usize> Factors<T, N> {
 
 /// Turns M of so many rows into U; `diagonal`, which is that of M, becomes the inverse of the pivots.
 #[inline(always)]
-pub(crate) fn factor<T: Scalar>(
+pub fn factor<T: Scalar>(
     size: usize,
     m: &mut impl IndexMut<(usize, usize), Output = T>,
     diagonal: &mut impl IndexMut<usize, Output = T>,
@@ -64,7 +64,7 @@ pub(crate) fn factor<T: Scalar>(
 
 /// Turns b into x with M x = b.
 #[inline(always)]
-pub(crate) fn substitute<T: Scalar>(
+pub fn substitute<T: Scalar>(
     size: usize,
     upper: &impl Index<(usize, usize), Output = T>,
     inverse_pivots: &impl Index<usize, Output = T>,
@@ -102,7 +102,7 @@ pub(crate) fn eliminate<T: Scalar>(
 }
 
 /// The same for an arm of any size, in doubles.
-pub(crate) struct JointFactors<M: JointMatrix> {
+pub struct JointFactors<M: JointMatrix> {
     upper: M,
     inverse_pivots: M::Vector,
 }
@@ -110,7 +110,7 @@ pub(crate) struct JointFactors<M: JointMatrix> {
 impl<M: JointMatrix> JointFactors<M> {
     /// Factors M of so many joints.
     #[inline(always)]
-    pub(crate) fn new(size: usize, mut m: M) -> Result<Self, SingularMassMatrix> {
+    pub fn new(size: usize, mut m: M) -> Result<Self, SingularMassMatrix> {
         let mut inverse_pivots = M::Vector::from_entries(size, |i| m[(i, i)]);
         factor(size, &mut m, &mut inverse_pivots)?;
         Ok(JointFactors {
@@ -121,7 +121,7 @@ impl<M: JointMatrix> JointFactors<M> {
 
     /// x with M x = b.
     #[inline(always)]
-    pub(crate) fn solve(&self, b: &M::Vector) -> M::Vector {
+    pub fn solve(&self, b: &M::Vector) -> M::Vector {
         let (mut x, size) = (b.clone(), b.entries().len());
         substitute(size, &self.upper, &self.inverse_pivots, &mut x);
         x
@@ -130,7 +130,7 @@ impl<M: JointMatrix> JointFactors<M> {
 
 /// x with M x = b.
 #[inline(always)]
-pub(crate) fn solve<M: JointMatrix>(m: M, b: &M::Vector) -> Result<M::Vector, SingularMassMatrix> {
+pub fn solve<M: JointMatrix>(m: M, b: &M::Vector) -> Result<M::Vector, SingularMassMatrix> {
     Ok(JointFactors::new(b.entries().len(), m)?.solve(b))
 }
 

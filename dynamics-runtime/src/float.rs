@@ -9,7 +9,7 @@ pub(crate) const FUSED: bool = cfg!(all(
 ));
 
 /// The functions of one type.
-pub(crate) trait Float: Copy + Add<Output = Self> + Mul<Output = Self> {
+pub trait Float: Copy + Add<Output = Self> + Mul<Output = Self> {
     /// The square root; NaN of a negative number.
     fn root(self) -> Self;
 
@@ -62,7 +62,7 @@ impl_float!(f64, sqrt, fma);
 
 /// Sine and cosine.
 #[inline]
-pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
+pub fn sin_cos(x: f64) -> (f64, f64) {
     #[cfg(feature = "std")]
     return x.sin_cos();
     #[cfg(not(feature = "std"))]
@@ -71,6 +71,6 @@ pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
 
 /// Index of the first entry that is not finite.
 #[inline(always)]
-pub(crate) fn first_non_finite(entries: &[f64]) -> Option<usize> {
+pub fn first_non_finite(entries: &[f64]) -> Option<usize> {
     entries.iter().position(|x| !x.is_finite())
 }

@@ -32,6 +32,11 @@ pub struct FloatingBase {
     pub inertia: [f64; 6],
 }
 
+/// The numbers of the base, before those of the joints.
+pub const NAMES_OF_BASE: [&str; 6] = [
+    "base vx", "base vy", "base vz", "base wx", "base wy", "base wz",
+];
+
 /// A frame that is fixed to the last link, the tip of the arm, and a body in it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -8,20 +8,20 @@ use crate::{Row, Scalar, Stribeck};
 
 /// Friction beside the viscous one: Coulomb's, which may differ by direction, and static friction that falls to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DryFriction {
+pub struct DryFriction {
     coulomb: [f64; 2],
     stribeck: Option<Stribeck>,
 }
 
 impl DryFriction {
     /// None.
-    pub(crate) const NONE: DryFriction = DryFriction {
+    pub const NONE: DryFriction = DryFriction {
         coulomb: [0.0; 2],
         stribeck: None,
     };
 
     /// The dry friction of a row.
-    pub(crate) fn of(row: &Row) -> Self {
+    pub fn of(row: &Row) -> Self {
         DryFriction {
             coulomb: row.coulomb,
             stribeck: row.stribeck,
@@ -30,7 +30,7 @@ impl DryFriction {
 
     /// C + (S - C) exp(-(qd/v)^2) of a motion one way: C is that of positive velocities where `way` is
     /// positive.
-    pub(crate) fn magnitude(&self, way: f64, qd: f64) -> f64 {
+    pub fn magnitude(&self, way: f64, qd: f64) -> f64 {
         self.coulomb(way) + self.beyond_coulomb(way, qd)
     }
 
@@ -49,13 +49,13 @@ impl DryFriction {
     }
 
     /// The force at a velocity, with its sign; zero at rest.
-    pub(crate) fn force(&self, qd: f64) -> f64 {
+    pub fn force(&self, qd: f64) -> f64 {
         let way = Scalar::sign(qd);
         way * self.magnitude(way, qd)
     }
 
     /// The derivative of the force by the velocity, where the velocity does not change its sign.
-    pub(crate) fn slope(&self, qd: f64) -> f64 {
+    pub fn slope(&self, qd: f64) -> f64 {
         let way = Scalar::sign(qd);
         self.stribeck.map_or(0.0, |Stribeck { velocity: v, .. }| {
             -way * self.beyond_coulomb(way, qd) * (2.0 * qd / v / v)
@@ -64,7 +64,7 @@ impl DryFriction {
 
     /// The second derivative of the force by the velocity: of x = exp(-(qd/v)^2) it is
     /// ((2 qd/v^2)^2 - 2/v^2) x.
-    pub(crate) fn curvature(&self, qd: f64) -> f64 {
+    pub fn curvature(&self, qd: f64) -> f64 {
         let way = Scalar::sign(qd);
         self.stribeck.map_or(0.0, |Stribeck { velocity: v, .. }| {
             let slope = 2.0 * qd / v / v;
@@ -76,27 +76,27 @@ impl DryFriction {
 #[cfg(feature = "std")]
 impl DryFriction {
     /// Whether there is none at any velocity.
-    pub(crate) fn is_none(&self) -> bool {
+    pub fn is_none(&self) -> bool {
         let beyond = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
         self.coulomb == [0.0; 2] && beyond == 0.0
     }
 
     /// The greatest that it can be.
-    pub(crate) fn greatest(&self) -> f64 {
+    pub fn greatest(&self) -> f64 {
         let stribeck = self.stribeck.map_or(0.0, |stribeck| stribeck.friction);
         let [positive, negative] = self.coulomb.map(f64::abs);
         stribeck.abs().max(positive).max(negative)
     }
 
     /// The greatest that its slope can be: exp(-x^2) has a slope of at most sqrt(2/e) < 0.86.
-    pub(crate) fn greatest_slope(&self) -> f64 {
+    pub fn greatest_slope(&self) -> f64 {
         self.stribeck.map_or(0.0, |stribeck| {
             0.86 * self.greatest() / stribeck.velocity.abs()
         })
     }
 
     /// The greatest that its curvature can be.
-    pub(crate) fn greatest_curvature(&self) -> f64 {
+    pub fn greatest_curvature(&self) -> f64 {
         self.stribeck.map_or(0.0, |stribeck| {
             2.0 * self.greatest() / (stribeck.velocity * stribeck.velocity)
         })
@@ -108,7 +108,7 @@ impl DryFriction {
 /// A follower moves at k qd, and a force f on it is k f to the joint that it follows.
 #[cfg(feature = "std")]
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct JointFriction {
+pub struct JointFriction {
     own: DryFriction,
     followers: Vec<(f64, DryFriction)>,
 }
@@ -116,31 +116,31 @@ pub(crate) struct JointFriction {
 #[cfg(feature = "std")]
 impl JointFriction {
     /// None.
-    pub(crate) const NONE: JointFriction = JointFriction {
+    pub const NONE: JointFriction = JointFriction {
         own: DryFriction::NONE,
         followers: Vec::new(),
     };
 
     /// Whether there is none at any velocity.
-    pub(crate) fn is_none(&self) -> bool {
+    pub fn is_none(&self) -> bool {
         self.parts()
             .all(|(factor, dry)| factor == 0.0 || dry.is_none())
     }
 
     /// The friction against a motion one way, as [`DryFriction::magnitude`].
-    pub(crate) fn magnitude(&self, way: f64, qd: f64) -> f64 {
+    pub fn magnitude(&self, way: f64, qd: f64) -> f64 {
         self.parts()
             .map(|(factor, dry)| factor.abs() * dry.magnitude(factor * way, factor * qd))
             .sum()
     }
 
     /// The greatest force that holds the joint at rest against a motion that way.
-    pub(crate) fn breakaway(&self, way: f64) -> f64 {
+    pub fn breakaway(&self, way: f64) -> f64 {
         self.magnitude(way, 0.0)
     }
 
     /// The force at a velocity, with its sign; zero at rest.
-    pub(crate) fn force(&self, qd: f64) -> f64 {
+    pub fn force(&self, qd: f64) -> f64 {
         self.parts()
             .map(|(factor, dry)| factor * dry.force(factor * qd))
             .sum()
@@ -156,7 +156,7 @@ impl JointFriction {
 impl Arm<'_> {
     /// The dry friction that holds and brakes the joints: their own, and that of the joints that follow them. A base that moves
     /// has none.
-    pub(crate) fn dry_friction<V: Size>(self) -> V::Each<JointFriction> {
+    pub fn dry_friction<V: Size>(self) -> V::Each<JointFriction> {
         let of_joint = |joint: usize| {
             let all = self.followers.iter();
             let followers = all.filter(|follower| follower.leader == joint);

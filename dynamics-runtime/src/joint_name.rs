@@ -3,7 +3,7 @@
 use core::fmt;
 
 /// A joint, counted from 0, and its name if that is known. It is shown as `joint 2 (elbow)`, counted from 1.
-pub(crate) struct JointName<'n>(pub(crate) usize, pub(crate) Option<&'n str>);
+pub struct JointName<'n>(pub usize, pub Option<&'n str>);
 
 impl fmt::Display for JointName<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,19 +1,17 @@
-//! The runtime of `robot-dynamics`: what generated robots are made of, and what can be done with
-//! any of them.
+//! The runtime of `robot-dynamics`: what generated robots are made of.
 //!
 //! - [`Scalar`], the trait of the numbers that generated functions run on, with [`DoubleDouble`] (31 digits) and
 //!   [`Certified`] (a proven bound of the error) among them.
 //! - [`Model`], [`ForwardDynamics`], [`Energy`], [`Evaluate`] and others, the traits of a generated robot; [`Table`], its
 //!   Denavit-Hartenberg table as numbers.
-//! - [`NewtonEuler`], the same dynamics computed numerically from the table, and
-//!   [`check_against_rnea`], which compares the two.
-//! - [`FloatingNewtonEuler`], the same of a robot whose base moves, at a [`Pose`]; [`layouts`], its numbers in the layouts of
-//!   other libraries.
-//! - [`Simulation`], which moves an arm under a torque law by a [`Method`] of your choice, and
-//!   [`Cycloidal`], a motion to follow.
+//! - [`Batch`], functions at many states; [`closed_form`], solutions of inverse kinematics.
+//! - [`Cycloidal`], a motion to follow.
+//!
+//! The crates `dynamics-numeric` and `dynamics-simulation` add what can be done with any robot: numeric algorithms and
+//! checks, and motions.
 //!
 //! Without the feature `std`, which is on by default, the crate needs neither the standard library nor
-//! an allocator, and has everything but simulation, checks and batches.
+//! an allocator, and has everything but batches.
 //!
 //! Use it through the crate `robot-dynamics`, which re-exports all of it.
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -24,8 +22,6 @@ pub use nalgebra;
 #[cfg(feature = "std")]
 pub mod batch;
 pub mod certified;
-#[cfg(feature = "std")]
-pub mod check;
 pub mod closed_form;
 mod conditioning;
 mod double_double;
@@ -43,34 +39,28 @@ mod formula;
 mod frame;
 mod friction;
 mod function;
-mod inputs;
 #[cfg(feature = "std")]
-mod integrate;
-pub mod inverse_kinematics;
+mod fused;
+mod geometry;
+mod inputs;
+#[doc(hidden)]
+pub mod internal;
 mod joint_name;
-pub mod layouts;
 mod macros;
 mod model;
 mod momenta;
-mod newton_euler;
 mod operations;
 mod operators;
 #[cfg(feature = "std")]
 mod place;
 mod placement;
-#[cfg(feature = "plot")]
-pub mod plot;
 mod pose;
 mod quaternion;
 mod random;
-#[cfg(feature = "std")]
-mod replace;
 mod scalar;
 #[cfg(feature = "serde")]
 mod sequences;
 mod shared_sines;
-#[cfg(feature = "std")]
-pub mod simulation;
 mod sine;
 mod singular;
 mod size;
@@ -80,30 +70,21 @@ mod taylor;
 mod trajectory;
 mod unrolled;
 
-#[cfg(test)]
-mod test_arms;
-
 // The items that a first program needs.
 #[cfg(feature = "std")]
 pub use batch::Batch;
 pub use certified::Certified;
-#[cfg(feature = "std")]
-pub use check::check_against_rnea;
 pub use conditioning::Conditioning;
 pub use double_double::DoubleDouble;
 pub use formula::Formula;
-pub use inverse_kinematics::InverseKinematics;
 pub use model::{
     CoriolisVector, Energy, ForwardDynamics, GravityVector, InverseDynamics, Kinematics,
     MassMatrix, Model,
 };
-pub use newton_euler::{FloatingNewtonEuler, NewtonEuler, NumericArm, NumericFloating};
 pub use operations::Operations;
 pub use pose::Pose;
 pub use scalar::Scalar;
 pub use shared_sines::SharedSines;
-#[cfg(feature = "std")]
-pub use simulation::{Friction, Method, Simulation, SimulationError, TaylorSimulation, Trajectory};
 pub use singular::SingularMassMatrix;
 pub use size::Size;
 pub use state::{AccelerationDerivatives, FloatingState, SecondDerivatives, State};
@@ -132,14 +113,14 @@ pub use evaluation::{
 #[doc(hidden)]
 pub use function::{Arrangement, Entries, Function, Number, functions};
 #[doc(hidden)]
+pub use geometry::turned;
+#[doc(hidden)]
 pub use inputs::{Evaluated, Inputs};
 #[doc(hidden)]
-pub use model::{Momenta, SizedKinematics, SizedMomenta};
-#[doc(hidden)]
-pub use newton_euler::{NAMES_OF_BASE, StandardParameters, turned};
+pub use model::{Momenta, SizedKinematics, SizedMomenta, SizedTable};
 #[cfg(feature = "std")]
 #[doc(hidden)]
-pub use replace::replace_files;
+pub use place::{OnBase, Place, Sizes};
 #[doc(hidden)]
 pub use sine::{Part, sin_cos_column};
 #[doc(hidden)]
@@ -152,13 +133,15 @@ pub use table::RuntimeTable;
 #[doc(hidden)]
 pub use table::{
     Arm, AsArm, Carrier, Convention, FixedFrame, FloatingBase, Follower, Frame, JointMotion,
-    JointType, Placement, Row, Spring, Stribeck, Table, Tool,
+    JointType, NAMES_OF_BASE, Placement, Row, Spring, StandardParameters, Stribeck, Table, Tool,
 };
 #[doc(hidden)]
 pub use taylor::{
     Block, Common, MAX_TAYLOR_ORDER, ProductTable, Products, SeriesTerm, TaylorCoefficients,
     TaylorDynamics,
 };
+#[doc(hidden)]
+pub use trajectory::InvalidDuration;
 
 #[cfg(feature = "macro")]
 #[doc(hidden)]

@@ -109,7 +109,7 @@ function_traits! {
         -> Result<SVector<T, V>, SingularMassMatrix>;
     {
         /// The arm in positions and momenta, as the structure-preserving methods of a
-        /// [`Simulation`](crate::Simulation) need it; `None` for an arm without these functions.
+        /// `Simulation` need it; `None` for an arm without these functions.
         ///
         /// A generated arm has them if its functions include `mass_matrix` and `inverse_dynamics`. For an arm
         /// of your own with [`MassMatrix`] and [`InverseDynamics`], return `Some(self)`.
@@ -213,7 +213,7 @@ impl<R: Model<N>, const N: usize> SizedTable<Const<N>> for R {
 }
 
 /// Hamilton's equations of an arm, in positions q and momenta p = M(q) qd. The structure-preserving
-/// methods of a [`Simulation`](crate::Simulation) integrate them.
+/// methods of a `Simulation` integrate them.
 ///
 /// Every arm with `mass_matrix` and `inverse_dynamics` has this trait. With T the kinetic energy and C the
 /// Coriolis matrix of the Christoffel symbols (C^T is its transpose),

@@ -3,8 +3,7 @@
 use nalgebra::{Const, SMatrix, SVector};
 
 use crate::dual::Dual;
-use crate::size::{JointVector as _, Size};
-use crate::{InverseDynamics, MassMatrix, NumericArm, SizedMomenta};
+use crate::{InverseDynamics, MassMatrix, SizedMomenta};
 
 impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> SizedMomenta<Const<N>> for R {
     fn inertia(&self, q: &SVector<f64, N>) -> SMatrix<f64, N, N> {
@@ -21,20 +20,5 @@ impl<R: MassMatrix<N> + InverseDynamics<N>, const N: usize> SizedMomenta<Const<N
         let mass_rate = self.mass_matrix(&along).map(|entry| entry.slope);
         let bias = self.inverse_dynamics(q, qd, &SVector::zeros());
         tau + mass_rate * qd - bias
-    }
-}
-
-impl<D: Size> SizedMomenta<D> for NumericArm<D> {
-    fn inertia(&self, q: &D::Vector) -> D::Matrix {
-        self.mass_matrix(q)
-    }
-
-    /// With C of the Christoffel symbols, dT/dq = C' qd.
-    fn force(&self, q: &D::Vector, qd: &D::Vector, tau: &D::Vector) -> D::Vector {
-        let (coriolis, size) = (self.coriolis_matrix(q, qd), D::of(q));
-        let of_kinetic_energy =
-            size.vector_of(|j| size.joints().map(|i| coriolis[(i, j)] * qd[i]).sum());
-        let potential = self.gravity_vector(q) + self.spring_vector(q);
-        tau.plus(1.0, &of_kinetic_energy) - potential - self.friction_vector(qd)
     }
 }

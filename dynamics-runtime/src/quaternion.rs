@@ -6,7 +6,7 @@ use nalgebra::Matrix3;
 ///
 /// Source: S. W. Shepperd, *Quaternion from rotation matrix*, J. Guidance and Control 1 (1978), 223-224: the largest of
 /// `4 w^2 = 1 + tr R` and `4 x_i^2 = 1 + 2 R_ii - tr R` is the one that is divided by, and no digit cancels.
-pub(crate) fn of(r: &Matrix3<f64>) -> [f64; 4] {
+pub fn of(r: &Matrix3<f64>) -> [f64; 4] {
     let trace = r.trace();
     let squares = [
         1.0 + trace,
@@ -34,7 +34,7 @@ pub(crate) fn of(r: &Matrix3<f64>) -> [f64; 4] {
 }
 
 /// The rotation of a quaternion of any length but zero, of which it is NaN.
-pub(crate) fn rotation(quaternion: &[f64; 4]) -> Matrix3<f64> {
+pub fn rotation(quaternion: &[f64; 4]) -> Matrix3<f64> {
     let mut quaternion = *quaternion;
     let square = |quaternion: &[f64; 4]| quaternion.iter().map(|x| x * x).sum::<f64>();
     // Squares of short ones lose digits and vanish, those of long ones are infinite.

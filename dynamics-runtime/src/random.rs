@@ -4,10 +4,13 @@ use core::ops::RangeInclusive;
 
 /// SplitMix64: G. L. Steele, D. Lea, C. H. Flood, *Fast splittable pseudorandom number generators*,
 /// OOPSLA 2014. Every seed is good, and the sequence is the same on every machine.
-pub(crate) struct SplitMix64(pub(crate) u64);
+#[derive(Debug)]
+pub struct SplitMix64(pub u64);
 
 impl SplitMix64 {
-    pub(crate) fn next(&mut self) -> u64 {
+    /// 64 bits.
+    #[allow(clippy::should_implement_trait, reason = "it has no end")]
+    pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let first = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let second = (first ^ (first >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -15,7 +18,7 @@ impl SplitMix64 {
     }
 
     /// Uniform between the ends.
-    pub(crate) fn within(&mut self, range: &RangeInclusive<f64>) -> f64 {
+    pub fn within(&mut self, range: &RangeInclusive<f64>) -> f64 {
         let unit = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         range.start() + unit * (range.end() - range.start())
     }

@@ -28,17 +28,19 @@ pub(crate) mod array {
 }
 
 /// For `#[serde(with = "sequences::vectors")]` on a list of vectors.
-pub(crate) mod vectors {
+pub mod vectors {
     use super::*;
 
-    pub(crate) fn serialize<S: Serializer, V: JointVector>(
+    /// Writes the vectors one after the other.
+    pub fn serialize<S: Serializer, V: JointVector>(
         vectors: &[V],
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(vectors.iter().map(Entry))
     }
 
-    pub(crate) fn deserialize<'de, D: Deserializer<'de>, V: JointVector>(
+    /// Reads as many vectors as there are.
+    pub fn deserialize<'de, D: Deserializer<'de>, V: JointVector>(
         deserializer: D,
     ) -> Result<Vec<V>, D::Error> {
         let entries = Vec::<Entry<V>>::deserialize(deserializer)?;

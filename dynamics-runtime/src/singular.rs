@@ -66,7 +66,8 @@ impl SingularMassMatrix {
     }
 
     /// The same, where the name of the joint is known.
-    pub(crate) fn named(self, name: &'static str) -> Self {
+    #[doc(hidden)]
+    pub fn named(self, name: &'static str) -> Self {
         SingularMassMatrix {
             joint_name: Some(name),
             ..self

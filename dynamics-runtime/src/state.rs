@@ -85,7 +85,8 @@ impl<const N: usize> From<State<N>> for FloatingState<N, N> {
 #[cfg(feature = "std")]
 impl<const N: usize, const V: usize> FloatingState<N, V> {
     /// Its velocities and accelerations as those of a state, which makes further arguments of functions of them.
-    pub(crate) fn motion(&self) -> State<V> {
+    #[doc(hidden)]
+    pub fn motion(&self) -> State<V> {
         State {
             q: SVector::zeros(),
             qd: self.v,

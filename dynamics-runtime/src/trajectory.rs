@@ -117,7 +117,7 @@ impl<const N: usize> Cycloidal<N> {
     }
 
     /// The motion at `n` times at equal intervals, the first at t = 0 and the last at the end: the
-    /// times of the samples of a [`Simulation`](crate::Simulation). One sample is that of t = 0.
+    /// times of the samples of a `Simulation`. One sample is that of t = 0.
     pub fn samples(&self, n: usize) -> impl Iterator<Item = (f64, State<N>)> + use<N> {
         let law = *self;
         (0..n).map(move |k| {

@@ -3,7 +3,7 @@
 mod robot;
 
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::check::Check;
+use dynamics_numeric::check::Check;
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::center_of_mass::is_massless;
 use dynamics_symbolic::derive::derive;

@@ -5,11 +5,11 @@ mod moving_base;
 use std::path::Path;
 
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::check::Checked;
+use dynamics_numeric::check::Checked;
 use dynamics_runtime::nalgebra::{DVector, Dyn, Vector1};
-use dynamics_runtime::simulation::{Place, SizedModel, SizedTrajectory};
 use dynamics_runtime::table::RuntimeTable;
 use dynamics_runtime::{Cycloidal, Pose};
+use dynamics_simulation::simulation::{Place, SizedModel, SizedTrajectory};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::Robot;
 

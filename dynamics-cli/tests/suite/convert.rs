@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot, read_file};
-use dynamics_runtime::NewtonEuler;
+use dynamics_numeric::NewtonEuler;
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_symbolic::robot::{Convention, Robot};
 

@@ -1,7 +1,7 @@
 //! The options that say what a URDF file does not.
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
-use dynamics_runtime::Simulation;
+use dynamics_simulation::Simulation;
 
 use super::calls::{data, errors, file, folder, output, run};
 

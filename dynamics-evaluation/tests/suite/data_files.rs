@@ -1,7 +1,7 @@
 //! The arms of the data files against Newton-Euler, with fields among their cells too.
 
 use dynamics_evaluation::RuntimeRobot;
-use dynamics_runtime::check::{Check, Report};
+use dynamics_numeric::check::{Check, Report};
 use dynamics_symbolic::Function;
 
 fn check(arm: &RuntimeRobot) -> Report {

@@ -2,11 +2,11 @@
 
 use arms::decimal;
 use dynamics_evaluation::{RuntimeDynamics, RuntimeRobot};
+use dynamics_numeric::check::{Checked, Evaluate, Evaluation};
 use dynamics_runtime::nalgebra::{DVector, Dyn, SVector, Vector3, Vector6};
-use dynamics_runtime::{
-    Friction, Method, Pose, Simulation, SizedState, State,
-    check::{Checked, Evaluate, Evaluation},
-    robot_dynamics,
+use dynamics_runtime::{Pose, SizedState, State, robot_dynamics};
+use dynamics_simulation::{
+    Friction, Method, Simulation,
     simulation::{DormandPrince, Place},
 };
 use dynamics_symbolic::robot::{

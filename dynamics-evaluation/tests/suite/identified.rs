@@ -1,7 +1,8 @@
 //! Identified parameters, back in a robot.
 
+use dynamics_evaluation::dynamics_numeric::check::Check;
 use dynamics_evaluation::dynamics_runtime::nalgebra::{DMatrix, DVector, Matrix3};
-use dynamics_evaluation::dynamics_runtime::{Friction, Simulation, check::Check};
+use dynamics_evaluation::dynamics_simulation::{Friction, Simulation};
 use dynamics_evaluation::{EvaluationError, IdentificationError, JointFriction, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::exact::SplitMix64;

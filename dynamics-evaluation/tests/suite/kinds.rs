@@ -14,7 +14,7 @@ use dynamics_export::{
     CNumbers, c_project, c_source_in, casadi_requests, casadi_source, inverse_in_c,
     inverse_in_javascript, javascript_module, matlab_files, python_module,
 };
-use dynamics_runtime::check::Check;
+use dynamics_numeric::check::Check;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Function, Proven, Request, proven_plan, proven_program};
 use expect_test::expect_file;

@@ -1,10 +1,11 @@
 //! Numeric inverse kinematics of robots at run time.
 
 use dynamics_evaluation::{EvaluationError, ReadOptions, RuntimeRobot};
-use dynamics_runtime::inverse_kinematics::{InverseKinematics, Reason, Target};
+use dynamics_numeric::NumericArm;
+use dynamics_numeric::inverse_kinematics::{InverseKinematics, Reason, Target};
 use dynamics_runtime::nalgebra::{DVector, Dyn, Matrix4, Vector3, Vector6};
-use dynamics_runtime::simulation::Place;
-use dynamics_runtime::{NumericArm, Pose, SizedKinematics as _};
+use dynamics_runtime::{Pose, SizedKinematics as _};
+use dynamics_simulation::simulation::Place;
 
 fn data(name: &str) -> String {
     format!("{}/../tests/data/{name}", env!("CARGO_MANIFEST_DIR"))

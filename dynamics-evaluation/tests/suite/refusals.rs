@@ -1,7 +1,8 @@
 //! Refusals, and their messages.
 
+use dynamics_evaluation::dynamics_runtime::NAMES_OF_BASE;
 use dynamics_evaluation::dynamics_runtime::nalgebra::Vector6;
-use dynamics_evaluation::dynamics_runtime::{Friction, NAMES_OF_BASE, Simulation};
+use dynamics_evaluation::dynamics_simulation::{Friction, Simulation};
 use dynamics_evaluation::{BuildError, EvaluationError, FileError, ReadOptions, RuntimeRobot};
 use dynamics_symbolic::Function;
 use dynamics_symbolic::robot::{Mount, Placement, Value};

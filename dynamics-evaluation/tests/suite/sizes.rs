@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot, read_source};
-use dynamics_runtime::check::Check;
+use dynamics_numeric::check::Check;
 
 /// A URDF file of so many limbs on one link, each with so many joints that move by themselves and so many that follow
 /// the first of these. Every joint has another axis and length.

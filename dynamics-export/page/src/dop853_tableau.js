@@ -1,6 +1,6 @@
 // Coefficients of the method of order 8(5,3) of Dormand and Prince, DOP853: Hairer, Norsett and Wanner,
 // Solving Ordinary Differential Equations I, 2nd edition, section II.5, and their program DOP853. Written
-// from those of dynamics-runtime by its test `the_page_has_the_same_digits`.
+// from those of dynamics-simulation by its test `the_page_has_the_same_digits`.
 
 /** Times of the stages. */
 export const TIMES = [

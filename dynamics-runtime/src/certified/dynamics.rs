@@ -216,7 +216,7 @@ fn accelerations<A: InverseDynamics<N> + MassMatrix<N>, F: Rounded, const N: usi
 /// The same where M is known already, and so is the residual `left` of accelerations nearby: the residual of `qdd` is
 /// then left - M (qdd - nearby).
 #[cfg(feature = "std")]
-pub(crate) fn accelerations_near(
+pub fn accelerations_near(
     (nearby, left): (&DVector<f64>, &DVector<Certified>),
     mass_matrix: &DMatrix<Certified>,
     qdd: DVector<Certified>,

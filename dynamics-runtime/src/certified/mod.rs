@@ -15,7 +15,8 @@ mod tests;
 use core::fmt;
 
 #[cfg(feature = "std")]
-pub(crate) use dynamics::accelerations_near;
+#[doc(hidden)]
+pub use dynamics::accelerations_near;
 pub use dynamics::{
     forward_dynamics, forward_dynamics_aba, forward_dynamics_derivatives,
     operational_inertia_inverse,

@@ -11,12 +11,10 @@ mod solutions;
 #[doc(hidden)]
 pub use family::Family;
 #[doc(hidden)]
-pub use pose::nearest_pose;
-pub(crate) use pose::{is_homogeneous, is_rotation};
+pub use pose::{is_homogeneous, is_rotation, nearest_pose};
 pub use real::Real;
 #[doc(hidden)]
 pub use roots::{Found, Roots, direction, is_reached, slide, slides, turn, turns};
 #[doc(hidden)]
-pub use solutions::Branches;
-pub(crate) use solutions::nearest_turn;
+pub use solutions::{Branches, nearest_turn};
 pub use solutions::{NoSolution, Solution, Solutions};

@@ -122,7 +122,7 @@ fn keeps_sense<T: Real>([x, y, z]: &[[T; 3]; 3]) -> bool {
 
 /// Whether the last row of a matrix is 0, 0, 0, 1, which a transposed pose has as its last column.
 #[inline]
-pub(crate) fn is_homogeneous<T: Real>(matrix: &Matrix4<T>) -> bool {
+pub fn is_homogeneous<T: Real>(matrix: &Matrix4<T>) -> bool {
     let [x, y, z, position] = &matrix.data.0;
     let misses = [x[3], y[3], z[3], position[3] - T::from_f64(1.0)];
     are_small(&misses, T::ROTATION)
@@ -130,7 +130,7 @@ pub(crate) fn is_homogeneous<T: Real>(matrix: &Matrix4<T>) -> bool {
 
 /// Whether a matrix is a rotation.
 #[inline]
-pub(crate) fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
+pub fn is_rotation<T: Real>(matrix: &Matrix3<T>) -> bool {
     are_small(&column_misses(&matrix.data.0), T::ROTATION)
 }
 

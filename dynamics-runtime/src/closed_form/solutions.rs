@@ -245,7 +245,7 @@ impl<T: Real, const N: usize> Deref for Solutions<T, N> {
 }
 
 /// The angle that is whole turns away from `q` and nearest to `seed`, in a range if one of them is.
-pub(crate) fn nearest_turn<T: Real>(q: T, seed: T, range: Option<[T; 2]>) -> T {
+pub fn nearest_turn<T: Real>(q: T, seed: T, range: Option<[T; 2]>) -> T {
     let near = q + whole_turns(seed - q, false);
     match range {
         // From outside of the range into it.

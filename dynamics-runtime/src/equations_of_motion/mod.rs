@@ -8,17 +8,17 @@ use crate::dual::Dual;
 use crate::factorisation::JointFactors;
 use crate::place::{OnBase, Place, Sizes, Velocities};
 use crate::size::Size;
-use crate::{ForwardDynamics, Model, NumericArm, Scalar, SingularMassMatrix, SizedMomenta};
+use crate::{ForwardDynamics, Model, Scalar, SingularMassMatrix, SizedMomenta};
 
 /// Accelerations, and what a unit torque at each of some joints adds to them: columns of M^-1.
 pub type Responses<D> = (<D as Size>::Vector, <D as Size>::Matrix);
 
-/// A robot that a [`Simulation`](crate::Simulation) can move: its equations of motion, solved for the accelerations, in
+/// A robot that a `Simulation` can move: its equations of motion, solved for the accelerations, in
 /// doubles. For an arm `K` is its number of joints, `Const<N>`, or `Dyn` where it is known at run time alone; on a base that
-/// moves it is [`OnBase`](crate::simulation::OnBase). The compiler finds out which one it is.
+/// moves it is [`OnBase`]. The compiler finds out which one it is.
 ///
 /// Every robot with a generated `forward_dynamics` is one, and each arm with [`ForwardDynamics`]. So are
-/// [`NewtonEuler`](crate::NewtonEuler) and [`FloatingNewtonEuler`](crate::FloatingNewtonEuler) for any table.
+/// `NewtonEuler` and `FloatingNewtonEuler` for any table.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be simulated: `forward_dynamics` is not in `functions`",
     note = "add it to its `functions:`, or write `functions: [default, ...]`, which holds it"
@@ -100,44 +100,6 @@ impl<R: ForwardDynamics<N>, const N: usize> EquationsOfMotion<Const<N>> for R {
     }
 }
 
-impl<D: Size> EquationsOfMotion<D> for NumericArm<D> {
-    fn joints(&self) -> D {
-        D::from_usize(self.dof())
-    }
-
-    fn size(&self) -> D {
-        self.joints()
-    }
-
-    fn accelerations(
-        &self,
-        place: &Place<D>,
-        qd: &D::Vector,
-        tau: &D::Vector,
-    ) -> Result<D::Vector, SingularMassMatrix> {
-        self.forward_dynamics(&place.q, qd, tau)
-    }
-
-    fn accelerations_and_responses(
-        &self,
-        Place { q, .. }: &Place<D>,
-        qd: &D::Vector,
-        tau: &D::Vector,
-        joints: &D::Each<bool>,
-    ) -> Result<Responses<D>, SingularMassMatrix> {
-        let factors = JointFactors::new(self.dof(), self.mass_matrix(q))?;
-        let available = tau.clone() - self.bias_force(q, qd);
-        Ok((
-            factors.solve(&available),
-            inverse_columns(self.size(), &factors, joints),
-        ))
-    }
-
-    fn in_momenta(&self) -> Option<&dyn SizedMomenta<D>> {
-        Some(self)
-    }
-}
-
 /// Accelerations under some torques, and the columns of M^-1 that belong to `joints`. A column is the derivative by a torque,
 /// which a dual number carries along.
 fn responses<const N: usize>(
@@ -159,7 +121,7 @@ fn responses<const N: usize>(
 }
 
 /// The columns of M^-1 that belong to `joints`; others are zero.
-pub(crate) fn inverse_columns<D: Size>(
+pub fn inverse_columns<D: Size>(
     size: D,
     factors: &JointFactors<D::Matrix>,
     joints: &D::Each<bool>,

@@ -9,8 +9,8 @@ use nalgebra::{Matrix3, SVector, Vector3, Vector6};
 use crate::function::functions;
 use crate::{FloatingState, Model, Pose, Scalar, SingularMassMatrix, State};
 
-pub use value::{FunctionValue, Numbers};
-pub(crate) use value::{flat, read};
+pub(crate) use value::read;
+pub use value::{FunctionValue, Numbers, flat};
 
 /// A trait of robots with so many joints and velocities, which evaluate their functions at such states.
 macro_rules! evaluate {
@@ -162,7 +162,7 @@ pub struct Evaluation<T: Scalar = f64> {
 }
 
 /// The values that two functions make together.
-pub(crate) const FORMS: [&str; 4] = [
+pub const FORMS: [&str; 4] = [
     "configuration_space_form",
     "regressor_form",
     "passivity_form",
@@ -229,7 +229,8 @@ impl<T: Scalar> Evaluation<T> {
     }
 
     /// The numbers of a value, matrices by columns.
-    pub(crate) fn entries(&self, name: &str) -> Option<&Result<Vec<T>, SingularMassMatrix>> {
+    #[doc(hidden)]
+    pub fn entries(&self, name: &str) -> Option<&Result<Vec<T>, SingularMassMatrix>> {
         self.values.get(name)
     }
 
@@ -258,7 +259,8 @@ impl<T: Scalar> Evaluation<T> {
     }
 
     /// The values at all frames, with the names and the places of these.
-    pub(crate) fn at_frames(&self) -> impl Iterator<Item = (&str, usize, &Self)> {
+    #[doc(hidden)]
+    pub fn at_frames(&self) -> impl Iterator<Item = (&str, usize, &Self)> {
         let frames = self.frames.iter();
         frames.map(|((name, frame), values)| (name.as_str(), *frame, values))
     }

@@ -33,7 +33,7 @@ pub trait Numbers<T: Scalar> {
 }
 
 /// The numbers of a value.
-pub(crate) fn flat<T: Scalar>(value: &impl Numbers<T>) -> Vec<T> {
+pub fn flat<T: Scalar>(value: &impl Numbers<T>) -> Vec<T> {
     let mut numbers = Vec::new();
     value.write(&mut numbers);
     numbers

@@ -6,32 +6,45 @@ use crate::frame::{FloatingBase, Frame, Tool};
 /// The contents of a table, whatever its size.
 #[derive(Clone, Copy, Debug)]
 pub struct Arm<'t> {
-    pub(crate) convention: Convention,
-    pub(crate) gravity: [f64; 3],
-    pub(crate) base: &'t Frame,
-    pub(crate) floating: Option<&'t FloatingBase>,
-    pub(crate) rows: &'t [Row],
-    pub(crate) followers: &'t [Follower],
-    pub(crate) frames: &'t [FixedFrame],
-    pub(crate) tool: &'t Tool,
-    pub(crate) tip: Option<&'t Placement>,
+    /// How rows place their frames.
+    pub convention: Convention,
+    /// The acceleration of gravity in the axes of the world, m/s^2.
+    pub gravity: [f64; 3],
+    /// Where a base stands.
+    pub base: &'t Frame,
+    /// The body of a base that moves.
+    pub floating: Option<&'t FloatingBase>,
+    /// The rows of joints that move by themselves.
+    pub rows: &'t [Row],
+    /// Those of joints that follow others.
+    pub followers: &'t [Follower],
+    /// The frames and their bodies.
+    pub frames: &'t [FixedFrame],
+    /// The tool; none has no body.
+    pub tool: &'t Tool,
+    /// The tip in the base frame, of a robot without joints.
+    pub tip: Option<&'t Placement>,
 }
 
 /// A row of the whole arm, and how its joint moves: at `factor * q + offset` with the position q of a joint that moves
 /// by itself.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moving<'t> {
-    pub(crate) row: &'t Row,
-    pub(crate) joint: usize,
+pub struct Moving<'t> {
+    /// The row.
+    pub row: &'t Row,
+    /// The joint of q with which it moves.
+    pub joint: usize,
     /// 1 and 0 of a joint that moves by itself.
-    pub(crate) factor: f64,
-    pub(crate) offset: f64,
-    pub(crate) is_follower: bool,
+    pub factor: f64,
+    /// The position at q = 0.
+    pub offset: f64,
+    /// Whether it follows another joint.
+    pub is_follower: bool,
 }
 
 impl<'t> Arm<'t> {
     /// All rows from the base outwards, those of followers in their places.
-    pub(crate) fn chain(self) -> impl Iterator<Item = Moving<'t>> + Clone {
+    pub fn chain(self) -> impl Iterator<Item = Moving<'t>> + Clone {
         let followers_at = move |place: usize| {
             let followers = self.followers.iter();
             followers
@@ -60,7 +73,7 @@ impl<'t> Arm<'t> {
 
     /// Its degrees of freedom: six of a base that moves, then one for each joint.
     #[cfg(feature = "std")]
-    pub(crate) fn freedoms(self) -> usize {
+    pub fn freedoms(self) -> usize {
         self.freedoms_of_base() + self.rows.len()
     }
 
@@ -72,17 +85,17 @@ impl<'t> Arm<'t> {
 
     /// The joint of a degree of freedom, counted from 0; `None` for those of a base that moves.
     #[cfg(feature = "std")]
-    pub(crate) fn joint_of(self, freedom: usize) -> Option<usize> {
+    pub fn joint_of(self, freedom: usize) -> Option<usize> {
         freedom.checked_sub(self.freedoms_of_base())
     }
 
     /// The row of the tip. `None` where several rows carry no other and none of them has it, and for no rows.
-    pub(crate) fn tip_row(self) -> Option<usize> {
+    pub fn tip_row(self) -> Option<usize> {
         tip_row(self.chain().map(|moving| moving.row))
     }
 
     /// Mass of all links, of the tool, of the bodies of frames on links and of a base that moves, with what is fixed to it, kg.
-    pub(crate) fn total_mass(self) -> f64 {
+    pub fn total_mass(self) -> f64 {
         let moves = self.floating.is_some();
         let moving = |frame: &&FixedFrame| moves || frame.on.is_some();
         let on_links = self.frames.iter().filter(moving);

@@ -23,7 +23,8 @@ impl Carrier {
     ///
     /// If that row does not stand above row `k`.
     #[track_caller]
-    pub(crate) fn of(self, k: usize) -> Option<usize> {
+    #[doc(hidden)]
+    pub fn of(self, k: usize) -> Option<usize> {
         match self {
             Carrier::Above => k.checked_sub(1),
             Carrier::Base => None,

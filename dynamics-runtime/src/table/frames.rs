@@ -35,7 +35,8 @@ impl FixedFrame {
 
     /// Panics unless it stands on the base or on one of so many rows.
     #[track_caller]
-    pub(crate) fn assert_stands_on(&self, rows: usize) {
+    #[doc(hidden)]
+    pub fn assert_stands_on(&self, rows: usize) {
         if let Some(row) = self.on {
             assert!(
                 row < rows,

@@ -33,7 +33,8 @@ impl<T, const ROOM: usize> List<T, ROOM> {
 impl<T: Copy, const ROOM: usize> List<T, ROOM> {
     /// The same entry so many times.
     #[inline(always)]
-    pub(crate) fn filled(count: usize, entry: T) -> Self {
+    #[doc(hidden)]
+    pub fn filled(count: usize, entry: T) -> Self {
         match count {
             0 => List::NONE,
             count if count <= ROOM => List(Kept::Here(count, [entry; ROOM])),

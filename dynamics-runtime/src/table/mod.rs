@@ -5,18 +5,25 @@ mod carrier;
 mod followers;
 mod frames;
 mod list;
+mod lock;
+mod parameters;
 #[cfg(feature = "std")]
 mod runtime;
 
+#[doc(hidden)]
+pub use arm::Moving;
+pub(crate) use arm::tip_row;
 pub use arm::{Arm, AsArm};
-pub(crate) use arm::{Moving, tip_row};
 pub use carrier::Carrier;
 pub use followers::{Follower, JointMotion};
 pub use frames::FixedFrame;
 pub use list::List;
+pub use parameters::StandardParameters;
 #[cfg(feature = "std")]
 pub use runtime::RuntimeTable;
 
+#[doc(hidden)]
+pub use crate::frame::NAMES_OF_BASE;
 pub use crate::frame::{FloatingBase, Frame, Tool};
 pub use crate::placement::Placement;
 
@@ -70,12 +77,14 @@ impl Spring {
     };
 
     /// The torque or force that holds it at a position.
-    pub(crate) fn force(&self, q: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn force(&self, q: f64) -> f64 {
         self.stiffness * (q - self.rest)
     }
 
     /// The energy in it at a position, J.
-    pub(crate) fn energy(&self, q: f64) -> f64 {
+    #[doc(hidden)]
+    pub fn energy(&self, q: f64) -> f64 {
         0.5 * self.force(q) * (q - self.rest)
     }
 }

@@ -11,7 +11,7 @@ use crate::{Scalar, SingularMassMatrix};
 
 /// The series of a motion, and all that its next coefficient depends on.
 #[derive(Debug)]
-pub(crate) struct Expansion<R, T, const N: usize>
+pub struct Expansion<R, T, const N: usize>
 where
     R: TaylorDynamics<N>,
     T: Scalar,
@@ -30,7 +30,7 @@ impl<R: TaylorDynamics<N>, T: Scalar, const N: usize> Expansion<R, T, N> {
     /// Room for a series; the numbers of `like` do not matter.
     // Not inlined: the zeros of the products are written to their place, and not to another one first.
     #[inline(never)]
-    pub(crate) fn new(like: &SVector<T, N>) -> Self {
+    pub fn new(like: &SVector<T, N>) -> Self {
         let like = like[0];
         let zero = SVector::repeat(like.constant(0.0));
         Expansion {
@@ -55,38 +55,39 @@ impl<R: TaylorDynamics<N>, T: Scalar, const N: usize> Expansion<R, T, N> {
         }
     }
 
-    pub(crate) fn coefficients(&self) -> &TaylorCoefficients<T, N> {
+    /// The coefficients of the series that was begun.
+    pub fn coefficients(&self) -> &TaylorCoefficients<T, N> {
         &self.coefficients
     }
 
     /// The series of the forces that hold joints.
     #[cfg(feature = "std")]
-    pub(crate) fn forces(&self) -> &TaylorCoefficients<T, N> {
+    pub fn forces(&self) -> &TaylorCoefficients<T, N> {
         &self.forces
     }
 
     /// Whether a series that begins now holds joints.
     #[cfg(feature = "std")]
-    pub(crate) fn holds(&self) -> bool {
+    pub fn holds(&self) -> bool {
         self.rest.joints.is_some()
     }
 
     /// Which joints series that begin from now on hold where they are.
     #[cfg(feature = "std")]
-    pub(crate) fn hold(&mut self, joints: Option<[bool; N]>) {
+    pub fn hold(&mut self, joints: Option<[bool; N]>) {
         self.rest.joints = joints;
     }
 
     /// The accelerations of the series that was begun.
     #[cfg(feature = "std")]
-    pub(crate) fn acceleration(&self) -> SVector<T, N> {
+    pub fn acceleration(&self) -> SVector<T, N> {
         self.motion.qdd
     }
 
     /// Begins a series: order 0, with the accelerations. The coefficients before stay until [`extend`](Self::extend).
     // Inlined wherever it is compiled for more instructions than the build has.
     #[inline(always)]
-    pub(crate) fn begin(
+    pub fn begin(
         &mut self,
         robot: &R,
         q: &SVector<T, N>,
@@ -117,7 +118,7 @@ impl<R: TaylorDynamics<N>, T: Scalar, const N: usize> Expansion<R, T, N> {
 
     /// The coefficients of the series that was begun, up to an order.
     #[inline(always)]
-    pub(crate) fn extend(&mut self, robot: &R, order: usize) {
+    pub fn extend(&mut self, robot: &R, order: usize) {
         let order = order.clamp(2, MAX_TAYLOR_ORDER);
         let zero = SVector::repeat(self.motion.q[0].constant(0.0));
         self.coefficients[0] = self.motion.q;
@@ -183,7 +184,7 @@ fn sines<R: TaylorDynamics<N>, T: Scalar, const N: usize>(_: &R, q: &SVector<T, 
 
 /// M(q)
 #[cfg(feature = "std")]
-pub(crate) fn mass_matrix<R: TaylorDynamics<N>, const N: usize>(
+pub fn mass_matrix<R: TaylorDynamics<N>, const N: usize>(
     robot: &R,
     q: &SVector<f64, N>,
 ) -> SMatrix<f64, N, N> {

@@ -38,33 +38,17 @@
 
 mod coefficients;
 mod expansion;
-#[cfg(feature = "std")]
-mod first_root;
-#[cfg(feature = "std")]
-mod fused;
-#[cfg(feature = "std")]
-mod numbers;
 mod products;
-#[cfg(feature = "std")]
-mod step_size;
-#[cfg(feature = "std")]
-mod stepper;
 mod term;
 
 use nalgebra::{SMatrix, SVector};
 
 use crate::{Inputs, Model, Scalar, SingularMassMatrix};
 pub use coefficients::{MAX_TAYLOR_ORDER, TaylorCoefficients};
-use expansion::Expansion;
+pub use expansion::Expansion;
 #[cfg(feature = "std")]
-pub(crate) use expansion::mass_matrix;
-#[cfg(feature = "std")]
-pub(crate) use first_root::Polynomial;
+pub use expansion::mass_matrix;
 pub use products::{Block, Common, ProductTable, Products};
-#[cfg(feature = "std")]
-pub(crate) use step_size::{FEWEST_ORDERS, order};
-#[cfg(feature = "std")]
-pub(crate) use stepper::{Refusal, SeriesStepper, Steady};
 pub use term::SeriesTerm;
 
 /// An arm whose motion can be expanded in a Taylor series: `functions: [taylor_series]`.

@@ -7,10 +7,12 @@ use crate::sentences::{LONGEST, is_headless};
 use crate::{assert_none, files, root};
 
 /// Folders of Rust files.
-const FOLDERS: [&str; 22] = [
+const FOLDERS: [&str; 24] = [
     "src",
     "examples",
     "dynamics-runtime",
+    "dynamics-numeric",
+    "dynamics-simulation",
     "dynamics-functions",
     "dynamics-items",
     "dynamics-macros",

@@ -1,0 +1,15 @@
+//! The geometry of a table: sines of constant angles, frames one in the other, joints at a position, inertia tensors.
+//!
+//! What rows are joined by when joints are locked, and what the numeric algorithms are made of.
+
+mod angle;
+mod joint;
+mod linear;
+mod pose;
+mod tensor;
+
+pub use angle::{SinCos, turned};
+pub use joint::Joint;
+pub use linear::{cross, difference, dot, sum, times};
+pub use pose::Pose;
+pub use tensor::tensor;
