@@ -141,7 +141,12 @@ fn no_error_within_the_limits_exceeds_its_bound() {
 #[test]
 fn no_error_within_the_limits_of_a_tree_exceeds_its_bound() {
     let robots: Vec<_> = ["hyq_no_sensors", "anymal_erd", "panda_erd", "panda_free"]
-        .map(|name| (name, super::trees::robot(super::trees::file(name), &[])))
+        .map(|name| {
+            (
+                name,
+                super::trees::robot(super::trees::file(name), super::trees::STANDING, &[]),
+            )
+        })
         .map(|(name, robot)| (name, robot.robot().clone()))
         .into();
     let functions = FUNCTIONS

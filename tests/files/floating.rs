@@ -3,19 +3,16 @@
 
 use std::collections::BTreeSet;
 
-use dynamics_evaluation::{ReadOptions, RuntimeRobot, Value};
+use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 use dynamics_symbolic::Function;
-use robot_dynamics::check::Check;
-use robot_dynamics::nalgebra::{
-    DMatrix, DVector, Matrix3, Quaternion, SVector, UnitQuaternion, Vector3,
-};
-use robot_dynamics::{
-    Certified, DoubleDouble, Pose, Simulation, check_against_rnea, robot_dynamics,
-};
-
+use robot_dynamics::nalgebra::{DVector, Rotation3, SVector, Vector3};
 use robot_dynamics::simulation::Place;
+use robot_dynamics::{
+    Certified, DoubleDouble, FloatingNewtonEuler, Pose, Scalar, Simulation, check_against_rnea,
+    robot_dynamics,
+};
 
-use super::trees::{Reference, State, assert_near, largest, reference};
+use super::trees::{MOVING, Reference, State, assert_near, file, reference, robot};
 
 robot_dynamics! {
     /// Four legs on a trunk that moves.
@@ -101,76 +98,10 @@ type Velocity = SVector<f64, 18>;
 
 /// The state of a reference, in the order of the joints here.
 fn state(reference: &Reference, state: &State) -> (Pose<f64>, SVector<f64, 12>, [Velocity; 3]) {
-    let place = |name: &&str| reference.joints.iter().position(|joint| joint == name);
-    // The first joint of Pinocchio is the base.
-    let order: Vec<usize> = Hyq::JOINT_NAMES
-        .iter()
-        .map(|name| place(name).expect("a joint of the reference") - 1)
-        .collect();
-    let [x, y, z, i, j, k, w] = [0, 1, 2, 3, 4, 5, 6].map(|index| state.q[index]);
-    let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
-    let pose = Pose {
-        rotation: rotation.to_rotation_matrix().into_inner(),
-        position: Vector3::new(x, y, z),
-    };
-    let of_joints = SVector::from_fn(|k, _| state.q[7 + order[k]]);
-    let in_order = |values: &[f64]| {
-        Velocity::from_fn(|k, _| match k.checked_sub(6) {
-            Some(joint) => values[6 + order[joint]],
-            None => values[k],
-        })
-    };
-    let vectors = [&state.v, &state.a, &state.tau].map(|values| in_order(values));
-    (pose, of_joints, vectors)
-}
-
-#[test]
-fn a_quadruped_moves_as_pinocchio_says() {
-    assert_eq!((Hyq::DOF, Hyq::JOINT_NAMES.len()), (18, 12));
-    let reference = reference("hyq_no_sensors_free");
-    for of_state in &reference.states {
-        let (base, q, [v, a, tau]) = state(&reference, of_state);
-        let found = Hyq.inverse_dynamics(&base, &q, &v, &a);
-        // Pinocchio's forces are without friction.
-        let without = found - Hyq.friction_vector(&v);
-        assert_near("tau", without.as_slice(), tau.as_slice(), 10.0 * tau.amax());
-        let energy = Hyq.kinetic_energy(&q, &v);
-        assert_near("T", &[energy], &[of_state.kinetic_energy], 10.0 * energy);
-        let center = Hyq.center_of_mass(&base, &q);
-        assert_near("com", center.as_slice(), &of_state.com, 1.0);
-        let foot = Hyq.forward_kinematics_lf_foot(&base, &q).transpose();
-        let expected = of_state.leaf_poses["lf_foot"].concat();
-        assert_near("foot", foot.as_slice(), &expected, 10.0);
-        // M a + V + G + F = tau, and back.
-        let (m, bias) = (Hyq.mass_matrix(&q), Hyq.bias_force(&base, &q, &v));
-        assert_near(
-            "M a",
-            (m * a + bias).as_slice(),
-            found.as_slice(),
-            100.0 * tau.amax(),
-        );
-        let back = Hyq
-            .forward_dynamics(&base, &q, &v, &found)
-            .expect("M is definite");
-        assert_near(
-            "a",
-            back.as_slice(),
-            a.as_slice(),
-            1e4 * largest(a.as_slice()),
-        );
-    }
-}
-
-/// Every function of both robots beside the numeric algorithm, which reads the tables alone.
-#[test]
-fn robots_on_moving_bases_agree_with_newton_euler() {
-    for report in [
-        check_against_rnea(&Hyq),
-        check_against_rnea(&Stone { m: 2.5 }),
-    ] {
-        println!("{report}");
-        report.assert_ok();
-    }
+    let state = state.of(reference, Hyq::JOINT_NAMES.into_iter());
+    let q = SVector::from_column_slice(&state.q[7..]);
+    let vectors = [&state.v, &state.a, &state.tau].map(|x| Velocity::from_column_slice(x));
+    (state.base().expect("a base that moves"), q, vectors)
 }
 
 /// Every function that robots on a base that moves have is compiled, for each kind of them.
@@ -191,6 +122,8 @@ fn every_function_on_a_moving_base_agrees_with_newton_euler() {
         reach: 0.3,
     };
     for report in [
+        check_against_rnea(&Hyq),
+        check_against_rnea(&Stone { m: 2.5 }),
         check_against_rnea(&MovingTree),
         check_against_rnea(&Body),
         check_against_rnea(&arm),
@@ -201,44 +134,39 @@ fn every_function_on_a_moving_base_agrees_with_newton_euler() {
     }
 }
 
-/// The entries beside the file at run time.
-const BESIDE: &str =
-    "gravity = [0, 0, -9.81]\nbase = \"floating\"\nallow = [\"unphysical_inertia\"]";
-
-fn file() -> String {
-    let folder = env!("CARGO_MANIFEST_DIR");
-    format!("{folder}/../data/urdf/trees/hyq_no_sensors.urdf")
-}
-
-/// A robot that is read at run time has the digits of the compiled one.
+/// A robot that is read at run time has the digits of the compiled one, whose values are thus those of Pinocchio.
 #[test]
-fn a_robot_at_run_time_moves_its_base() {
-    let options = ReadOptions::new()
-        .functions(["inverse_dynamics", "forward_dynamics", "mass_matrix"])
-        .entries(BESIDE);
-    let robot = RuntimeRobot::from_file(file(), &options).unwrap_or_else(|error| panic!("{error}"));
+fn a_robot_at_run_time_has_the_digits_of_the_compiled_one() {
+    assert_eq!((Hyq::DOF, Hyq::JOINT_NAMES.len()), (18, 12));
+    let robot = robot(file("hyq_no_sensors"), MOVING, &["lf_foot"]);
     assert_eq!(robot.dof(), 18);
     let reference = reference("hyq_no_sensors_free");
-    let (base, q, [v, a, _]) = state(&reference, &reference.states[1]);
-    let entries: Vec<f64> = (0..12)
-        .map(|k| match k {
-            0..9 => base.rotation[(k / 3, k % 3)],
-            _ => base.position[k - 9],
-        })
-        .collect();
-    let arguments = [&entries[..], q.as_slice(), v.as_slice(), a.as_slice()];
-    let found = robot.evaluate("inverse_dynamics", &arguments);
-    let compiled = Hyq.inverse_dynamics(&base, &q, &v, &a);
-    assert_eq!(
-        found,
-        Ok(Value::Matrix(DMatrix::from_column_slice(
-            18,
-            1,
-            compiled.as_slice()
-        )))
-    );
-    let report = Check::new().samples(8).run_any(&robot);
-    assert!(report.is_ok(), "{report}");
+    for of_state in &reference.states {
+        let (base, q, [v, a, tau]) = state(&reference, of_state);
+        let of_state = of_state.of(&reference, robot.joint_names());
+        let read = |function: &str| of_state.value(&robot, function, tau.as_slice());
+        let found = Hyq.inverse_dynamics(&base, &q, &v, &a);
+        let (m, bias) = (Hyq.mass_matrix(&q), Hyq.bias_force(&base, &q, &v));
+        let solved = Hyq.forward_dynamics(&base, &q, &v, &tau);
+        let foot = Hyq.forward_kinematics_lf_foot(&base, &q);
+        for (function, compiled) in [
+            ("inverse_dynamics", found.as_slice()),
+            ("mass_matrix", m.as_slice()),
+            ("bias_force", bias.as_slice()),
+            (
+                "forward_dynamics",
+                solved.expect("M is definite").as_slice(),
+            ),
+            ("friction_vector", Hyq.friction_vector(&v).as_slice()),
+            ("kinetic_energy", &[Hyq.kinetic_energy(&q, &v)]),
+            ("center_of_mass", Hyq.center_of_mass(&base, &q).as_slice()),
+            ("forward_kinematics_lf_foot", foot.as_slice()),
+        ] {
+            assert_eq!(read(function), compiled, "{function}");
+        }
+        let sum = m * a + bias;
+        assert_near("M a", sum.as_slice(), found.as_slice(), 100.0 * tau.amax());
+    }
 }
 
 /// In free fall a robot that is read at run time moves as the compiled one.
@@ -249,8 +177,9 @@ fn a_robot_at_run_time_falls_like_the_compiled_one() {
     let functions = &functions[..5];
     let options = ReadOptions::new()
         .functions(functions.iter().copied())
-        .entries(BESIDE);
-    let robot = RuntimeRobot::from_file(file(), &options).unwrap_or_else(|error| panic!("{error}"));
+        .entries(MOVING);
+    let robot = RuntimeRobot::from_file(file("hyq_no_sensors"), &options)
+        .unwrap_or_else(|error| panic!("{error}"));
     let robot = robot.dynamics().expect("its functions");
     let pushes = |t: f64| 5.0 * (3.0 * t).sin();
     let (base, v) = (Pose::identity(), Velocity::from_fn(|i, _| 0.1 * i as f64));
@@ -306,9 +235,7 @@ fn inner_forces_change_no_momentum() {
     for _ in 0..10_000 {
         let turn = Vector3::from_fn(|_, _| 3.0 * random());
         let base = Pose {
-            rotation: UnitQuaternion::from_scaled_axis(turn)
-                .to_rotation_matrix()
-                .into_inner(),
+            rotation: Rotation3::new(turn).into_inner(),
             position: Vector3::from_fn(|_, _| random()),
         };
         let q = SVector::<f64, 2>::from_fn(|_, _| 3.0 * random());
@@ -389,13 +316,13 @@ fn other_forms_are_single_calls() {
         );
         // Thirty-one digits say how far the doubles are off, and certified bounds know it.
         let exact = Hyq.inverse_dynamics(
-            &precise(base),
+            &in_numbers(base, DoubleDouble::from),
             &q.map(DoubleDouble::from),
             &v.map(DoubleDouble::from),
             &a.map(DoubleDouble::from),
         );
         let certified = Hyq.inverse_dynamics(
-            &certain(base),
+            &in_numbers(base, Certified::exact),
             &q.map(Certified::exact),
             &v.map(Certified::exact),
             &a.map(Certified::exact),
@@ -410,51 +337,34 @@ fn other_forms_are_single_calls() {
     }
 }
 
-fn precise(pose: &Pose<f64>) -> Pose<DoubleDouble> {
+fn in_numbers<T: Scalar>(pose: &Pose<f64>, number: fn(f64) -> T) -> Pose<T> {
     Pose {
-        rotation: pose.rotation.map(DoubleDouble::from),
-        position: pose.position.map(DoubleDouble::from),
+        rotation: pose.rotation.map(number),
+        position: pose.position.map(number),
     }
 }
 
-fn certain(pose: &Pose<f64>) -> Pose<Certified> {
-    Pose {
-        rotation: pose.rotation.map(Certified::exact),
-        position: pose.position.map(Certified::exact),
-    }
-}
-
-/// Newton's and Euler's equations of a body about the origin of its frame.
+/// Newton's and Euler's equations of a free body, which the numeric algorithm has in its own tests; batches, whose vectors of
+/// positions are empty.
 #[test]
 fn a_free_body_obeys_newton_and_euler() {
     assert_eq!(Stone::DOF, 6);
     let stone = Stone { m: 3.0 };
+    let numeric = FloatingNewtonEuler::<0, 6>::new(&stone.table());
     let base = Pose {
-        rotation: UnitQuaternion::from_euler_angles(0.3, -0.8, 1.1)
-            .to_rotation_matrix()
-            .into_inner(),
+        rotation: Rotation3::from_euler_angles(0.3, -0.8, 1.1).into_inner(),
         position: Vector3::new(1.0, 2.0, 3.0),
     };
     let none = SVector::<f64, 0>::zeros();
-    let [linear, w] = [Vector3::new(0.2, -0.4, 0.9), Vector3::new(1.1, 0.6, -0.7)];
-    let [linear_rate, rate] = [Vector3::new(-0.3, 0.8, 0.1), Vector3::new(0.5, -0.9, 0.4)];
-    let join = |a: Vector3<f64>, b: Vector3<f64>| SVector::from([a.x, a.y, a.z, b.x, b.y, b.z]);
-    let (v, a) = (join(linear, w), join(linear_rate, rate));
-    let c = Vector3::new(0.1, 0.0, 0.2);
-    let tensor = Matrix3::from_diagonal(&Vector3::new(0.5, 0.4, 0.6));
-    let gravity = base.rotation.transpose() * Vector3::new(0.0, 0.0, -9.81);
-    let of_center = linear_rate + w.cross(&linear) + rate.cross(&c) + w.cross(&w.cross(&c));
-    let force = 3.0 * (of_center - gravity);
-    let moment = tensor * rate + w.cross(&(tensor * w)) + c.cross(&force);
+    let v = SVector::from([0.2, -0.4, 0.9, 1.1, 0.6, -0.7]);
+    let a = SVector::from([-0.3, 0.8, 0.1, 0.5, -0.9, 0.4]);
     let found = stone.inverse_dynamics(&base, &none, &v, &a);
-    assert!((found - join(force, moment)).amax() < 1e-13, "{found}");
-    let back = stone
-        .forward_dynamics(&base, &none, &v, &found)
-        .expect("a mass");
-    assert!((back - a).amax() < 1e-13);
-    let height = (base.position + base.rotation * c).z;
-    assert!((stone.potential_energy(&base, &none) - 3.0 * 9.81 * height).abs() < 1e-12);
-    // Batches, whose vectors of positions are empty.
+    let expected = numeric.inverse_dynamics(&base, &none, &v, &a);
+    assert!((found - expected).amax() < 1e-13, "{found}");
+    let back = stone.forward_dynamics(&base, &none, &v, &found);
+    assert!((back.expect("a mass") - a).amax() < 1e-13);
+    let potential = numeric.potential_energy(&base, &none);
+    assert!((stone.potential_energy(&base, &none) - potential).abs() < 1e-12);
     let (poses, positions, velocities) = (vec![base; 21], vec![none; 21], vec![v; 21]);
     let mut forces = vec![SVector::<f64, 6>::zeros(); 21];
     stone

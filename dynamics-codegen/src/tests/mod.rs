@@ -5,13 +5,9 @@ mod accepted;
 #[cfg(feature = "files")]
 mod beside;
 mod damage;
-mod doubles;
 mod expansion;
 #[cfg(feature = "files")]
 mod floating;
-mod floating_identities;
-#[cfg(feature = "files")]
-mod floating_values;
 mod fragments;
 mod hard_cases;
 mod hostile;

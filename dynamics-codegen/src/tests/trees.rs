@@ -30,52 +30,17 @@ const TORSO: &str = "
 const TORSO_IN_TOML: &str = r#"
 convention = "modified"
 gravity = [0, 0, -9.81]
-[let]
-reach = 0.3
-[frame.left_hand]
-on = "left_elbow"
-xyz = ["reach", 0, 0]
-mass = "load"
-com = [0, 0, 0.05]
-inertia = "sphere(0.04)"
-[frame."the camera"]
-on = "waist"
-xyz = [0.1, 0, "width"]
-rpy = [0, 0.3, 0]
-mass = 1
-[frame.corner]
-on = "base"
-mass = 2
-[[joint]]
-name = "waist"
-type = "revolute"
-mass = 9
-[[joint]]
-name = "left_shoulder"
-type = "revolute"
-on = "waist"
-gamma = "PI/2"
-b = "width"
-a = 0.2
-alpha = "PI/2"
-mass = 2
-[[joint]]
-name = "left_elbow"
-type = "revolute"
-a = "reach"
-mass = 1
-[[joint]]
-name = "right_shoulder"
-type = "revolute"
-on = "waist"
-b = "width"
-mass = 2
-[[joint]]
-name = "lift"
-type = "prismatic"
-on = "base"
-at = { xyz = ["width", 0, 0], rpy = [0, 0, "PI/2"] }
-mass = 3
+let = { reach = 0.3 }
+frame.left_hand = { on = "left_elbow", xyz = ["reach", 0, 0], mass = "load", com = [0, 0, 0.05], inertia = "sphere(0.04)" }
+frame."the camera" = { on = "waist", xyz = [0.1, 0, "width"], rpy = [0, 0.3, 0], mass = 1 }
+frame.corner = { on = "base", mass = 2 }
+joint = [
+    { name = "waist", type = "revolute", mass = 9 },
+    { name = "left_shoulder", type = "revolute", on = "waist", gamma = "PI/2", b = "width", a = 0.2, alpha = "PI/2", mass = 2 },
+    { name = "left_elbow", type = "revolute", a = "reach", mass = 1 },
+    { name = "right_shoulder", type = "revolute", on = "waist", b = "width", mass = 2 },
+    { name = "lift", type = "prismatic", on = "base", at = { xyz = ["width", 0, 0], rpy = [0, 0, "PI/2"] }, mass = 3 },
+]
 "#;
 
 const TORSO_IN_JSON: &str = r#"{

@@ -1,9 +1,9 @@
 //! All axes of an arm: those of its joints, and those that follow them.
 
-use robot_dynamics::nalgebra::{Matrix4, SVector};
+use robot_dynamics::nalgebra::{DVector, Matrix4};
 use robot_dynamics::{
     Scalar,
-    table::{Convention, Frame, JointMotion, JointType, Row, RuntimeTable, Table},
+    table::{Convention, Frame, JointMotion, JointType, Row, RuntimeTable},
 };
 
 /// An axis at `factor * q + offset`, q the position of its joint.
@@ -11,6 +11,8 @@ use robot_dynamics::{
 pub(super) struct Axis {
     pub(super) row: Row,
     pub(super) joint: usize,
+    /// The place of its joint among the degrees of freedom.
+    pub(super) freedom: usize,
     pub(super) factor: f64,
     pub(super) offset: f64,
     /// Whether it is that of the joint itself.
@@ -19,25 +21,27 @@ pub(super) struct Axis {
 
 impl Axis {
     /// Where it is.
-    pub(super) fn position<T: Scalar, const N: usize>(&self, q: &SVector<T, N>) -> T {
+    pub(super) fn position<T: Scalar>(&self, q: &DVector<T>) -> T {
         T::from_f64(self.factor) * q[self.joint] + T::from_f64(self.offset)
     }
 
     /// How fast it moves.
-    pub(super) fn speed<const N: usize>(&self, qd: &SVector<f64, N>) -> f64 {
-        self.factor * qd[self.joint]
+    pub(super) fn speed(&self, qd: &DVector<f64>) -> f64 {
+        self.factor * qd[self.freedom]
     }
 }
 
 /// From the base outwards.
-pub(super) fn axes<const N: usize>(table: &Table<N>) -> Vec<Axis> {
+pub(super) fn axes(table: &RuntimeTable) -> Vec<Axis> {
     let mut axes = Vec::new();
-    for joint in 0..=N {
-        let followers = table.followers.iter();
+    let of_base = table.floating.map_or(0, |_| 6);
+    for joint in 0..=table.rows.len() {
+        let followers = table.followers();
         let here = followers.filter(|follower| follower.place == joint);
         axes.extend(here.map(|follower| Axis {
             row: follower.row,
             joint: follower.leader,
+            freedom: of_base + follower.leader,
             factor: follower.factor,
             offset: follower.offset,
             is_free: false,
@@ -45,6 +49,7 @@ pub(super) fn axes<const N: usize>(table: &Table<N>) -> Vec<Axis> {
         axes.extend(table.rows.get(joint).map(|row| Axis {
             row: *row,
             joint,
+            freedom: of_base + joint,
             factor: 1.0,
             offset: 0.0,
             is_free: true,
@@ -54,14 +59,8 @@ pub(super) fn axes<const N: usize>(table: &Table<N>) -> Vec<Axis> {
 }
 
 /// The table of an arm with these axes, which move as those of `table` do.
-pub(super) fn with_axes<const N: usize>(table: &Table<N>, axes: &[Axis]) -> Table<N> {
+pub(super) fn with_axes(table: &RuntimeTable, axes: &[Axis]) -> RuntimeTable {
     let rows: Vec<Row> = axes.iter().map(|axis| axis.row).collect();
-    if let Ok(rows) = <[Row; N]>::try_from(rows.as_slice()) {
-        return Table {
-            rows,
-            ..table.clone()
-        };
-    }
     let row_of = |joint: usize| {
         let mut places = axes.iter();
         places.position(|axis| axis.is_free && axis.joint == joint)
@@ -75,12 +74,9 @@ pub(super) fn with_axes<const N: usize>(table: &Table<N>, axes: &[Axis]) -> Tabl
         },
     };
     let motions: Vec<JointMotion> = axes.iter().map(motion).collect();
-    let coupled = RuntimeTable::couple(table.convention, table.gravity, &rows, &motions);
-    Table {
-        base: table.base,
-        tool: table.tool,
-        ..coupled.of_joints().expect("as many joints")
-    }
+    let mut moving = RuntimeTable::couple(table.convention, table.gravity, &rows, &motions);
+    (moving.base, moving.tool) = (table.base, table.tool);
+    moving
 }
 
 /// A homogeneous transform in any arithmetic.
@@ -133,10 +129,7 @@ fn transform<T: Scalar>(convention: Convention, row: &Row, q: T) -> Pose<T> {
 }
 
 /// The link frames of all axes: the products of the table's transforms.
-pub(super) fn poses<T: Scalar, const N: usize>(
-    table: &Table<N>,
-    q: &SVector<T, N>,
-) -> Vec<Pose<T>> {
+pub(super) fn poses<T: Scalar>(table: &RuntimeTable, q: &DVector<T>) -> Vec<Pose<T>> {
     let mut pose = placed(&table.base);
     let links = axes(table).into_iter().map(|axis| {
         pose = then(
@@ -149,10 +142,10 @@ pub(super) fn poses<T: Scalar, const N: usize>(
 }
 
 /// The links' frames as the arm has them, and those of its followers by the table.
-pub(super) fn with_followers<T: Scalar, const N: usize>(
-    table: &Table<N>,
-    q: &SVector<T, N>,
-    of_joints: &[Pose<T>; N],
+pub(super) fn with_followers<T: Scalar>(
+    table: &RuntimeTable,
+    q: &DVector<T>,
+    of_joints: &[Pose<T>],
 ) -> Vec<Pose<T>> {
     let poses = axes(table).into_iter().zip(poses(table, q));
     let poses = poses.map(|(axis, pose)| match axis.is_free {

@@ -1,40 +1,49 @@
 //! Hamilton's equations against those of Lagrange.
 
-use robot_dynamics::nalgebra::SVector;
+use robot_dynamics::nalgebra::{DMatrix, DVector};
 
-use super::any_arm::AnyArm;
-use super::samples::{Magnitude, TOLERANCE, assert_small, states};
+use super::any_robot::AnyRobot;
+use super::samples::{Magnitude, TOLERANCE, assert_small, largest, states};
 
-/// p' = dT/dq - G - K - F + tau with dT/dq = C' qd, C of the Christoffel symbols.
-pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix<const N: usize, const P: usize>(
-    robot: &dyn AnyArm<N, P>,
-) {
-    let arm = robot.momenta().expect("mass_matrix and inverse_dynamics");
-    for state in states() {
+/// p' = dT/dq - G - K - F + tau with dT/dq = C' qd, where dM/dt - 2 C is skew.
+pub(super) fn forces_on_momenta_are_those_of_the_coriolis_matrix(robot: &dyn AnyRobot) {
+    let n = robot.freedoms();
+    for state in states(robot) {
         let (q, qd, tau) = (&state.q, &state.qd, &state.qdd);
         let kinetic = robot.coriolis_matrix(q, qd).transpose() * qd;
         let own = robot.spring_vector(q) + robot.friction_vector(qd);
         let expected = kinetic - robot.gravity_vector(q) - own + tau;
         let magnitude = Magnitude::at(robot, &state).torque;
-        assert_small(&(arm.force(q, qd, tau) - expected), magnitude, N);
+        let force = robot.force_on_momenta(&state, tau);
+        assert_small(&(force - expected), magnitude, n);
     }
 }
 
 /// M^-1 (M qd) = qd.
-pub(super) fn velocity_undoes_momentum<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) {
-    let arm = robot.momenta().expect("mass_matrix and inverse_dynamics");
-    for state in states() {
-        let p: SVector<f64, N> = arm.momentum(&state.q, &state.qd);
-        let qd = arm.velocity(&state.q, &p).expect("M is positive definite");
+pub(super) fn velocity_undoes_momentum(robot: &dyn AnyRobot) {
+    for state in states(robot) {
+        let found = robot.momentum_and_back(&state);
+        let [momentum, qd] = found.expect("M is positive definite");
         let m = robot.mass_matrix(&state.q);
-        let bound = TOLERANCE * N as f64 * m.amax() * state.qd.amax();
-        let inverse = m.try_inverse().expect("M is positive definite");
-        for (i, error) in (qd - state.qd).iter().enumerate() {
-            let bound = bound * inverse.row(i).abs().sum();
-            assert!(
-                error.abs() <= bound,
-                "joint {i}: {error:e}, beyond {bound:e}"
-            );
-        }
+        assert_small(
+            &(&m * &state.qd - momentum),
+            largest(&m) * largest(&state.qd),
+            m.ncols(),
+        );
+        let bound = TOLERANCE * m.ncols() as f64 * m.amax() * state.qd.amax();
+        assert_within(&(qd - &state.qd), bound, &m);
+    }
+}
+
+/// Asserts that errors are what M makes of forces of up to `bound`.
+#[track_caller]
+pub(super) fn assert_within(errors: &DVector<f64>, bound: f64, m: &DMatrix<f64>) {
+    let inverse = m.clone().try_inverse().expect("M is positive definite");
+    for (i, error) in errors.iter().enumerate() {
+        let bound = bound * inverse.row(i).abs().sum();
+        assert!(
+            error.abs() <= bound,
+            "joint {i}: {error:e}, beyond {bound:e}"
+        );
     }
 }

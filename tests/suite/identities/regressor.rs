@@ -1,64 +1,54 @@
 //! The regressor and the base inertial parameters.
 
-use robot_dynamics::nalgebra::{DMatrix, DVector, SVector};
+use robot_dynamics::nalgebra::{DMatrix, DVector, Dyn};
 use robot_dynamics::{
-    NewtonEuler, State,
-    table::{Spring, Table},
+    NumericArm,
+    table::{RuntimeTable, Spring},
 };
 use testkit::random::Random;
 
-use super::any_arm::AnyArm;
+use super::any_robot::AnyRobot;
 use super::axes::{axes, with_axes};
-use super::samples::{Magnitude, assert_small, states};
+use super::place::State;
+use super::samples::{Magnitude, assert_small, state, states};
 
 /// Y base_parameters + K + F = tau.
-pub(super) fn base_parameters_give_the_torque_without_springs_and_friction<
-    const N: usize,
-    const P: usize,
->(
-    robot: &dyn AnyArm<N, P>,
-) {
-    for state in states() {
-        let found = robot.evaluate(&state, &SVector::zeros());
+pub(super) fn base_parameters_give_the_torque_without_springs_and_friction(robot: &dyn AnyRobot) {
+    let n = robot.freedoms();
+    for state in states(robot) {
+        let found = robot.evaluate(&state, &DVector::zeros(n));
         let own = robot.spring_vector(&state.q) + robot.friction_vector(&state.qd);
-        let forces: SVector<f64, N> = found.get("regressor_form").expect("asked for");
-        let torque = forces + own;
+        let forces: Vec<f64> = found.get("regressor_form").expect("asked for");
+        let torque = DVector::from(forces) + own;
         let expected = robot.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-        assert_small(&(torque - expected), Magnitude::at(robot, &state).torque, N);
+        assert_small(&(torque - expected), Magnitude::at(robot, &state).torque, n);
     }
 }
 
 /// Random states: three equations for each base parameter, and some.
-fn samples<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) -> Vec<State<N>> {
+fn samples(robot: &dyn AnyRobot) -> Vec<State> {
     let mut random = Random::seeded(1_990);
-    let mut state = || State {
-        q: random.vector(std::f64::consts::PI),
-        qd: random.vector(3.0),
-        qdd: random.vector(10.0),
-    };
-    let first = state();
-    let columns = columns(robot, &first).len();
-    let count = 8 + 3 * columns / N;
+    let n = robot.freedoms();
+    let mut state = || state(&mut random, robot.table().rows.len(), n);
+    let columns = regressor(robot, &state()).ncols();
+    let count = 8 + 3 * columns / n;
     (0..count).map(|_| state()).collect()
 }
 
-fn columns<const N: usize, const P: usize>(
-    robot: &dyn AnyArm<N, P>,
-    state: &State<N>,
-) -> Vec<SVector<f64, N>> {
-    let found = robot.evaluate(state, &SVector::zeros());
-    found.get("regressor").expect("asked for")
+fn regressor(robot: &dyn AnyRobot, state: &State) -> DMatrix<f64> {
+    let n = robot.freedoms();
+    let found = robot.evaluate(state, &DVector::zeros(n));
+    let columns: Vec<f64> = found.get("regressor").expect("asked for");
+    DMatrix::from_column_slice(n, columns.len() / n, &columns)
 }
 
 /// The regressors of all states, one below the other, and the norm of each column, by which it is
 /// divided.
-fn stacked<const N: usize, const P: usize>(
-    robot: &dyn AnyArm<N, P>,
-    states: &[State<N>],
-) -> (DMatrix<f64>, DVector<f64>) {
-    let regressors: Vec<_> = states.iter().map(|state| columns(robot, state)).collect();
-    let mut matrix = DMatrix::from_fn(N * states.len(), regressors[0].len(), |row, column| {
-        regressors[row / N][column][row % N]
+fn stacked(robot: &dyn AnyRobot, states: &[State]) -> (DMatrix<f64>, DVector<f64>) {
+    let n = robot.freedoms();
+    let regressors: Vec<_> = states.iter().map(|state| regressor(robot, state)).collect();
+    let mut matrix = DMatrix::from_fn(n * states.len(), regressors[0].ncols(), |row, column| {
+        regressors[row / n][(row % n, column)]
     });
     // Columns of a coupled arm may vanish.
     let norm = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
@@ -71,10 +61,8 @@ fn stacked<const N: usize, const P: usize>(
 }
 
 /// None of the columns is a combination of the others, by a wide margin: the set is minimal.
-pub(super) fn columns_of_the_regressor_are_independent<const N: usize, const P: usize>(
-    robot: &dyn AnyArm<N, P>,
-) {
-    if !robot.table().followers.is_empty() {
+pub(super) fn columns_of_the_regressor_are_independent(robot: &dyn AnyRobot) {
+    if robot.table().followers().next().is_some() {
         // They are those of the arm in which followers move by themselves.
         return;
     }
@@ -88,7 +76,7 @@ pub(super) fn columns_of_the_regressor_are_independent<const N: usize, const P: 
 }
 
 /// The same geometry with other links, springs and friction left out.
-fn with_other_links<const N: usize>(table: &Table<N>, random: &mut Random) -> Table<N> {
+fn with_other_links(table: &RuntimeTable, random: &mut Random) -> RuntimeTable {
     let mut axes = axes(table);
     for row in axes.iter_mut().map(|axis| &mut axis.row) {
         row.mass = random.between(0.5, 5.0);
@@ -109,29 +97,24 @@ fn with_other_links<const N: usize>(table: &Table<N>, random: &mut Random) -> Ta
 /// Identification: base parameters by least squares from the torques of an arm of the same geometry,
 /// whose links nobody knows, give its torques in every other motion. The torques come from the
 /// numeric Newton-Euler algorithm.
-pub(super) fn torques_of_any_inertia_are_combinations_of_the_columns<
-    const N: usize,
-    const P: usize,
->(
-    robot: &dyn AnyArm<N, P>,
-) {
+pub(super) fn torques_of_any_inertia_are_combinations_of_the_columns(robot: &dyn AnyRobot) {
     let states = samples(robot);
     let (matrix, norms) = stacked(robot, &states);
     let factors = matrix.svd(true, true);
     let mut random = Random::seeded(7);
     for _ in 0..3 {
         let table = with_other_links(&robot.table(), &mut random);
-        let unknown = NewtonEuler::new(&table);
-        let torque = |state: &State<N>| unknown.inverse_dynamics(&state.q, &state.qd, &state.qdd);
-        let measured = states.iter().flat_map(|state| torque(state).data.0[0]);
-        let measured = DVector::from_iterator(N * states.len(), measured);
+        let unknown = NumericArm::<Dyn>::new(&table);
+        let torque = |state: &State| unknown.inverse_dynamics(&state.q.q, &state.qd, &state.qdd);
+        let measured: Vec<f64> = (states.iter().map(torque))
+            .flat_map(|torque| torque.data.as_vec().clone())
+            .collect();
+        let measured = DVector::from(measured);
         let least = 1e-9 * factors.singular_values.max();
         let scaled = factors.solve(&measured, least).expect("both factors");
         let identified = scaled.component_div(&norms);
-        for state in super::samples::states() {
-            let columns = columns(robot, &state);
-            let terms = columns.iter().zip(identified.iter());
-            let predicted: SVector<f64, N> = terms.map(|(column, b)| column * *b).sum();
+        for state in super::samples::states(robot) {
+            let predicted = regressor(robot, &state) * &identified;
             let error = (predicted - torque(&state)).amax();
             assert!(
                 error <= 1e-11 * measured.amax(),

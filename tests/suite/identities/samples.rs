@@ -1,36 +1,45 @@
 //! Seeded states, and the magnitudes that errors at them are relative to.
 
-use num_dual::Dual64;
-use robot_dynamics::nalgebra::{Dim, Matrix, RawStorage, SVector};
+use robot_dynamics::nalgebra::{DVector, Dim, Matrix, RawStorage, Rotation3, Vector3};
 use robot_dynamics::{
-    State,
-    table::{JointType, Stribeck, Table},
+    Pose,
+    table::{JointType, RuntimeTable, Stribeck},
 };
 use testkit::random::Random;
 
-use super::any_arm::AnyArm;
+use super::any_robot::AnyRobot;
 use super::axes::{Axis, axes};
+use super::place::{Place, State};
 
 /// The largest difference of two results, for each joint, relative to their magnitude: the bound of the accuracy tests
 /// for both of them, and as much again for the sums of the test itself.
 pub(super) const TOLERANCE: f64 = 1.6e-14;
 
 /// Twelve states: joints anywhere, at speeds and accelerations of an arm at work.
-pub(super) fn states<const N: usize>() -> impl Iterator<Item = State<N>> {
+pub(super) fn states(robot: &dyn AnyRobot) -> impl Iterator<Item = State> {
     let mut random = Random::seeded(2_026);
-    (0..12).map(move |_| State {
-        q: random.vector(std::f64::consts::PI),
-        qd: random.vector(3.0),
-        qdd: random.vector(10.0),
-    })
+    let [joints, freedoms] = [robot.table().rows.len(), robot.freedoms()];
+    (0..12).map(move |_| state(&mut random, joints, freedoms))
 }
 
-/// The point `x`, moving at `direction`: what is evaluated there carries its derivative that way.
-pub(super) fn along<const N: usize>(
-    x: &SVector<f64, N>,
-    direction: &SVector<f64, N>,
-) -> SVector<Dual64, N> {
-    x.zip_map(direction, Dual64::new)
+/// A base that moves is turned anywhere, within a metre.
+pub(super) fn state(random: &mut Random, joints: usize, freedoms: usize) -> State {
+    let mut vector =
+        |count, limit: f64| DVector::from_fn(count, |_, _| random.between(-limit, limit));
+    let q = vector(joints, std::f64::consts::PI);
+    let (qd, qdd) = (vector(freedoms, 3.0), vector(freedoms, 10.0));
+    let base = (freedoms > joints).then(|| {
+        let [turn, position] = [3.0, 1.0].map(|limit| {
+            let x = vector(3, limit);
+            Vector3::new(x[0], x[1], x[2])
+        });
+        Pose {
+            rotation: Rotation3::new(turn).into_inner(),
+            position,
+        }
+    });
+    let q = Place { base, q };
+    State { q, qd, qdd }
 }
 
 /// The natural magnitudes of an arm's quantities at one state.
@@ -59,22 +68,19 @@ pub(super) struct Magnitude {
 }
 
 impl Magnitude {
-    pub(super) fn at<const N: usize, const P: usize>(
-        robot: &dyn AnyArm<N, P>,
-        state: &State<N>,
-    ) -> Self {
+    pub(super) fn at(robot: &dyn AnyRobot, state: &State) -> Self {
         let table = robot.table();
         let speed = largest(&state.qd);
         let inertia = largest(&robot.mass_matrix(&state.q));
         let reach = reach(&table, &state.q);
-        let weight = table.total_mass() * norm(table.gravity);
+        let axes = axes(&table);
+        let weight = mass(&table, &axes) * norm(table.gravity);
         let gravity = weight * reach;
         let coriolis = inertia * speed * speed;
         let friction = largest(&robot.friction_vector(&state.qd));
-        let axes = axes(&table);
         let stretch = |axis: &Axis| {
             let rest = axis.row.spring.rest.abs() + axis.offset.abs();
-            axis.speed(&state.q).abs() + rest
+            axis.factor.abs() * state.q.q[axis.joint].abs() + rest
         };
         let spring = |axis: &Axis| axis.factor.abs() * axis.row.spring.stiffness * stretch(axis);
         let spring = axes.iter().map(spring).fold(0.0, f64::max);
@@ -109,18 +115,36 @@ fn norm(v: [f64; 3]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-fn reach<const N: usize>(table: &Table<N>, q: &SVector<f64, N>) -> f64 {
+/// The mass of all bodies that move.
+fn mass(table: &RuntimeTable, axes: &[Axis]) -> f64 {
+    let body = table.floating.map_or(0.0, |body| body.mass);
+    let frames = table.frames.iter();
+    let frames = frames.filter(|frame| frame.on.is_some() || table.floating.is_some());
+    let frames: f64 = frames.map(|frame| frame.mass).sum();
+    let links: f64 = axes.iter().map(|axis| axis.row.mass).sum();
+    body + links + table.tool.mass + frames
+}
+
+fn reach(table: &RuntimeTable, q: &Place<f64>) -> f64 {
     let link = |axis: Axis| {
         let row = axis.row;
         let travel = match row.joint_type {
             JointType::Revolute => 0.0,
-            JointType::Prismatic => axis.position(q).abs(),
+            JointType::Prismatic => axis.position(&q.q).abs(),
         };
-        row.a.abs() + row.d.abs() + travel + norm(row.com)
+        row.a.abs() + row.d.abs() + travel + norm(row.com) + norm(row.mount.position)
     };
     let tool = norm(table.tool.frame.xyz) + norm(table.tool.com);
     let links: f64 = axes(table).into_iter().map(link).sum();
-    norm(table.base.xyz) + links + tool
+    let frames = table.frames.iter();
+    let frames: f64 = frames
+        .map(|frame| norm(frame.place.position) + norm(frame.com))
+        .sum();
+    let body = table.floating.map_or(0.0, |body| norm(body.com));
+    let base = q
+        .base
+        .map_or(norm(table.base.xyz), |base| base.position.norm());
+    base + links + tool + frames + body
 }
 
 /// The largest absolute value.

@@ -1,24 +1,22 @@
 //! Springs.
 
-use robot_dynamics::nalgebra::{SVector, Vector1};
+use robot_dynamics::nalgebra::{DVector, Vector1};
 
-use super::any_arm::AnyArm;
+use super::any_robot::AnyRobot;
 use super::axes::axes;
 use super::samples::{Magnitude, assert_small, states};
 
 /// K = stiffness (q - rest), what a follower's spring holds times its factor, and nothing where the table has none.
-pub(super) fn springs_are_those_of_the_table<const N: usize, const P: usize>(
-    robot: &dyn AnyArm<N, P>,
-) {
+pub(super) fn springs_are_those_of_the_table(robot: &dyn AnyRobot) {
     let table = robot.table();
-    for state in states() {
+    for state in states(robot) {
         let forces = robot.spring_vector(&state.q);
         let magnitude = Magnitude::at(robot, &state).spring;
-        let mut expected = SVector::<f64, N>::zeros();
+        let mut expected = DVector::<f64>::zeros(robot.freedoms());
         for axis in axes(&table) {
             let spring = axis.row.spring;
-            let stretch = axis.position(&state.q) - spring.rest;
-            expected[axis.joint] += axis.factor * spring.stiffness * stretch;
+            let stretch = axis.position(&state.q.q) - spring.rest;
+            expected[axis.freedom] += axis.factor * spring.stiffness * stretch;
         }
         for (force, expected) in forces.iter().zip(&expected) {
             assert_small(&Vector1::new(force - expected), magnitude, 1);
@@ -27,15 +25,15 @@ pub(super) fn springs_are_those_of_the_table<const N: usize, const P: usize>(
 }
 
 /// K = 0 where every spring is slack.
-pub(super) fn nothing_pulls_at_rest<const N: usize, const P: usize>(robot: &dyn AnyArm<N, P>) {
+pub(super) fn nothing_pulls_at_rest(robot: &dyn AnyRobot) {
     let table = robot.table();
-    let mut rest = SVector::<f64, N>::zeros();
+    let mut rest = states(robot).next().expect("a state").q;
     for axis in axes(&table) {
         let spring = axis.row.spring;
         // Where both a joint and its follower have a spring, both are slack at once.
         if spring.stiffness != 0.0 {
-            rest[axis.joint] = (spring.rest - axis.offset) / axis.factor;
+            rest.q[axis.joint] = (spring.rest - axis.offset) / axis.factor;
         }
     }
-    assert_eq!(robot.spring_vector(&rest), SVector::<f64, N>::zeros());
+    assert_eq!(robot.spring_vector(&rest), DVector::zeros(robot.freedoms()));
 }
