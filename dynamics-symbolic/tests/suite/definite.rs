@@ -5,8 +5,9 @@ use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
 use dynamics_symbolic::exact::{Rational, SplitMix64};
 use dynamics_symbolic::neglect::neglect;
-use dynamics_symbolic::program::{Arithmetic, Program};
+use dynamics_symbolic::program::Program;
 use dynamics_symbolic::robot::{Convention, JointType, Robot, Row, Symbol, Value};
+use interpreter::At;
 
 /// Small links like those of the arms that once passed with an indefinite M.
 struct Arms(SplitMix64);
@@ -68,47 +69,21 @@ fn arm(rows: Vec<Row>) -> Robot {
     }
 }
 
-/// Positions, as the values of a program's symbols.
-struct Pose<'a>(&'a [f64]);
-
-impl Arithmetic for Pose<'_> {
-    type Number = f64;
-
-    fn rational(&mut self, x: &Rational) -> f64 {
-        x.to_f64().value()
-    }
-
-    fn symbol(&mut self, symbol: &Symbol) -> f64 {
-        match symbol {
-            Symbol::Sine(i) => self.0[*i].sin(),
-            Symbol::Cosine(i) => self.0[*i].cos(),
-            Symbol::Position(i) => self.0[*i],
-            other => panic!("{other:?} in a mass matrix of right angles"),
-        }
-    }
-
-    fn neg(&mut self, a: f64) -> f64 {
-        -a
-    }
-
-    fn add(&mut self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    fn mul(&mut self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    fn div(&mut self, a: f64, b: f64) -> f64 {
-        a / b
-    }
+/// The symbols of a program at these positions.
+fn pose(q: &[f64]) -> At<impl Fn(&Symbol) -> f64> {
+    At(|symbol: &Symbol| match symbol {
+        Symbol::Sine(i) => q[*i].sin(),
+        Symbol::Cosine(i) => q[*i].cos(),
+        Symbol::Position(i) => q[*i],
+        other => panic!("{other:?} in a mass matrix of right angles"),
+    })
 }
 
 /// The least eigenvalue of M with its rows and columns divided by the square roots of `scales`, by the
 /// rotations of Jacobi.
 fn least_eigenvalue(mass_matrix: &Program, q: &[f64], scales: &[f64]) -> f64 {
     let n = q.len();
-    let entries = mass_matrix.evaluate(&mut Pose(q));
+    let entries = mass_matrix.evaluate(&mut pose(q));
     let scaled = |i: usize, k: usize| entries[i * n + k] / (scales[i] * scales[k]).sqrt();
     let mut m: Vec<Vec<f64>> = (0..n)
         .map(|i| (0..n).map(|k| scaled(i, k)).collect())
@@ -140,7 +115,7 @@ fn attacked(robot: &Robot, starts: usize, random: &mut SplitMix64) -> f64 {
     let starts: Vec<_> = (0..starts).map(|_| start()).collect();
     let mut scales = vec![f64::MIN_POSITIVE; n];
     for q in &starts {
-        let m = program.evaluate(&mut Pose(q));
+        let m = program.evaluate(&mut pose(q));
         for (i, scale) in scales.iter_mut().enumerate() {
             *scale = scale.max(m[i * n + i]);
         }

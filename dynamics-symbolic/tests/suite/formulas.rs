@@ -2,10 +2,9 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
-use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::formula::{Budget, Format, Formulas, Structure};
-use dynamics_symbolic::program::Arithmetic;
 use dynamics_symbolic::robot::{Base, Robot, Symbol, Value};
+use interpreter::At;
 
 const BUDGET: Budget = Budget {
     terms: 400,
@@ -115,7 +114,7 @@ fn formulas_are_what_is_computed() {
         for function in Function::ALL.into_iter().filter(have_letters) {
             let program = derive(robot, function);
             let formulas = Formulas::new(robot, &[function.into()], &program, BUDGET);
-            let expected = program.evaluate(&mut Point(robot));
+            let expected = program.evaluate(&mut point(robot));
             for (shown, expected) in formulas
                 .shown(Format::Text, usize::MAX)
                 .iter()
@@ -266,71 +265,39 @@ fn structure_of_short_and_long_arms() {
     assert_eq!(sentence("puma560", Function::KineticEnergy), None);
 }
 
-/// Some value of every symbol, by its name in formulas.
-struct Point<'r>(&'r Robot);
-
 /// The value of a name.
 fn named(name: &str) -> f64 {
     let sum: u64 = name.bytes().fold(7, |sum, byte| 31 * sum + u64::from(byte));
     0.5 + (sum % 997) as f64 / 1_000.0
 }
 
-impl Point<'_> {
-    fn joint(name: &str, index: usize) -> f64 {
-        named(&format!("{name}{}", index + 1))
-    }
-
-    fn cell(&self, value: &Value) -> f64 {
-        let fields: Vec<f64> = self.0.fields.iter().map(|field| named(field)).collect();
-        value.to_f64(&fields)
-    }
+fn of_joint(name: &str, index: usize) -> f64 {
+    named(&format!("{name}{}", index + 1))
 }
 
-impl Arithmetic for Point<'_> {
-    type Number = f64;
-
-    fn rational(&mut self, x: &Rational) -> f64 {
-        x.to_f64().value()
-    }
-
-    fn symbol(&mut self, symbol: &Symbol) -> f64 {
-        match symbol {
-            Symbol::Pi => core::f64::consts::PI,
-            Symbol::Field(i) => named(&self.0.fields[*i]),
-            Symbol::AngleSine(angle) => self.cell(angle).sin(),
-            Symbol::AngleCosine(angle) => self.cell(angle).cos(),
-            Symbol::Sine(i) => Point::joint("q", *i).sin(),
-            Symbol::Cosine(i) => Point::joint("q", *i).cos(),
-            Symbol::Position(i) => Point::joint("q", *i),
-            Symbol::Velocity(i) => Point::joint("qd", *i),
-            Symbol::Acceleration(i) => Point::joint("qdd", *i),
-            Symbol::Force(i) => Point::joint("tau", *i),
-            Symbol::VelocitySign(i) => Point::joint("qd", *i).signum(),
-            Symbol::Stribeck(i) => {
-                let row = self.0.joints().nth(*i).expect("a joint");
-                let velocity = &row.stribeck.as_ref().expect("it has one").velocity;
-                let ratio = Point::joint("qd", *i) / self.cell(velocity);
-                (-ratio * ratio).exp()
-            }
-            Symbol::Entry(argument, i) => Point::joint(argument.name(), *i),
+/// Some value of every symbol, by its name in formulas.
+fn point(robot: &Robot) -> At<impl Fn(&Symbol) -> f64> {
+    let fields: Vec<f64> = robot.fields.iter().map(|field| named(field)).collect();
+    At(move |symbol: &Symbol| match symbol {
+        Symbol::Pi => core::f64::consts::PI,
+        Symbol::Field(i) => fields[*i],
+        Symbol::AngleSine(angle) => angle.to_f64(&fields).sin(),
+        Symbol::AngleCosine(angle) => angle.to_f64(&fields).cos(),
+        Symbol::Sine(i) => of_joint("q", *i).sin(),
+        Symbol::Cosine(i) => of_joint("q", *i).cos(),
+        Symbol::Position(i) => of_joint("q", *i),
+        Symbol::Velocity(i) => of_joint("qd", *i),
+        Symbol::Acceleration(i) => of_joint("qdd", *i),
+        Symbol::Force(i) => of_joint("tau", *i),
+        Symbol::VelocitySign(i) => of_joint("qd", *i).signum(),
+        Symbol::Stribeck(i) => {
+            let row = robot.joints().nth(*i).expect("a joint");
+            let velocity = &row.stribeck.as_ref().expect("it has one").velocity;
+            let ratio = of_joint("qd", *i) / velocity.to_f64(&fields);
+            (-ratio * ratio).exp()
         }
-    }
-
-    fn neg(&mut self, a: f64) -> f64 {
-        -a
-    }
-
-    fn add(&mut self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    fn mul(&mut self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    fn div(&mut self, a: f64, b: f64) -> f64 {
-        a / b
-    }
+        Symbol::Entry(argument, i) => of_joint(argument.name(), *i),
+    })
 }
 
 /// Evaluates the text of a formula: sums of products by juxtaposition, over at most one divisor.
@@ -417,7 +384,7 @@ impl Reader<'_> {
         let angle = || {
             name[1..]
                 .bytes()
-                .map(|byte| Point::joint("q", usize::from(byte - b'1')))
+                .map(|byte| of_joint("q", usize::from(byte - b'1')))
         };
         match name.as_bytes()[0] {
             _ if name == "pi" => core::f64::consts::PI,

@@ -10,11 +10,11 @@ use expect_test::expect_file;
 fn the_list_for_macros_is_that_of_the_table() {
     let alone = |name: &str| name.to_owned();
     let with_batches = |name: &str| format!("{name} {name}_batch par_{name}_batch");
-    let all = list(EVERY, |_| true, alone);
-    let is_short = |function: &Function| *function != Function::InverseDynamicsSecondDerivatives;
-    let of_long_arms = list(OF_LONG_ARMS, is_short, alone);
+    let is_long = |function: &Function| *function == Function::InverseDynamicsSecondDerivatives;
+    let others = list(EVERY, is_long, alone);
+    let of_long_arms = list(OF_LONG_ARMS, |function| !is_long(function), alone);
     let batches = list(BATCHES, |_| true, with_batches);
-    let file = format!("{HEAD}{all}{of_long_arms}{batches}");
+    let file = format!("{HEAD}{others}{TAIL}{of_long_arms}{MORE}{TAIL}{batches}{TAIL}");
     expect_file!["../../../testkit/robots/src/functions.rs"].assert_eq(&file);
 }
 
@@ -27,7 +27,7 @@ fn list(head: &str, belongs: impl Fn(&Function) -> bool, names: impl Fn(&str) ->
         let (names, arguments) = (names(function.name()), arguments.join(", "));
         writeln!(list, "            {names} [{arguments}]").expect("a string takes it");
     }
-    list + TAIL
+    list
 }
 
 const HEAD: &str = "\
@@ -39,8 +39,8 @@ const EVERY: &str = "
 #[macro_export]
 macro_rules! each_function {
     ($then:path { $($context:tt)* }) => {
-        $then! {
-            { $($context)* }
+        $crate::__functions_of_long_arms! {
+            $then { $($context)* }
 ";
 
 const OF_LONG_ARMS: &str = "
@@ -48,8 +48,20 @@ const OF_LONG_ARMS: &str = "
 #[macro_export]
 macro_rules! each_function_of_long_arms {
     ($then:path { $($context:tt)* }) => {
+        $crate::__functions_of_long_arms! { $then { $($context)* } }
+    };
+}
+
+/// And some more functions.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __functions_of_long_arms {
+    ($then:path { $($context:tt)* } $($more:tt)*) => {
         $then! {
             { $($context)* }
+";
+
+const MORE: &str = "            $($more)*
 ";
 
 const BATCHES: &str = "

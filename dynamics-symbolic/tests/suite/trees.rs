@@ -3,13 +3,14 @@
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive_plain;
 use dynamics_symbolic::exact::Rational;
-use dynamics_symbolic::program::{Arithmetic, Operand, Program};
+use dynamics_symbolic::program::{Operand, Program};
 use dynamics_symbolic::prove::{Assignment, Cause, Definition, Number, prove};
 use dynamics_symbolic::robot::{
     Body, Carrier, Convention, Coupling, Frame, Interpretation, JointType, Mount, Placement, Robot,
     Row, Symbol, Value,
 };
 use expect_test::expect_file;
+use interpreter::At;
 
 pub(crate) fn ratio(a: i64, b: u64) -> Value {
     Value::Rational(Rational::from_parts_signed(a.into(), b.into()))
@@ -140,37 +141,6 @@ pub(crate) fn tree_of_five() -> Robot {
     }
 }
 
-/// All positions, velocities and forces zero.
-struct Rest;
-
-impl Arithmetic for Rest {
-    type Number = f64;
-
-    fn rational(&mut self, x: &Rational) -> f64 {
-        x.to_f64().value()
-    }
-
-    fn symbol(&mut self, symbol: &Symbol) -> f64 {
-        f64::from(matches!(symbol, Symbol::Cosine(_)))
-    }
-
-    fn neg(&mut self, a: f64) -> f64 {
-        -a
-    }
-
-    fn add(&mut self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    fn mul(&mut self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    fn div(&mut self, a: f64, b: f64) -> f64 {
-        a / b
-    }
-}
-
 #[test]
 fn accelerations_of_a_tree_are_rbdls() {
     let robot = tree_of_five();
@@ -182,7 +152,9 @@ fn accelerations_of_a_tree_are_rbdls() {
         0.267_198_443_579_767,
         5.305_797_665_369_65,
     ];
-    let found = program.evaluate(&mut Rest);
+    // All positions, velocities and forces are zero.
+    let rest = |symbol: &Symbol| f64::from(matches!(symbol, Symbol::Cosine(_)));
+    let found = program.evaluate(&mut At(rest));
     for (found, printed) in found.iter().zip(printed) {
         assert!((found - printed).abs() < 1e-13, "{found} {printed}");
     }

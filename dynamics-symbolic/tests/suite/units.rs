@@ -5,11 +5,11 @@
 
 use dynamics_symbolic::Function;
 use dynamics_symbolic::derive::derive;
-use dynamics_symbolic::exact::{Rational, SplitMix64};
-use dynamics_symbolic::program::Arithmetic;
+use dynamics_symbolic::exact::SplitMix64;
 use dynamics_symbolic::robot::{
     Base, Body, JointType, Placement, Robot, Spring, Stribeck, Symbol, Tool, Value,
 };
+use interpreter::At;
 
 /// Powers of length and mass.
 type Unit = (i32, i32);
@@ -124,58 +124,25 @@ fn power((length, mass): Unit, (a, b): (i32, i32)) -> f64 {
 }
 
 /// Doubles, in units of 2^a and 2^b: the same state at the same seed.
-struct Doubles<'a> {
-    arm: &'a Arm,
-    scale: (i32, i32),
-    random: SplitMix64,
-}
-
-impl Doubles<'_> {
-    fn number(&mut self, unit: Unit) -> f64 {
-        let unscaled = (self.random.next_u64() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0;
-        unscaled * power(unit, self.scale)
-    }
-}
-
-impl Arithmetic for Doubles<'_> {
-    type Number = f64;
-
-    fn rational(&mut self, x: &Rational) -> f64 {
-        x.to_f64().value()
-    }
-
-    fn symbol(&mut self, symbol: &Symbol) -> f64 {
-        match symbol {
-            Symbol::Pi => std::f64::consts::PI,
-            Symbol::Field(i) => self.arm.fields[*i].0 * power(self.arm.fields[*i].1, self.scale),
-            Symbol::AngleSine(angle) => angle.to_f64(&[]).sin(),
-            Symbol::AngleCosine(angle) => angle.to_f64(&[]).cos(),
-            Symbol::Sine(_) | Symbol::Cosine(_) => self.number(NONE),
-            Symbol::Position(i) | Symbol::Velocity(i) | Symbol::Acceleration(i) => {
-                self.number(self.arm.motion(*i))
-            }
-            Symbol::Force(i) => self.number(self.arm.force(*i)),
-            Symbol::VelocitySign(_) => 1.0,
-            Symbol::Stribeck(_) => self.number(NONE),
-            Symbol::Entry(..) => unreachable!("no function with other arguments is scaled"),
+fn doubles(arm: &Arm, scale: (i32, i32)) -> At<impl FnMut(&Symbol) -> f64> {
+    let mut random = SplitMix64::new(1);
+    let mut number = move |unit: Unit| {
+        let unscaled = (random.next_u64() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0;
+        unscaled * power(unit, scale)
+    };
+    At(move |symbol: &Symbol| match symbol {
+        Symbol::Pi => std::f64::consts::PI,
+        Symbol::Field(i) => arm.fields[*i].0 * power(arm.fields[*i].1, scale),
+        Symbol::AngleSine(angle) => angle.to_f64(&[]).sin(),
+        Symbol::AngleCosine(angle) => angle.to_f64(&[]).cos(),
+        Symbol::Sine(_) | Symbol::Cosine(_) | Symbol::Stribeck(_) => number(NONE),
+        Symbol::Position(i) | Symbol::Velocity(i) | Symbol::Acceleration(i) => {
+            number(arm.motion(*i))
         }
-    }
-
-    fn neg(&mut self, a: f64) -> f64 {
-        -a
-    }
-
-    fn add(&mut self, a: f64, b: f64) -> f64 {
-        a + b
-    }
-
-    fn mul(&mut self, a: f64, b: f64) -> f64 {
-        a * b
-    }
-
-    fn div(&mut self, a: f64, b: f64) -> f64 {
-        a / b
-    }
+        Symbol::Force(i) => number(arm.force(*i)),
+        Symbol::VelocitySign(_) => 1.0,
+        Symbol::Entry(..) => unreachable!("no function with other arguments is scaled"),
+    })
 }
 
 const FUNCTIONS: [Function; 8] = [
@@ -226,11 +193,7 @@ fn units_that_are_powers_of_two_change_no_digit() {
         }
         for function in FUNCTIONS {
             let program = derive(&arm.robot, function);
-            let at = |scale| {
-                let random = SplitMix64::new(1);
-                let arm = &arm;
-                program.evaluate(&mut Doubles { arm, scale, random })
-            };
+            let at = |scale| program.evaluate(&mut doubles(&arm, scale));
             let expected = at((0, 0));
             for scale in SCALES {
                 for (output, (x, y)) in at(scale).iter().zip(&expected).enumerate() {

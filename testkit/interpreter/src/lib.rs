@@ -5,4 +5,4 @@
 
 mod rounded;
 
-pub use rounded::{AllDigits, Inputs, Rounded, is_refused};
+pub use rounded::{AllDigits, At, Inputs, Rounded, is_refused};

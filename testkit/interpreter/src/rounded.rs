@@ -161,9 +161,9 @@ fn rests(program: &Program, doubles: &[f64]) -> Vec<f64> {
 }
 
 /// A scalar's arithmetic, at the values that a function gives the symbols.
-struct At<F>(F);
+pub struct At<F>(pub F);
 
-impl<T: Scalar, F: Fn(&Symbol) -> T> Arithmetic for At<F> {
+impl<T: Scalar, F: FnMut(&Symbol) -> T> Arithmetic for At<F> {
     type Number = T;
 
     fn rational(&mut self, x: &Rational) -> T {

@@ -7,144 +7,73 @@ use robot_dynamics::{
 
 use super::*;
 
-/// An arm of N joints, with P = N(N-1)/2 pairs of joints.
-pub trait Arm<const N: usize, const P: usize>:
-    Evaluate<N> + ForwardDynamics<N> + Energy<N>
-{
-    /// The name of its files in `tests/data`.
-    const FILE: &'static str;
-
-    /// M(q).
-    fn mass_matrix<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N>;
-    /// V(q, qd).
-    fn coriolis_vector<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> SVector<T, N>;
-    /// G(q).
-    fn gravity_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
-    /// F(qd).
-    fn friction_vector<T: Scalar>(&self, qd: &SVector<T, N>) -> SVector<T, N>;
-    /// K(q).
-    fn spring_vector<T: Scalar>(&self, q: &SVector<T, N>) -> SVector<T, N>;
-    /// V + G + K + F.
-    fn bias_force<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>) -> SVector<T, N>;
-    /// M qdd + V + G + K + F.
-    fn inverse_dynamics<T: Scalar>(
-        &self,
-        q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        qdd: &SVector<T, N>,
-    ) -> SVector<T, N>;
-    /// C from the Christoffel symbols.
-    fn coriolis_matrix<T: Scalar>(&self, q: &SVector<T, N>, qd: &SVector<T, N>)
-    -> SMatrix<T, N, N>;
-    /// B of V = B [qd qd] + C [qd^2].
-    fn coriolis_coefficients<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, P>;
-    /// C of V = B [qd qd] + C [qd^2].
-    fn centrifugal_coefficients<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, N, N>;
-    /// The last frame in the base.
-    fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, N>) -> Matrix4<T>;
-    /// Every frame in the base.
-    fn link_poses<T: Scalar>(&self, q: &SVector<T, N>) -> [Matrix4<T>; N];
-    /// The geometric Jacobian of the last frame's origin.
-    fn jacobian<T: Scalar>(&self, q: &SVector<T, N>) -> SMatrix<T, 6, N>;
-    /// d tau/dq and d tau/dqd.
-    fn inverse_dynamics_derivatives<T: Scalar>(
-        &self,
-        q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        qdd: &SVector<T, N>,
-    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
-    /// d qdd/dq, d qdd/dqd and M^-1.
-    fn forward_dynamics_derivatives<T: Scalar>(
-        &self,
-        q: &SVector<T, N>,
-        qd: &SVector<T, N>,
-        tau: &SVector<T, N>,
-    ) -> Result<AccelerationDerivatives<T, N>, SingularMassMatrix>;
+/// Hands the methods to the macro `$then`, behind a context in brackets: of `$n` joints, with `$p` = n(n-1)/2 pairs of joints.
+macro_rules! methods {
+    ($then:ident [$($context:tt)*] $n:tt $p:tt) => {
+        $then! {
+            [$($context)*] $n
+            /// M(q).
+            mass_matrix(q) -> SMatrix<T, $n, $n>;
+            /// V(q, qd).
+            coriolis_vector(q, qd) -> SVector<T, $n>;
+            /// G(q).
+            gravity_vector(q) -> SVector<T, $n>;
+            /// F(qd).
+            friction_vector(qd) -> SVector<T, $n>;
+            /// K(q).
+            spring_vector(q) -> SVector<T, $n>;
+            /// V + G + K + F.
+            bias_force(q, qd) -> SVector<T, $n>;
+            /// M qdd + V + G + K + F.
+            inverse_dynamics(q, qd, qdd) -> SVector<T, $n>;
+            /// C from the Christoffel symbols.
+            coriolis_matrix(q, qd) -> SMatrix<T, $n, $n>;
+            /// B of V = B [qd qd] + C [qd^2].
+            coriolis_coefficients(q) -> SMatrix<T, $n, $p>;
+            /// C of V = B [qd qd] + C [qd^2].
+            centrifugal_coefficients(q) -> SMatrix<T, $n, $n>;
+            /// The last frame in the base.
+            forward_kinematics(q) -> Matrix4<T>;
+            /// Every frame in the base.
+            link_poses(q) -> [Matrix4<T>; $n];
+            /// The geometric Jacobian of the last frame's origin.
+            jacobian(q) -> SMatrix<T, 6, $n>;
+            /// d tau/dq and d tau/dqd.
+            inverse_dynamics_derivatives(q, qd, qdd) -> (SMatrix<T, $n, $n>, SMatrix<T, $n, $n>);
+            /// d qdd/dq, d qdd/dqd and M^-1.
+            forward_dynamics_derivatives(q, qd, tau) -> Result<AccelerationDerivatives<T, $n>, SingularMassMatrix>;
+        }
+    };
 }
 
+macro_rules! declare {
+    ([] $n:tt $($(#[$doc:meta])* $method:ident($($argument:ident),*) -> $value:ty;)*) => {
+        /// An arm of N joints, with P = N(N-1)/2 pairs of joints.
+        pub trait Arm<const N: usize, const P: usize>: Evaluate<N> + ForwardDynamics<N> + Energy<N> {
+            /// The name of its files in `tests/data`.
+            const FILE: &'static str;
+            $($(#[$doc])* fn $method<T: Scalar>(&self, $($argument: &SVector<T, $n>),*) -> $value;)*
+        }
+    };
+}
+methods! { declare [] N P }
+
 /// Implements [`Arm`] by the inherent methods, which is also a check of their signatures.
-macro_rules! arms {
-    ($($file:ident: $robot:ident, $n:literal, $p:literal;)*) => {$(
+macro_rules! implement {
+    ([$file:ident $robot:ident $p:tt] $n:tt $($(#[$doc:meta])* $method:ident($($argument:ident),*) -> $value:ty;)*) => {
         impl Arm<$n, $p> for $robot {
             const FILE: &'static str = stringify!($file);
-
-            fn mass_matrix<T: Scalar>(&self, q: &SVector<T, $n>) -> SMatrix<T, $n, $n> {
-                $robot::mass_matrix(self, q)
-            }
-            fn coriolis_vector<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-                qd: &SVector<T, $n>,
-            ) -> SVector<T, $n> {
-                $robot::coriolis_vector(self, q, qd)
-            }
-            fn gravity_vector<T: Scalar>(&self, q: &SVector<T, $n>) -> SVector<T, $n> {
-                $robot::gravity_vector(self, q)
-            }
-            fn friction_vector<T: Scalar>(&self, qd: &SVector<T, $n>) -> SVector<T, $n> {
-                $robot::friction_vector(self, qd)
-            }
-            fn spring_vector<T: Scalar>(&self, q: &SVector<T, $n>) -> SVector<T, $n> {
-                $robot::spring_vector(self, q)
-            }
-            fn bias_force<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-                qd: &SVector<T, $n>,
-            ) -> SVector<T, $n> {
-                $robot::bias_force(self, q, qd)
-            }
-            fn inverse_dynamics<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-                qd: &SVector<T, $n>,
-                qdd: &SVector<T, $n>,
-            ) -> SVector<T, $n> {
-                $robot::inverse_dynamics(self, q, qd, qdd)
-            }
-            fn coriolis_matrix<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-                qd: &SVector<T, $n>,
-            ) -> SMatrix<T, $n, $n> {
-                $robot::coriolis_matrix(self, q, qd)
-            }
-            fn coriolis_coefficients<T: Scalar>(&self, q: &SVector<T, $n>) -> SMatrix<T, $n, $p> {
-                $robot::coriolis_coefficients(self, q)
-            }
-            fn centrifugal_coefficients<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-            ) -> SMatrix<T, $n, $n> {
-                $robot::centrifugal_coefficients(self, q)
-            }
-            fn forward_kinematics<T: Scalar>(&self, q: &SVector<T, $n>) -> Matrix4<T> {
-                $robot::forward_kinematics(self, q)
-            }
-            fn link_poses<T: Scalar>(&self, q: &SVector<T, $n>) -> [Matrix4<T>; $n] {
-                $robot::link_poses(self, q)
-            }
-            fn jacobian<T: Scalar>(&self, q: &SVector<T, $n>) -> SMatrix<T, 6, $n> {
-                $robot::jacobian(self, q)
-            }
-            fn inverse_dynamics_derivatives<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-                qd: &SVector<T, $n>,
-                qdd: &SVector<T, $n>,
-            ) -> (SMatrix<T, $n, $n>, SMatrix<T, $n, $n>) {
-                $robot::inverse_dynamics_derivatives(self, q, qd, qdd)
-            }
-            fn forward_dynamics_derivatives<T: Scalar>(
-                &self,
-                q: &SVector<T, $n>,
-                qd: &SVector<T, $n>,
-                tau: &SVector<T, $n>,
-            ) -> Result<AccelerationDerivatives<T, $n>, SingularMassMatrix> {
-                $robot::forward_dynamics_derivatives(self, q, qd, tau)
-            }
+            $(fn $method<T: Scalar>(&self, $($argument: &SVector<T, $n>),*) -> $value {
+                $robot::$method(self, $($argument),*)
+            })*
         }
-    )*};
+    };
+}
+
+macro_rules! arms {
+    ($($file:ident: $robot:ident, $n:literal, $p:literal;)*) => {
+        $(methods! { implement [$file $robot $p] $n $p })*
+    };
 }
 for_each_robot!(arms);
 arms! { tilting_cell: TiltingCell, 4, 6; }

@@ -5,6 +5,19 @@ use robot_dynamics::robot_dynamics;
 
 use crate::{GenericChain3, Puma560, Stanford};
 
+/// The robot of fields with the doubles of a table: of each row, which cell each field has.
+macro_rules! of_table {
+    ($robot:ident of $table:ident: $($row:literal { $($field:ident: $cell:ident $([$entry:literal])?),* })* $($other:ident: $value:expr),*) => {
+        impl $robot {
+            /// With the doubles of the table.
+            pub fn of_table() -> Self {
+                let rows = $table.table().rows;
+                $robot { $($($field: rows[$row].$cell $([$entry])?,)*)* $($other: $value),* }
+            }
+        }
+    };
+}
+
 robot_dynamics! {
     /// The PUMA 560, every number a field.
     pub struct Puma560Fields {
@@ -23,72 +36,15 @@ robot_dynamics! {
     ],
 }
 
-impl Puma560Fields {
-    /// With the doubles of the table.
-    pub fn of_table() -> Self {
-        let rows = Puma560.table().rows;
-        Puma560Fields {
-            d1: rows[0].d,
-            iyy1: rows[0].inertia[1],
-            rotor1: rows[0].motor_inertia,
-            gear1: rows[0].gear_ratio,
-            viscous1: rows[0].viscous,
-            coulomb1: rows[0].coulomb[0],
-            a2: rows[1].a,
-            m2: rows[1].mass,
-            x2: rows[1].com[0],
-            y2: rows[1].com[1],
-            z2: rows[1].com[2],
-            ixx2: rows[1].inertia[0],
-            iyy2: rows[1].inertia[1],
-            izz2: rows[1].inertia[2],
-            rotor2: rows[1].motor_inertia,
-            gear2: rows[1].gear_ratio,
-            viscous2: rows[1].viscous,
-            coulomb2: rows[1].coulomb[0],
-            a3: rows[2].a,
-            d3: rows[2].d,
-            m3: rows[2].mass,
-            x3: rows[2].com[0],
-            y3: rows[2].com[1],
-            z3: rows[2].com[2],
-            ixx3: rows[2].inertia[0],
-            iyy3: rows[2].inertia[1],
-            izz3: rows[2].inertia[2],
-            rotor3: rows[2].motor_inertia,
-            gear3: rows[2].gear_ratio,
-            viscous3: rows[2].viscous,
-            coulomb3: rows[2].coulomb[0],
-            d4: rows[3].d,
-            m4: rows[3].mass,
-            y4: rows[3].com[1],
-            ixx4: rows[3].inertia[0],
-            iyy4: rows[3].inertia[1],
-            izz4: rows[3].inertia[2],
-            rotor4: rows[3].motor_inertia,
-            gear4: rows[3].gear_ratio,
-            viscous4: rows[3].viscous,
-            coulomb4: rows[3].coulomb[0],
-            m5: rows[4].mass,
-            ixx5: rows[4].inertia[0],
-            iyy5: rows[4].inertia[1],
-            izz5: rows[4].inertia[2],
-            rotor5: rows[4].motor_inertia,
-            gear5: rows[4].gear_ratio,
-            viscous5: rows[4].viscous,
-            coulomb5: rows[4].coulomb[0],
-            m6: rows[5].mass,
-            z6: rows[5].com[2],
-            ixx6: rows[5].inertia[0],
-            iyy6: rows[5].inertia[1],
-            izz6: rows[5].inertia[2],
-            rotor6: rows[5].motor_inertia,
-            gear6: rows[5].gear_ratio,
-            viscous6: rows[5].viscous,
-            coulomb6: rows[5].coulomb[0],
-            g: 9.81,
-        }
-    }
+of_table! {
+    Puma560Fields of Puma560:
+    0 { d1: d, iyy1: inertia [1], rotor1: motor_inertia, gear1: gear_ratio, viscous1: viscous, coulomb1: coulomb [0] }
+    1 { a2: a, m2: mass, x2: com [0], y2: com [1], z2: com [2], ixx2: inertia [0], iyy2: inertia [1], izz2: inertia [2], rotor2: motor_inertia, gear2: gear_ratio, viscous2: viscous, coulomb2: coulomb [0] }
+    2 { a3: a, d3: d, m3: mass, x3: com [0], y3: com [1], z3: com [2], ixx3: inertia [0], iyy3: inertia [1], izz3: inertia [2], rotor3: motor_inertia, gear3: gear_ratio, viscous3: viscous, coulomb3: coulomb [0] }
+    3 { d4: d, m4: mass, y4: com [1], ixx4: inertia [0], iyy4: inertia [1], izz4: inertia [2], rotor4: motor_inertia, gear4: gear_ratio, viscous4: viscous, coulomb4: coulomb [0] }
+    4 { m5: mass, ixx5: inertia [0], iyy5: inertia [1], izz5: inertia [2], rotor5: motor_inertia, gear5: gear_ratio, viscous5: viscous, coulomb5: coulomb [0] }
+    5 { m6: mass, z6: com [2], ixx6: inertia [0], iyy6: inertia [1], izz6: inertia [2], rotor6: motor_inertia, gear6: gear_ratio, viscous6: viscous, coulomb6: coulomb [0] }
+    g: 9.81
 }
 
 robot_dynamics! {
@@ -109,61 +65,15 @@ robot_dynamics! {
     ],
 }
 
-impl StanfordFields {
-    /// With the doubles of the table.
-    pub fn of_table() -> Self {
-        let rows = Stanford.table().rows;
-        StanfordFields {
-            d1: rows[0].d,
-            m1: rows[0].mass,
-            y1: rows[0].com[1],
-            z1: rows[0].com[2],
-            ixx1: rows[0].inertia[0],
-            iyy1: rows[0].inertia[1],
-            izz1: rows[0].inertia[2],
-            rotor1: rows[0].motor_inertia,
-            gear1: rows[0].gear_ratio,
-            d2: rows[1].d,
-            m2: rows[1].mass,
-            y2: rows[1].com[1],
-            ixx2: rows[1].inertia[0],
-            iyy2: rows[1].inertia[1],
-            izz2: rows[1].inertia[2],
-            rotor2: rows[1].motor_inertia,
-            gear2: rows[1].gear_ratio,
-            a3: rows[2].a,
-            m3: rows[2].mass,
-            z3: rows[2].com[2],
-            ixx3: rows[2].inertia[0],
-            iyy3: rows[2].inertia[1],
-            izz3: rows[2].inertia[2],
-            rotor3: rows[2].motor_inertia,
-            gear3: rows[2].gear_ratio,
-            m4: rows[3].mass,
-            y4: rows[3].com[1],
-            z4: rows[3].com[2],
-            ixx4: rows[3].inertia[0],
-            iyy4: rows[3].inertia[1],
-            izz4: rows[3].inertia[2],
-            rotor4: rows[3].motor_inertia,
-            gear4: rows[3].gear_ratio,
-            m5: rows[4].mass,
-            y5: rows[4].com[1],
-            z5: rows[4].com[2],
-            ixx5: rows[4].inertia[0],
-            iyy5: rows[4].inertia[1],
-            rotor5: rows[4].motor_inertia,
-            gear5: rows[4].gear_ratio,
-            m6: rows[5].mass,
-            z6: rows[5].com[2],
-            ixx6: rows[5].inertia[0],
-            iyy6: rows[5].inertia[1],
-            izz6: rows[5].inertia[2],
-            rotor6: rows[5].motor_inertia,
-            gear6: rows[5].gear_ratio,
-            g: 9.81,
-        }
-    }
+of_table! {
+    StanfordFields of Stanford:
+    0 { d1: d, m1: mass, y1: com [1], z1: com [2], ixx1: inertia [0], iyy1: inertia [1], izz1: inertia [2], rotor1: motor_inertia, gear1: gear_ratio }
+    1 { d2: d, m2: mass, y2: com [1], ixx2: inertia [0], iyy2: inertia [1], izz2: inertia [2], rotor2: motor_inertia, gear2: gear_ratio }
+    2 { a3: a, m3: mass, z3: com [2], ixx3: inertia [0], iyy3: inertia [1], izz3: inertia [2], rotor3: motor_inertia, gear3: gear_ratio }
+    3 { m4: mass, y4: com [1], z4: com [2], ixx4: inertia [0], iyy4: inertia [1], izz4: inertia [2], rotor4: motor_inertia, gear4: gear_ratio }
+    4 { m5: mass, y5: com [1], z5: com [2], ixx5: inertia [0], iyy5: inertia [1], rotor5: motor_inertia, gear5: gear_ratio }
+    5 { m6: mass, z6: com [2], ixx6: inertia [0], iyy6: inertia [1], izz6: inertia [2], rotor6: motor_inertia, gear6: gear_ratio }
+    g: 9.81
 }
 
 robot_dynamics! {
@@ -181,54 +91,10 @@ robot_dynamics! {
     ],
 }
 
-impl GenericChain3Fields {
-    /// With the doubles of the table.
-    pub fn of_table() -> Self {
-        let rows = GenericChain3.table().rows;
-        GenericChain3Fields {
-            a1: rows[0].a,
-            alpha1: rows[0].alpha,
-            d1: rows[0].d,
-            theta1: rows[0].theta,
-            m1: rows[0].mass,
-            x1: rows[0].com[0],
-            y1: rows[0].com[1],
-            z1: rows[0].com[2],
-            ixx1: rows[0].inertia[0],
-            iyy1: rows[0].inertia[1],
-            izz1: rows[0].inertia[2],
-            ixy1: rows[0].inertia[3],
-            iyz1: rows[0].inertia[4],
-            ixz1: rows[0].inertia[5],
-            a2: rows[1].a,
-            alpha2: rows[1].alpha,
-            d2: rows[1].d,
-            theta2: rows[1].theta,
-            m2: rows[1].mass,
-            x2: rows[1].com[0],
-            y2: rows[1].com[1],
-            z2: rows[1].com[2],
-            ixx2: rows[1].inertia[0],
-            iyy2: rows[1].inertia[1],
-            izz2: rows[1].inertia[2],
-            ixy2: rows[1].inertia[3],
-            iyz2: rows[1].inertia[4],
-            ixz2: rows[1].inertia[5],
-            a3: rows[2].a,
-            alpha3: rows[2].alpha,
-            d3: rows[2].d,
-            theta3: rows[2].theta,
-            m3: rows[2].mass,
-            x3: rows[2].com[0],
-            y3: rows[2].com[1],
-            z3: rows[2].com[2],
-            ixx3: rows[2].inertia[0],
-            iyy3: rows[2].inertia[1],
-            izz3: rows[2].inertia[2],
-            ixy3: rows[2].inertia[3],
-            iyz3: rows[2].inertia[4],
-            ixz3: rows[2].inertia[5],
-            g: 9.81,
-        }
-    }
+of_table! {
+    GenericChain3Fields of GenericChain3:
+    0 { a1: a, alpha1: alpha, d1: d, theta1: theta, m1: mass, x1: com [0], y1: com [1], z1: com [2], ixx1: inertia [0], iyy1: inertia [1], izz1: inertia [2], ixy1: inertia [3], iyz1: inertia [4], ixz1: inertia [5] }
+    1 { a2: a, alpha2: alpha, d2: d, theta2: theta, m2: mass, x2: com [0], y2: com [1], z2: com [2], ixx2: inertia [0], iyy2: inertia [1], izz2: inertia [2], ixy2: inertia [3], iyz2: inertia [4], ixz2: inertia [5] }
+    2 { a3: a, alpha3: alpha, d3: d, theta3: theta, m3: mass, x3: com [0], y3: com [1], z3: com [2], ixx3: inertia [0], iyy3: inertia [1], izz3: inertia [2], ixy3: inertia [3], iyz3: inertia [4], ixz3: inertia [5] }
+    g: 9.81
 }
