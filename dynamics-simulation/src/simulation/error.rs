@@ -161,6 +161,20 @@ pub enum InvalidSetting {
         /// The joint, counted from 0.
         joint: usize,
     },
+    /// The place at the start has another number of joints than a robot that is known at run time.
+    Positions {
+        /// The robot's number of joints.
+        expected: usize,
+        /// The number of positions that were given.
+        found: usize,
+    },
+    /// The start has another number of velocities than a robot that is known at run time.
+    Velocities {
+        /// The robot's number of velocities: six more than joints where its base moves.
+        expected: usize,
+        /// The number of velocities that were given.
+        found: usize,
+    },
     /// The speed of regularised friction is not a positive finite number.
     FrictionSpeed(f64),
     /// Steps of fixed length, or periods at which laws are sampled, would be more than 100 000 between two samples, or 10
@@ -207,7 +221,11 @@ pub enum InvalidSetting {
 impl<K: Sizes> fmt::Display for SizedSimulationError<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [q, qd] = [self.q.entries(), self.qd.entries()];
-        let of_base = qd.len() - q.len();
+        // A start of another length than the robot's says nothing of a base.
+        let of_base = match qd.len().checked_sub(q.len()) {
+            Some(of_base) if of_base == NAMES_OF_BASE.len() => of_base,
+            _ => 0,
+        };
         write!(f, "the simulation ended at t = {:?} s: ", self.time)?;
         let freedoms = Freedoms {
             of_base,
@@ -368,6 +386,12 @@ impl InvalidSetting {
             ),
             InvalidSetting::InitialState { joint } => {
                 write!(f, "the initial state of {} is not finite", freedoms.name(*joint))
+            }
+            InvalidSetting::Positions { expected, found } => {
+                write!(f, "the start has {found} positions: expected {expected}")
+            }
+            InvalidSetting::Velocities { expected, found } => {
+                write!(f, "the start has {found} velocities: expected {expected}")
             }
             InvalidSetting::FrictionSpeed(speed) => {
                 write!(f, "friction cannot be regularised over a speed of {speed:?}")

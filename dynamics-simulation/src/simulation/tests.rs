@@ -4,8 +4,10 @@ use core::cell::Cell;
 use core::f64::consts::FRAC_PI_2;
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use dynamics_runtime::{ForwardDynamics, Scalar, SingularMassMatrix};
-use nalgebra::{SVector, Vector1, Vector2};
+use dynamics_numeric::NumericArm;
+use dynamics_runtime::table::{Convention, JointType, Row, RuntimeTable};
+use dynamics_runtime::{ForwardDynamics, Place, Scalar, SingularMassMatrix};
+use nalgebra::{DVector, Dyn, SVector, Vector1, Vector2};
 use tables::CRAIG_ARM;
 
 use crate::simulation::{Cause, Dop853, DormandPrince, InvalidSetting, Radau5};
@@ -412,4 +414,44 @@ fn samples_have_what_the_lists_have() {
     let last = run.last().unwrap();
     assert!((last.t, last.qdd) == (run.t[2], run.qdd[2]) && last.tau[0].is_nan());
     assert_eq!(Trajectory::<2>::default().last(), None);
+}
+
+/// No index beyond the end, in a run and in the sentence.
+#[test]
+fn a_start_of_another_length_is_an_error() {
+    let row = Row {
+        mass: 1.0,
+        com: [1.0, 0.0, 0.0],
+        ..Row::new(JointType::Revolute)
+    };
+    let table = RuntimeTable::new(Convention::Modified, [0.0; 3], vec![row; 2]);
+    let arm = NumericArm::new(&table);
+    let start = |positions, velocities| {
+        let q = DVector::<f64>::zeros(positions);
+        let place = Place { base: None, q };
+        let simulation = Simulation::<_, _, Dyn>::new(&arm);
+        let simulation = simulation.initial(place, DVector::zeros(velocities));
+        let error = simulation.run().unwrap_err();
+        let sampled = simulation.control_period(0.1);
+        let mut sampled = sampled.torque(|_, _: &_, _: &_| DVector::zeros(2));
+        assert_eq!(sampled.run().unwrap_err(), error);
+        assert_eq!(error.trajectory.len(), 0);
+        (error.cause, error.to_string())
+    };
+    for found in [0, 1, 3, 9] {
+        let (cause, text) = start(found, 2);
+        assert_eq!(
+            cause,
+            InvalidSetting::Positions { expected: 2, found }.into()
+        );
+        let expected = format!("the start has {found} positions: expected 2 (q = ");
+        assert!(text.contains(&expected), "{text}");
+        let (cause, text) = start(2, found);
+        assert_eq!(
+            cause,
+            InvalidSetting::Velocities { expected: 2, found }.into()
+        );
+        let expected = format!("the start has {found} velocities: expected 2 (q = ");
+        assert!(text.contains(&expected), "{text}");
+    }
 }
