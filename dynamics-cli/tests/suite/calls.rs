@@ -23,8 +23,50 @@ pub(crate) fn file(name: &str, text: impl AsRef<[u8]>) -> String {
     path.to_string_lossy().into_owned()
 }
 
-pub(crate) fn run(arguments: &[&str]) -> Output {
+/// The arguments of a call, in a list or in one text with spaces between them.
+pub(crate) trait Arguments {
+    fn arguments(&self) -> Vec<&str>;
+}
+
+impl Arguments for &str {
+    fn arguments(&self) -> Vec<&str> {
+        self.split_whitespace().collect()
+    }
+}
+
+impl Arguments for &String {
+    fn arguments(&self) -> Vec<&str> {
+        self.split_whitespace().collect()
+    }
+}
+
+impl Arguments for String {
+    fn arguments(&self) -> Vec<&str> {
+        self.split_whitespace().collect()
+    }
+}
+
+impl Arguments for &[&str] {
+    fn arguments(&self) -> Vec<&str> {
+        self.to_vec()
+    }
+}
+
+impl<const K: usize> Arguments for &[&str; K] {
+    fn arguments(&self) -> Vec<&str> {
+        self.to_vec()
+    }
+}
+
+impl Arguments for &Vec<&str> {
+    fn arguments(&self) -> Vec<&str> {
+        self.to_vec()
+    }
+}
+
+pub(crate) fn run(arguments: impl Arguments) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_robot-dynamics"));
+    let arguments = arguments.arguments();
     command.args(arguments).output().expect("the command")
 }
 
@@ -42,8 +84,9 @@ pub(crate) fn succeed(command: &mut Command) -> String {
 
 /// The output of a call that succeeds.
 #[track_caller]
-pub(crate) fn output(arguments: &[&str]) -> String {
-    let output = run(arguments);
+pub(crate) fn output(arguments: impl Arguments) -> String {
+    let arguments = arguments.arguments();
+    let output = run(&arguments);
     let errors = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
     String::from_utf8(output.stdout).expect("text")
@@ -51,16 +94,28 @@ pub(crate) fn output(arguments: &[&str]) -> String {
 
 /// The message of a call that fails.
 #[track_caller]
-pub(crate) fn errors(arguments: &[&str], status: i32) -> String {
-    let output = run(arguments);
+pub(crate) fn errors(arguments: impl Arguments, status: i32) -> String {
+    let arguments = arguments.arguments();
+    let output = run(&arguments);
     let errors = String::from_utf8(output.stderr).expect("text");
-    assert_eq!(
-        output.status.code(),
-        Some(status),
-        "{arguments:?}: {errors}"
-    );
+    let found = output.status.code();
+    assert_eq!(found, Some(status), "{arguments:?}: {errors}");
     assert!(!errors.contains("panicked"), "{errors}");
     errors
+}
+
+/// Asserts that all of these stand in a text.
+#[track_caller]
+pub(crate) fn assert_has<const K: usize>(text: &str, parts: [&str; K]) {
+    for part in parts {
+        assert!(text.contains(part), "no `{part}` in: {text}");
+    }
+}
+
+/// Asserts that a call fails with a message in which all of these stand.
+#[track_caller]
+pub(crate) fn refused<const K: usize>(call: impl Arguments, status: i32, parts: [&str; K]) {
+    assert_has(&errors(call, status), parts);
 }
 
 /// Two rods that hang from each other.

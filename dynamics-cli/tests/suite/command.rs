@@ -1,11 +1,11 @@
 //! The output of each subcommand.
 
-use super::calls::{PENDULUM, data, errors, file, folder, output, run};
+use super::calls::{PENDULUM, assert_has, data, errors, file, folder, output, refused, run};
 
 #[test]
 fn show_prints_what_a_function_is() {
     let pendulum = file("show.toml", PENDULUM);
-    let text = output(&["show", &pendulum, "--functions", "mass_matrix"]);
+    let text = output(format!("show {pendulum} --functions mass_matrix"));
     for expected in [
         "show: 2 joints that move",
         "knee",
@@ -16,27 +16,14 @@ fn show_prints_what_a_function_is() {
         assert!(text.contains(expected), "{expected}: {text}");
     }
     assert!(!text.contains("coriolis_vector"), "{text}");
-    let latex = output(&[
-        "show",
-        &pendulum,
-        "--functions",
-        "gravity_vector",
-        "--format",
-        "latex",
-    ]);
+    let latex = output(format!(
+        "show {pendulum} --functions gravity_vector --format latex"
+    ));
     assert!(latex.contains("G_{"), "{latex}");
-    let locked = output(&[
-        "show",
-        &pendulum,
-        "--lock",
-        "knee=0.5",
-        "--functions",
-        "mass_matrix",
-    ]);
-    assert!(
-        locked.contains("locked at 0.5") && locked.contains("1 joint that moves"),
-        "{locked}"
-    );
+    let locked = output(format!(
+        "show {pendulum} --lock knee=0.5 --functions mass_matrix"
+    ));
+    assert_has(&locked, ["locked at 0.5", "1 joint that moves"]);
 }
 
 /// Joints that the command line locks are locked beside those of the file, and what it allows is allowed beside what the
@@ -47,9 +34,9 @@ fn locks_of_the_file_stay_locked() {
     three += "alpha = 1.5708\n[[joint]]\nname = \"toe\"\ntype = \"revolute\"\na = 1\ncom = [0.25, 0, 0]\n";
     let three = file("three_locks.toml", three);
     let show = |lock: &str| {
-        let mut arguments = vec!["show", &three, "--functions", "mass_matrix"];
-        arguments.extend(["--allow", "odd_mass", "--lock", lock]);
-        run(&arguments)
+        run(format!(
+            "show {three} --functions mass_matrix --allow odd_mass --lock {lock}"
+        ))
     };
     for (lock, locked) in [("toe=0.1", 2), ("knee=0.3", 1)] {
         let shown = show(lock);
@@ -60,9 +47,9 @@ fn locks_of_the_file_stay_locked() {
     let refused = show("knee=0.5");
     assert_eq!(refused.status.code(), Some(2));
     let message = String::from_utf8_lossy(&refused.stderr).into_owned();
-    assert!(
-        message.contains("`knee` is locked at 0.3 in one place and at 0.5 in another"),
-        "{message}"
+    assert_has(
+        &message,
+        ["`knee` is locked at 0.3 in one place and at 0.5 in another"],
     );
 }
 
@@ -82,31 +69,26 @@ fn fields_have_values() {
     }
     let generated = folder("carrying");
     let to = generated.to_string_lossy();
-    output(&[
-        "generate", &carrying, "--field", "load=3/2", "--lang", "c", "--out", &to,
-    ]);
-    output(&[
-        "simulate",
-        &carrying,
-        "--field",
-        "load=1.5",
-        "--samples",
-        "3",
-    ]);
+    output(format!(
+        "generate {carrying} --field load=3/2 --lang c --out {to}"
+    ));
+    output(format!("simulate {carrying} --field load=1.5 --samples 3"));
 
-    let message = errors(&["simulate", &carrying], 1);
-    assert!(
-        message.contains("unknown name `load`: `--field load=2`"),
-        "{message}"
+    refused(
+        format!("simulate {carrying}"),
+        1,
+        ["unknown name `load`: `--field load=2`"],
     );
-    let message = errors(&["show", &carrying, "--field", "laod=1"], 2);
-    assert!(message.contains("has the name `laod`"), "{message}");
+    refused(
+        format!("show {carrying} --field laod=1"),
+        2,
+        ["has the name `laod`"],
+    );
     for (value, expected) in [
         ("load", "expected NAME=NUMBER"),
         ("load=light", "unknown name `light`"),
     ] {
-        let message = errors(&["show", &carrying, "--field", value], 2);
-        assert!(message.contains(expected), "{message}");
+        refused(format!("show {carrying} --field {value}"), 2, [expected]);
     }
 }
 
@@ -115,51 +97,46 @@ fn a_check_of_a_negative_inertia_fails() {
     let table = "convention = 'modified'\ngravity = [0, -9.81, 0]\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\n\
                  mass = 1\ncom = [0.1, 0, 0]\ninertia = { zz = -0.5 }\nallow = ['unphysical_inertia']\n";
     let call = ["check", &file("negative.toml", table)];
-    let message = errors(&call, 1);
-    assert!(message.contains("not positive definite"), "{message}");
+    refused(&call, 1, ["not positive definite"]);
     let report = String::from_utf8_lossy(&run(&call).stdout).into_owned();
-    assert!(
-        report.contains("NOT positive definite, relative pivot -1.0e0, of joint pivot"),
-        "{report}"
+    assert_has(
+        &report,
+        ["NOT positive definite, relative pivot -1.0e0, of joint pivot"],
     );
 }
 
 #[test]
 fn check_compares_with_newton_euler_and_with_another_file() {
     let (one, same) = (file("check.toml", PENDULUM), file("same.toml", PENDULUM));
-    let text = output(&["check", &one, "--against", &same]);
-    assert!(
-        text.contains("inverse_dynamics") && text.contains("against the other file"),
-        "{text}"
-    );
+    let text = output(format!("check {one} --against {same}"));
+    assert_has(&text, ["inverse_dynamics", "against the other file"]);
     let heavier = file("heavier.toml", PENDULUM.replace("mass = 1", "mass = 1.001"));
-    let message = errors(&["check", &one, "--against", &heavier], 1);
-    assert!(
-        message.contains("the two files differ by more than 1e-9"),
-        "{message}"
+    refused(
+        format!("check {one} --against {heavier}"),
+        1,
+        ["the two files differ by more than 1e-9"],
     );
-    output(&["check", &one, "--against", &heavier, "--tolerance", "0.01"]);
+    output(format!("check {one} --against {heavier} --tolerance 0.01"));
     // Functions that cannot be compared are no difference.
     for alone in ["regressor", "energy_regressors"] {
-        let call = ["check", &one, "--functions", alone];
-        let message = errors(&call, 1);
-        assert!(message.contains("can be compared"), "{message}");
+        let call = format!("check {one} --functions {alone}");
+        refused(&call, 1, ["can be compared"]);
         let report = String::from_utf8_lossy(&run(&call).stdout).into_owned();
-        assert!(
-            report.contains("(that takes `base_parameters` too)"),
-            "{report}"
+        assert_has(&report, ["(that takes `base_parameters` too)"]);
+    }
+    for call in ["check", "show", "generate --lang c"] {
+        let series = "--functions taylor_series";
+        refused(
+            format!("{call} {one} {series}"),
+            1,
+            ["nothing else is requested"],
         );
     }
-    for call in [&["check"][..], &["show"], &["generate", "--lang", "c"]] {
-        let series = ["--functions", "taylor_series"];
-        let message = errors(&[call, &[&one], &series].concat(), 1);
-        assert!(message.contains("nothing else is requested"), "{message}");
-    }
-    output(&["show", &one, "--functions", "mass_matrix,taylor_series"]);
+    output(format!("show {one} --functions mass_matrix,taylor_series"));
     // Functions of a tuple are compared as its one program has them.
     let tuple = r#"functions = ["mass_matrix", { terms = ["mass_matrix", "jacobian"] }]"#;
     let tuples = file("tuples.toml", format!("{tuple}{PENDULUM}"));
-    let text = output(&["check", &tuples]);
+    let text = output(format!("check {tuples}"));
     for row in ["mass_matrix  ", "mass_matrix of terms", "jacobian of terms"] {
         assert!(text.lines().any(|line| line.starts_with(row)), "{text}");
     }
@@ -173,20 +150,13 @@ fn generate_writes_files() {
     let out = folder("generated");
     let out = out.to_string_lossy();
     let pendulum = file("two_rods.toml", PENDULUM);
-    let text = output(&["generate", &pendulum, "--lang", "c", "--out", &out]);
+    let text = output(format!("generate {pendulum} --lang c --out {out}"));
     assert_eq!(text.lines().count(), 2, "{text}");
     let source = std::fs::read_to_string(folder("generated").join("two_rods.c")).expect("a source");
     assert!(source.contains("two_rods_forward_dynamics"), "{source}");
-    output(&[
-        "generate",
-        &pendulum,
-        "--lang",
-        "js",
-        "--out",
-        &out,
-        "--functions",
-        "default,jacobian",
-    ]);
+    output(format!(
+        "generate {pendulum} --lang js --out {out} --functions default,jacobian"
+    ));
     let module =
         std::fs::read_to_string(folder("generated").join("two_rods.mjs")).expect("a module");
     assert!(module.contains("export function jacobian(q)"), "{module}");
@@ -198,10 +168,9 @@ fn robots_have_names() {
     let pendulum = file("arm-42.toml", PENDULUM);
     let out = folder("named");
     let to = out.to_string_lossy();
-    let functions = ["--functions", "gravity_vector"];
-    let called =
-        |words: &[&str], name: &str| output(&[words, &functions, &["--name", name]].concat());
-    let shown = called(&["show", &pendulum], "UR5e");
+    let functions = "--functions gravity_vector";
+    let called = |words: &str, name: &str| output(format!("{words} {functions} --name {name}"));
+    let shown = called(&format!("show {pendulum}"), "UR5e");
     assert!(shown.starts_with("UR5e: 2 joints"), "{shown}");
     for (language, file, text) in [
         ("rust", "ur5e.rs", "pub struct UR5e;"),
@@ -212,7 +181,7 @@ fn robots_have_names() {
         ("casadi", "ur5e_casadi.c", "Equations of motion of `UR5e`"),
     ] {
         called(
-            &["generate", &pendulum, "--lang", language, "--out", &to],
+            &format!("generate {pendulum} --lang {language} --out {to}"),
             "UR5e",
         );
         let written = std::fs::read_to_string(out.join(file)).expect(file);
@@ -244,16 +213,9 @@ fn rows(text: &str, columns: usize) -> Vec<Vec<f64>> {
 #[test]
 fn a_free_fall_keeps_its_energy() {
     let pendulum = file("fall.toml", PENDULUM);
-    let text = output(&[
-        "simulate",
-        &pendulum,
-        "--from",
-        "-1,0.5",
-        "--duration",
-        "2",
-        "--samples",
-        "11",
-    ]);
+    let text = output(format!(
+        "simulate {pendulum} --from -1,0.5 --duration 2 --samples 11"
+    ));
     assert!(
         text.starts_with("t [s],q.pivot [rad],q.knee [rad],qd.pivot [rad/s],"),
         "{text}"
@@ -276,17 +238,10 @@ fn a_free_fall_keeps_its_energy() {
 #[test]
 fn inverse_reads_what_simulate_writes() {
     let pendulum = file("both_ways.toml", PENDULUM);
-    let options = [
-        "--from",
-        "-1,0.5",
-        "--velocity",
-        "0.5,1",
-        "--torque",
-        "3,-1",
-    ];
-    let motion = output(&[&["simulate", &pendulum, "--samples", "21"][..], &options].concat());
+    let options = "--from -1,0.5 --velocity 0.5,1 --torque 3,-1";
+    let motion = output(format!("simulate {pendulum} --samples 21 {options}"));
     let way = file("both_ways.csv", &*motion);
-    let found = output(&["inverse", &pendulum, "--waypoints", &way, "--samples", "21"]);
+    let found = output(format!("inverse {pendulum} --waypoints {way} --samples 21"));
     assert!(
         motion.starts_with(found.lines().next().expect("a header")),
         "{found}"
@@ -302,23 +257,16 @@ fn inverse_reads_what_simulate_writes() {
     let row = &rows(&found, 9)[10];
     let state: Vec<String> = row[1..7].iter().map(f64::to_string).collect();
     let at = format!("--at={}", state.join(","));
-    let alone = output(&["inverse", &pendulum, &at]);
+    let alone = output(format!("inverse {pendulum} {at}"));
     assert_eq!(rows(&alone, 9)[0][1..], row[1..]);
 }
 
 #[test]
 fn torques_of_motions() {
     let pendulum = file("inverse.toml", PENDULUM);
-    let text = output(&[
-        "inverse",
-        &pendulum,
-        "--to",
-        "1,-0.5",
-        "--samples",
-        "5",
-        "--functions",
-        "default,jacobian",
-    ]);
+    let text = output(format!(
+        "inverse {pendulum} --to 1,-0.5 --samples 5 --functions default,jacobian"
+    ));
     let cycloidal = rows(&text, 9);
     assert_eq!(cycloidal[4][1..3], [1.0, -0.5]);
     // At rest at the end of the motion: gravity alone, m g l sin q at both joints.
@@ -330,20 +278,15 @@ fn torques_of_motions() {
         assert!((found - expected).abs() < 1e-12, "{text}");
     }
     let waypoints = file("way.csv", "t,pivot,knee\n0,0,0\n1,0.5,0.2\n2,1,-0.5\n");
-    let text = output(&[
-        "inverse",
-        &pendulum,
-        "--waypoints",
-        &waypoints,
-        "--samples",
-        "3",
-    ]);
+    let text = output(format!(
+        "inverse {pendulum} --waypoints {waypoints} --samples 3"
+    ));
     assert_eq!(rows(&text, 9)[1][1..3], [0.5, 0.2]);
     let wrong = file("wrong.csv", "t,pivot,knee\n0,0,0\n1,0.5,fast\n");
-    let message = errors(&["inverse", &pendulum, "--waypoints", &wrong], 1);
-    assert!(
-        message.contains("wrong.csv:3:7: `fast`: expected a number"),
-        "{message}"
+    refused(
+        format!("inverse {pendulum} --waypoints {wrong}"),
+        1,
+        ["wrong.csv:3:7: `fast`: expected a number"],
     );
     for (name, end, expected) in [
         (
@@ -365,23 +308,26 @@ fn torques_of_motions() {
             .filter(|byte| **byte == b'?')
             .for_each(|byte| *byte = 0xe4);
         let way = file(name, bytes);
-        let message = errors(&["inverse", &pendulum, "--waypoints", &way], 1);
-        assert!(message.contains(expected), "{message}");
+        refused(
+            format!("inverse {pendulum} --waypoints {way}"),
+            1,
+            [expected],
+        );
     }
     // Names of columns are those of the joints, in their order, in quotes or not, behind the mark of a text.
     let named = "\u{feff}\"t\",\"q_pivot\",\"q_knee\"\n\"0\",\"0\",\"0\"\n1,1,1\n";
     let way = file("named.csv", named);
-    output(&["inverse", &pendulum, "--waypoints", &way]);
+    output(format!("inverse {pendulum} --waypoints {way}"));
     let way = file("swapped.csv", "t,q_knee,q_pivot\n0,0,0\n1,1,1\n");
-    let message = errors(&["inverse", &pendulum, "--waypoints", &way], 1);
-    assert!(
-        message.contains("swapped.csv:1:3: a column of `knee`, expected one of `pivot`"),
-        "{message}"
+    let message = errors(format!("inverse {pendulum} --waypoints {way}"), 1);
+    assert_has(
+        &message,
+        ["swapped.csv:1:3: a column of `knee`, expected one of `pivot`"],
     );
     // Angles that were perhaps meant in degrees are remarked on.
     let way = file("degrees.csv", "0,0,0\n1,90,45\n");
-    for degrees in [["--waypoints", &way], ["--to", "90,45"]] {
-        let call = run(&[&["inverse", &pendulum][..], &degrees].concat());
+    for degrees in [&format!("--waypoints {way}"), "--to 90,45"] {
+        let call = run(format!("inverse {pendulum} {degrees}"));
         let remarks = String::from_utf8_lossy(&call.stderr).into_owned();
         assert_eq!(call.status.code(), Some(0), "{remarks}");
         let expected =
@@ -389,16 +335,16 @@ fn torques_of_motions() {
         assert!(remarks.contains(expected), "{remarks}");
     }
     let way = file("long.csv", "0,0,0\n1e200,0.5,0.2\n1e300,1,-0.5\n");
-    let text = output(&["inverse", &pendulum, "--waypoints", &way, "--samples", "2"]);
+    let text = output(format!("inverse {pendulum} --waypoints {way} --samples 2"));
     let end = &rows(&text, 9)[1];
     assert!(
         end[0] == 1e300 && (end[1] - 1.0).abs() < 1e-12 && (end[2] + 0.5).abs() < 1e-12,
         "{text}"
     );
-    assert!(errors(&["inverse", &pendulum], 2).contains("--to <X,Y,...>|--waypoints <PATH>"));
+    assert!(errors(format!("inverse {pendulum}"), 2).contains("--to <X,Y,...>|--waypoints <PATH>"));
     let out = folder("files").join("torques.csv");
     let path = out.to_string_lossy();
-    assert!(output(&["inverse", &pendulum, "--to", "1,1", "--out", &path]).is_empty());
+    assert!(output(format!("inverse {pendulum} --to 1,1 --out {path}")).is_empty());
     assert_eq!(
         std::fs::read_to_string(&out)
             .expect("a file")
@@ -413,19 +359,21 @@ fn torques_of_motions() {
 fn inverse_dynamics_is_no_inverse_kinematics() {
     let pendulum = file("named_inverse.toml", PENDULUM);
     let [long, short] = ["inverse-dynamics", "inverse"].map(|word| {
-        let path = output(&[word, &pendulum, "--to", "1,0.5", "--samples", "3"]);
+        let path = output(format!("{word} {pendulum} --to 1,0.5 --samples 3"));
         assert_eq!(rows(&path, 9).len(), 3);
         path
     });
     assert_eq!(long, short);
-    let help = output(&["inverse-dynamics", "--help"]);
+    let help = output("inverse-dynamics --help");
     assert!(help.contains("This is no inverse kinematics"), "{help}");
     for pose in ["0.5,0,0.2", "0.5,0,0.2,0,0,0"] {
-        let message = errors(&["inverse", &pendulum, "--to", pose], 2);
-        assert!(
-            message.contains("expected 2, the positions of the joints that move")
-                && message.contains("`reach` finds the joint positions of a pose of the tip"),
-            "{message}"
+        let message = errors(format!("inverse {pendulum} --to {pose}"), 2);
+        assert_has(
+            &message,
+            [
+                "expected 2, the positions of the joints that move",
+                "`reach` finds the joint positions of a pose of the tip",
+            ],
         );
     }
 }
@@ -439,21 +387,21 @@ fn motions_are_drawn() {
     let svg = path.to_string_lossy();
     for (call, labels) in [
         (
-            vec!["simulate", &pendulum, "--from", "1,0"],
+            format!("simulate {pendulum} --from 1,0"),
             vec!["position, rad", "torque, N m", "pivot", "knee", "energy, J"],
         ),
         (
-            vec!["inverse-dynamics", &pendulum, "--to", "1,0"],
+            format!("inverse-dynamics {pendulum} --to 1,0"),
             vec!["velocity, rad/s", "torque, N m", "pivot", "knee"],
         ),
         (
-            vec!["simulate", &brick, "--velocity", "1,0,0,0,0,0,1"],
+            format!("simulate {brick} --velocity 1,0,0,0,0,0,1"),
             vec!["base, m", "yaw", "wheel", "energy, J"],
         ),
     ] {
         let _ = std::fs::remove_file(&path);
-        let call = [&call[..], &["--samples", "5"]].concat();
-        let drawn = output(&[&call[..], &["--plot", &svg]].concat());
+        let call = format!("{call} --samples 5");
+        let drawn = output(format!("{call} --plot {svg}"));
         assert_eq!(drawn, output(&call));
         let figure = std::fs::read_to_string(&path).expect("a figure");
         assert!(figure.starts_with("<svg"), "{figure}");
@@ -461,23 +409,20 @@ fn motions_are_drawn() {
             assert!(figure.contains(label), "{label}: {figure}");
         }
     }
-    let lost = ["simulate", &pendulum, "--plot", &pendulum];
+    let lost = format!("simulate {pendulum} --plot {pendulum}");
     assert!(errors(&lost, 2).contains("expected a file that ends in `.svg`"));
-    let raster = ["simulate", &pendulum, "--plot", "fall.png"];
+    let raster = format!("simulate {pendulum} --plot fall.png");
     assert!(errors(&raster, 2).contains("the figure is in SVG"));
-    let one = ["simulate", &pendulum, "--plot", &svg, "--out", &svg];
+    let one = format!("simulate {pendulum} --plot {svg} --out {svg}");
     assert!(errors(&one, 2).contains("are one file"));
 }
 
 #[test]
 fn measure_prints_times_and_errors() {
     let pendulum = file("measure.toml", PENDULUM);
-    let text = output(&[
-        "measure",
-        &pendulum,
-        "--functions",
-        "mass_matrix,forward_dynamics",
-    ]);
+    let text = output(format!(
+        "measure {pendulum} --functions mass_matrix,forward_dynamics"
+    ));
     // The times are not those of generated code.
     assert!(
         text.starts_with("function") && text.contains("interpreted, ns"),

@@ -9,13 +9,13 @@ use dynamics_numeric::NewtonEuler;
 use dynamics_runtime::nalgebra::SVector;
 use dynamics_symbolic::robot::{Convention, Robot};
 
-use super::calls::{data, errors, file, folder, output};
+use super::calls::{assert_has, data, errors, file, folder, output};
 
 /// An arm in a URDF file of `tests/data/urdf`.
 struct Arm {
     name: String,
     file: String,
-    options: Vec<String>,
+    options: String,
     besides: ReadOptions,
 }
 
@@ -70,13 +70,13 @@ fn arm(path: &Path) -> Arm {
     let chain: [String; 2] = strings(&json, "chain").try_into().expect("two links");
     let ignore = strings(&json, "ignore");
     let lock = numbers(&json, "lock");
-    let mut options = vec!["--chain".to_owned(), chain.join(",")];
+    let mut options = format!("--chain {}", chain.join(","));
     let mut entries = GRAVITY.to_owned();
     for joint in &ignore {
-        options.extend(["--ignore".to_owned(), joint.clone()]);
+        options += &format!(" --ignore {joint}");
     }
     for (joint, position) in &lock {
-        options.extend(["--lock".to_owned(), format!("{joint}={position}")]);
+        options += &format!(" --lock {joint}={position}");
     }
     if !lock.is_empty() {
         let lock: Vec<_> = lock
@@ -85,7 +85,7 @@ fn arm(path: &Path) -> Arm {
             .collect();
         entries += &format!("lock = {{ {} }}\n", lock.join(", "));
     }
-    options.extend(["--gravity", "0,0,-9.81", "--allow", "unphysical_inertia"].map(str::to_owned));
+    options += " --gravity 0,0,-9.81 --allow unphysical_inertia";
     Arm {
         name: path
             .file_stem()
@@ -109,13 +109,13 @@ pub(super) fn read(path: &str, besides: &ReadOptions) -> Robot {
 /// Calls `convert`, and reads what it wrote to that file.
 pub(super) fn converted(
     file: &str,
-    options: &[&str],
+    options: &str,
     name: &str,
     besides: &ReadOptions,
 ) -> (String, Robot) {
     let path = folder("converted").join(name);
     let path = path.to_string_lossy().into_owned();
-    output(&[&["convert", file, "--out", &path][..], options].concat());
+    output(format!("convert {file} --out {path} {options}"));
     let robot = read(&path, besides);
     (path, robot)
 }
@@ -187,18 +187,23 @@ fn arms_of_urdf_files_are_the_same_as_tables_and_back() {
     assert!(arms.len() >= 29, "{}", arms.len());
     let mut worst: f64 = 0.0;
     for arm in &arms {
-        let options: Vec<&str> = arm.options.iter().map(String::as_str).collect();
         let source = read(&arm.file, &arm.besides);
-        let with = |more: &[&'static str]| [options.as_slice(), more].concat();
+        let options = &arm.options;
         let none = ReadOptions::new();
-        let (standard, name) = (["--convention", "standard"], &arm.name);
+        let (standard, name) = ("--convention standard", &arm.name);
         let modified = format!("{name}.toml");
-        let (path, modified) = converted(&arm.file, &with(&[]), &modified, &none);
-        let standard = converted(&arm.file, &with(&standard), &format!("{name}.json"), &none).1;
+        let (path, modified) = converted(&arm.file, options, &modified, &none);
+        let standard = converted(
+            &arm.file,
+            &format!("{options} {standard}"),
+            &format!("{name}.json"),
+            &none,
+        )
+        .1;
         assert_eq!(modified.convention, Convention::Modified);
         assert_eq!(standard.convention, Convention::Standard);
         let back = ReadOptions::new().chain(["base", "tip"]).entries(GRAVITY);
-        let back = converted(&path, &[], &format!("{name}_back.urdf"), &back).1;
+        let back = converted(&path, "", &format!("{name}_back.urdf"), &back).1;
         for (kind, robot) in [
             ("modified", modified),
             ("standard", standard),
@@ -240,7 +245,7 @@ fn tables_are_the_same_in_both_conventions() {
         let robot = read(&source, &none);
         let mut path = source;
         for (step, convention) in ["modified", "standard", "modified"].into_iter().enumerate() {
-            let options = ["--convention", convention, "--to", "toml"];
+            let options = format!("--convention {convention} --to toml");
             let file = format!("{name}_{step}.toml");
             let (next, converted) = converted(&path, &options, &file, &none);
             let difference = difference(&robot, &converted);
@@ -256,7 +261,7 @@ fn tables_are_the_same_in_both_conventions() {
 fn the_cells_of_a_published_table_are_found_again() {
     let path = data("robots/panda.json");
     let robot = read(&path, &ReadOptions::new());
-    let (_, same) = converted(&path, &["--to", "toml"], "same.toml", &ReadOptions::new());
+    let (_, same) = converted(&path, "--to toml", "same.toml", &ReadOptions::new());
     for (row, expected) in same.rows.iter().zip(&robot.rows) {
         let cells = |row: &dynamics_symbolic::robot::Row| {
             let angles = [&row.alpha, &row.theta].map(dynamics_symbolic::robot::Angle::new);
@@ -291,11 +296,8 @@ fn a_table_in_its_own_convention_keeps_its_rows() {
     let none = ReadOptions::new();
     let source = read(&path, &none);
     for (options, name) in [
-        (&["--to", "toml"][..], "kept_again.toml"),
-        (
-            &["--to", "json", "--convention", "modified"],
-            "kept_again.json",
-        ),
+        ("--to toml", "kept_again.toml"),
+        ("--to json --convention modified", "kept_again.json"),
     ] {
         let (written, same) = converted(&path, options, name, &none);
         assert_eq!(same.rows, source.rows, "{name}");
@@ -334,14 +336,7 @@ fn axes_that_are_nearly_parallel_keep_their_digits() {
     let besides = ReadOptions::new().chain(["l0", "l4"]).entries(GRAVITY);
     let source = read(&path, &besides);
     for convention in ["standard", "modified"] {
-        let options = [
-            "--convention",
-            convention,
-            "--chain",
-            "l0,l4",
-            "--gravity",
-            "0,0,-9.81",
-        ];
+        let options = format!("--convention {convention} --chain l0,l4 --gravity 0,0,-9.81");
         let name = format!("tilted_{convention}.toml");
         let (written, table) = converted(&path, &options, &name, &ReadOptions::new());
         let text = std::fs::read_to_string(written).expect("a table");
@@ -375,7 +370,7 @@ fn couplings_are_kept() {
     let none = ReadOptions::new();
     let source = read(&path, &none);
     assert_eq!(source.dof(), 2);
-    let options = ["--convention", "standard", "--to", "toml"];
+    let options = "--convention standard --to toml";
     let (_, standard) = converted(&path, &options, "coupled_standard.toml", &none);
     assert_eq!(names(&standard), names(&source));
     let couplings = |robot: &Robot| {
@@ -397,7 +392,7 @@ fn couplings_are_kept() {
     assert_eq!(couplings(&standard), couplings(&source));
     let difference = difference(&source, &standard);
     assert!(difference < 1e-12, "{difference:e}");
-    let urdf = output(&["convert", &path, "--to", "urdf"]);
+    let urdf = output(format!("convert {path} --to urdf"));
     let mimic = "<mimic joint=\"lead\" multiplier=\"-2\" offset=\"0.25\"/>";
     assert!(urdf.contains(mimic), "{urdf}");
 }
@@ -411,7 +406,7 @@ fn odd_numbers_stay_allowed() {
                 motor = { inertia = 0.1, gear_ratio = 0.5 }\n";
     let path = file("odd_numbers.toml", text);
     for convention in ["standard", "modified"] {
-        let options = ["--convention", convention, "--to", "toml"];
+        let options = format!("--convention {convention} --to toml");
         let to = format!("odd_numbers_{convention}.toml");
         let (written, _) = converted(&path, &options, &to, &ReadOptions::new());
         let written = std::fs::read_to_string(written).expect("a table");
@@ -428,7 +423,7 @@ fn what_urdf_cannot_say_is_told() {
     let text = std::fs::read_to_string(data("files/everything.toml")).expect("a table");
     let path = file("everything.toml", text.replace("\"load\"", "1.25"));
     let source = read(&path, &ReadOptions::new());
-    let options = ["--convention", "standard", "--to", "toml"];
+    let options = "--convention standard --to toml";
     let (written, standard) = converted(
         &path,
         &options,
@@ -455,29 +450,21 @@ fn what_urdf_cannot_say_is_told() {
         );
     }
     let text = std::fs::read_to_string(written).expect("a table");
-    assert!(
-        text.contains("\"jacobian\"") && text.contains("control_terms"),
-        "{text}"
-    );
+    assert_has(&text, ["\"jacobian\"", "control_terms"]);
     let urdf = folder("converted").join("everything.urdf");
     let urdf = urdf.to_string_lossy();
-    let message = errors(&["convert", &path, "--out", &urdf], 1);
-    assert!(
-        message.contains("`lift` has a spring")
-            && message.contains("`turn` has a motor")
-            && message.contains("`--without motor,spring,friction`"),
-        "{message}"
+    let message = errors(format!("convert {path} --out {urdf}"), 1);
+    assert_has(
+        &message,
+        [
+            "`lift` has a spring",
+            "`turn` has a motor",
+            "`--without motor,spring,friction`",
+        ],
     );
-    output(&[
-        "convert",
-        &path,
-        "--out",
-        &urdf,
-        "--without",
-        "spring,motor",
-        "--without",
-        "friction",
-    ]);
+    output(format!(
+        "convert {path} --out {urdf} --without spring,motor --without friction"
+    ));
     let text = std::fs::read_to_string(&*urdf).expect("a file");
     assert!(text.contains("Left out: `turn` has a motor"), "{text}");
     // The arm that is left has no springs, no motors and no such friction.
@@ -500,52 +487,22 @@ fn what_urdf_cannot_say_is_told() {
 #[test]
 fn check_compares_a_table_with_its_file() {
     let urdf = data("urdf/panda.urdf");
-    let options = [
-        "--chain",
-        "panda_link0,panda_hand_tcp",
-        "--gravity",
-        "0,0,-9.81",
-        "--lock",
-        "panda_finger_joint1=0.02",
-        "--lock",
-        "panda_finger_joint2=0.035",
-    ];
+    let options = "--chain panda_link0,panda_hand_tcp --gravity 0,0,-9.81 --lock panda_finger_joint1=0.02 --lock panda_finger_joint2=0.035";
     let table = folder("converted").join("panda_table.toml");
     let table = table.to_string_lossy();
-    output(&[&["convert", &urdf, "--out", &table][..], &options[..]].concat());
-    let functions = [
-        "--functions",
-        "gravity_vector,forward_kinematics",
-        "--samples",
-        "20",
-        "--tolerance",
-        "1e-12",
-    ];
-    let text = output(
-        &[
-            &["check", &table, "--against", &urdf][..],
-            &options[..],
-            &functions[..],
-        ]
-        .concat(),
-    );
-    assert!(
-        text.contains("against the other file") && text.contains("forward_kinematics"),
-        "{text}"
-    );
+    output(format!("convert {urdf} --out {table} {options}"));
+    let functions = "--functions gravity_vector,forward_kinematics --samples 20 --tolerance 1e-12";
+    let text = output(format!(
+        "check {table} --against {urdf} {options} {functions}"
+    ));
+    assert_has(&text, ["against the other file", "forward_kinematics"]);
     let back = folder("converted").join("panda_table.urdf");
     let back = back.to_string_lossy();
-    output(&["convert", &table, "--out", &back]);
-    let other = ["--against-chain", "base,tip"];
-    output(
-        &[
-            &["check", &urdf, "--against", &back][..],
-            &options[..],
-            &functions[..],
-            &other[..],
-        ]
-        .concat(),
-    );
+    output(format!("convert {table} --out {back}"));
+    let other = "--against-chain base,tip";
+    output(format!(
+        "check {urdf} --against {back} {options} {functions} {other}"
+    ));
 }
 
 /// Numbers that are the same each time.
@@ -644,7 +601,7 @@ fn convert_noise(cases: Range<usize>) {
         let tip = format!("l{links}");
         let besides = ReadOptions::new().chain(["l0", &tip]).entries(GRAVITY);
         let chain = format!("l0,{tip}");
-        let options = ["--chain", &chain, "--gravity", "0,0,-9.81"];
+        let options = format!("--chain {chain} --gravity 0,0,-9.81");
         let kind = ["standard", "modified"][case % 2];
         let table = file(
             &format!("{name}.toml"),
@@ -653,12 +610,16 @@ fn convert_noise(cases: Range<usize>) {
         for convention in ["standard", "modified"] {
             for (path, besides, options) in [
                 (&urdf, &besides, &options[..]),
-                (&table, &ReadOptions::new(), &[]),
+                (&table, &ReadOptions::new(), ""),
             ] {
-                let other = ["--to", "toml", "--convention", convention];
+                let other = format!("--to toml --convention {convention}");
                 let to = format!("{name}_{}_{convention}.toml", options.len());
-                let (_, table) =
-                    converted(path, &[&other, options].concat(), &to, &ReadOptions::new());
+                let (_, table) = converted(
+                    path,
+                    &format!("{other} {options}"),
+                    &to,
+                    &ReadOptions::new(),
+                );
                 // V and G of axes that are nearly parallel are small beside what they are differences of.
                 let [mass, _, _, torques, pose] = differences(&read(path, besides), &table);
                 let difference = largest([mass, torques, pose]);
@@ -686,10 +647,10 @@ fn many_arms_with_noise_have_tables() {
 #[test]
 fn axes_with_noise_have_a_table_without_it() {
     let path = data("files/noise_axis.urdf");
-    let written = output(&["convert", &path, "--chain", "a,c", "--gravity", "0,0,-9.81"]);
-    assert!(
-        written.contains("# 10 numbers of the file are noise and taken as zero"),
-        "{written}"
+    let written = output(format!("convert {path} --chain a,c --gravity 0,0,-9.81"));
+    assert_has(
+        &written,
+        ["# 10 numbers of the file are noise and taken as zero"],
     );
     assert!(
         written.contains("alpha = \"PI/2\"") && !written.contains("fixed_1"),

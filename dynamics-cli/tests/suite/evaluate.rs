@@ -1,6 +1,6 @@
 //! The values of all functions at one state.
 
-use super::calls::{PENDULUM, errors, file, output};
+use super::calls::{PENDULUM, assert_has, errors, file, output, refused};
 use super::moving_base::BRICK;
 
 /// The lines of a function's section.
@@ -31,7 +31,7 @@ fn numbers<const ROWS: usize, const COLUMNS: usize>(
 fn all_functions_at_a_state() {
     let pendulum = file("evaluate.toml", PENDULUM);
     let at = "PI/6,deg(60),1,-2,0.5,0.25";
-    let text = output(&["evaluate", &pendulum, "--at", at, "--digits", "17"]);
+    let text = output(format!("evaluate {pendulum} --at {at} --digits 17"));
     let sections: Vec<&str> = text
         .lines()
         .filter(|line| line.starts_with(|c: char| c.is_lowercase()) && !line.contains(' '))
@@ -43,10 +43,7 @@ fn all_functions_at_a_state() {
     for line in ["pivot", "knee"] {
         assert!(text.contains(&format!("\n{line}  ")), "{text}");
     }
-    assert!(
-        text.contains("-2 rad/s") && text.contains("0.25 rad/s^2"),
-        "{text}"
-    );
+    assert_has(&text, ["-2 rad/s", "0.25 rad/s^2"]);
     assert!(text.contains("Mass matrix M(q)"), "{text}");
     // m1 = 2 at 1/2 of a rod of 1, m2 = 1 at 1/4 of the second rod.
     let (c2, s2) = (0.5, 3f64.sqrt() / 2.0);
@@ -81,15 +78,15 @@ fn all_functions_at_a_state() {
 #[test]
 fn forward_dynamics_undoes_inverse_dynamics() {
     let pendulum = file("evaluate_back.toml", PENDULUM);
-    let call = |more: &[&str]| {
-        let parts = ["--at", "0.3,1", "--at", "0.5,-1", "--at", "2,3"];
-        let digits = ["--digits", "17"];
-        output(&[&["evaluate", &pendulum][..], &parts, &digits, more].concat())
+    let call = |more: &str| {
+        let parts = "--at 0.3,1 --at 0.5,-1 --at 2,3";
+        let digits = "--digits 17";
+        output(format!("evaluate {pendulum} {parts} {digits} {more}"))
     };
-    let text = call(&["--functions", "inverse_dynamics"]);
+    let text = call("--functions inverse_dynamics");
     let [[tau1], [tau2]] = numbers::<2, 1>(&text, "inverse_dynamics");
     let torque = format!("{tau1},{tau2}");
-    let text = call(&["--functions", "forward_dynamics", "--torque", &torque]);
+    let text = call(&format!("--functions forward_dynamics --torque {torque}"));
     let [[a1], [a2]] = numbers::<2, 1>(&text, "forward_dynamics");
     assert!(
         (a1 - 2.0).abs() < 1e-12 && (a2 - 3.0).abs() < 1e-12,
@@ -101,9 +98,9 @@ fn forward_dynamics_undoes_inverse_dynamics() {
 #[test]
 fn counts_are_those_of_the_joints() {
     let pendulum = file("evaluate_counts.toml", PENDULUM);
-    let all = output(&["evaluate", &pendulum]);
-    assert_eq!(all, output(&["evaluate", &pendulum, "--at", "0,0,0,0,0,0"]));
-    assert_eq!(all, output(&["evaluate", &pendulum, "--at", "0,0"]));
+    let all = output(format!("evaluate {pendulum}"));
+    assert_eq!(all, output(format!("evaluate {pendulum} --at 0,0,0,0,0,0")));
+    assert_eq!(all, output(format!("evaluate {pendulum} --at 0,0")));
     for (at, expected) in [
         (
             "1",
@@ -114,11 +111,13 @@ fn counts_are_those_of_the_joints() {
         ("1,2,3,4,5,6,7", "`--at` has 7 numbers"),
         ("1,x", "invalid value 'x' for '--at"),
     ] {
-        let message = errors(&["evaluate", &pendulum, "--at", at], 2);
-        assert!(message.contains(expected), "{message}");
+        refused(format!("evaluate {pendulum} --at {at}"), 2, [expected]);
     }
-    let message = errors(&["evaluate", &pendulum, "--pose", "0,0,0,0,0,0"], 2);
-    assert!(message.contains("this one stands"), "{message}");
+    refused(
+        format!("evaluate {pendulum} --pose 0,0,0,0,0,0"),
+        2,
+        ["this one stands"],
+    );
 }
 
 /// A tree has the pose of each frame and of each end; functions without their arguments are named.
@@ -126,9 +125,9 @@ fn counts_are_those_of_the_joints() {
 fn frames_and_functions_without_arguments() {
     let frames = format!("{PENDULUM}[frame.camera]\non = \"pivot\"\nxyz = [0.25, 0, 0]\n");
     let pendulum = file("evaluate_frames.toml", frames);
-    let asked = ["--functions", "jacobian(camera),wrench_torques"];
-    let at = ["--at", "PI/2,0"];
-    let text = output(&[&["evaluate", &pendulum][..], &asked, &at].concat());
+    let asked = "--functions jacobian(camera),wrench_torques";
+    let at = "--at PI/2,0";
+    let text = output(format!("evaluate {pendulum} {asked} {at}"));
     let poses: Vec<&str> = ["forward_kinematics", "forward_kinematics_camera"]
         .map(|name| section(&text, name).pop().expect("a place"))
         .to_vec();
@@ -150,8 +149,8 @@ fn frames_and_functions_without_arguments() {
 fn ends_of_a_tree() {
     let branch = "[[joint]]\nname = \"ankle\"\ntype = \"revolute\"\non = \"pivot\"\na = 0.5\nmass = 1\ncom = [0.25, 0, 0]\n";
     let tree = file("evaluate_tree.toml", format!("{PENDULUM}{branch}"));
-    let asked = ["--functions", "mass_matrix"];
-    let text = output(&[&["evaluate", &tree, "--at", "PI,0,PI/2"][..], &asked].concat());
+    let asked = "--functions mass_matrix";
+    let text = output(format!("evaluate {tree} --at PI,0,PI/2 {asked}"));
     for (function, place) in [
         ("forward_kinematics_knee", "xyz [-1, "),
         ("forward_kinematics_ankle", "xyz [-0.5, "),
@@ -167,29 +166,23 @@ fn ends_of_a_tree() {
 #[test]
 fn a_base_that_moves() {
     let brick = file("evaluate_brick.toml", BRICK);
-    let text = output(&[
-        "evaluate",
-        &brick,
-        "--at",
-        "0.5,1,0,0,0,0,0,2",
-        "--pose",
-        "1,2,3,0,0,PI/2",
-    ]);
-    assert!(
-        text.contains("base at xyz [1, 2, 3] m  rpy [0, 0, 1.5708] rad"),
-        "{text}"
-    );
+    let text = output(format!(
+        "evaluate {brick} --at 0.5,1,0,0,0,0,0,2 --pose 1,2,3,0,0,PI/2"
+    ));
+    assert_has(&text, ["base at xyz [1, 2, 3] m  rpy [0, 0, 1.5708] rad"]);
     let [[energy]] = numbers::<1, 1>(&text, "kinetic_energy");
     // Two kilograms and half of one at 1 m/s, and the wheel at 2 rad/s.
     assert!(
         (energy - (0.5 * 2.5 + 0.5 * 0.002 * 4.0)).abs() < 1e-6,
         "{text}"
     );
-    let message = errors(&["evaluate", &brick, "--at", "1,2"], 2);
-    assert!(
-        message.contains("expected 1, one position for each joint that moves, 8 with the 7 velocities behind them, or 15")
-            && message.contains("six of the base before those of the joints"),
-        "{message}"
+    let message = errors(format!("evaluate {brick} --at 1,2"), 2);
+    assert_has(
+        &message,
+        [
+            "expected 1, one position for each joint that moves, 8 with the 7 velocities behind them, or 15",
+            "six of the base before those of the joints",
+        ],
     );
 }
 
@@ -199,9 +192,9 @@ fn singular_matrices_are_told() {
     let massless = "convention = 'modified'\ngravity = [0, -9.81, 0]\nallow = ['no_inertia']\nfunctions = \
                     ['forward_dynamics', 'mass_matrix']\n[[joint]]\nname = 'pivot'\ntype = 'revolute'\n";
     let massless = file("evaluate_massless.toml", massless);
-    let message = errors(&["evaluate", &massless], 1);
-    assert!(
-        message.contains("`forward_dynamics`: ") && message.contains("positive definite"),
-        "{message}"
+    refused(
+        format!("evaluate {massless}"),
+        1,
+        ["`forward_dynamics`: ", "positive definite"],
     );
 }

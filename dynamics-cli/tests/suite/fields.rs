@@ -1,6 +1,6 @@
 //! Names in the cells of a file that nothing binds.
 
-use super::calls::{errors, file, folder, output};
+use super::calls::{assert_has, errors, file, folder, output, refused};
 
 /// Two rods whose lengths and masses are names, the second one's mass a sum, on a planet of any gravity.
 pub(super) const NAMES: &str = r#"
@@ -24,10 +24,8 @@ mass = "m2 + load"
 "#;
 
 /// The options that give the names their values.
-const VALUES: [&str; 12] = [
-    "--field", "g=9.81", "--field", "l1=1/2", "--field", "m1=2", "--field", "l2=0.8", "--field",
-    "m2=1", "--field", "load=3",
-];
+const VALUES: &str =
+    "--field g=9.81 --field l1=1/2 --field m1=2 --field l2=0.8 --field m2=1 --field load=3";
 
 /// The same robot in numbers.
 fn in_numbers() -> String {
@@ -49,8 +47,8 @@ fn in_numbers() -> String {
 #[test]
 fn names_are_shown() {
     let names = file("names.toml", NAMES);
-    let asked = ["--functions", "mass_matrix,gravity_vector"];
-    let text = output(&[&["show", &names][..], &asked].concat());
+    let asked = "--functions mass_matrix,gravity_vector";
+    let text = output(format!("show {names} {asked}"));
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
         lines[..3],
@@ -69,7 +67,7 @@ fn names_are_shown() {
             "{line}: {text}"
         );
     }
-    let latex = output(&[&["show", &names, "--format", "latex"][..], &asked].concat());
+    let latex = output(format!("show {names} --format latex {asked}"));
     assert!(latex.contains("l_{1}") || latex.contains("l_1"), "{latex}");
 }
 
@@ -78,19 +76,17 @@ fn names_are_shown() {
 fn values_are_folded() {
     let names = file("folded.toml", NAMES);
     let numbers = file("in_numbers.toml", in_numbers());
-    let alone = ["--functions", "mass_matrix", "--format", "text"];
-    let some = output(&[&["show", &names, "--field", "l2=2"][..], &alone].concat());
+    let alone = "--functions mass_matrix --format text";
+    let some = output(format!("show {names} --field l2=2 {alone}"));
     assert!(some.contains("M22 = m2 + load\n"), "{some}");
-    let all = output(&[&["show", &names][..], &alone, &VALUES].concat());
-    assert_eq!(all, output(&[&["show", &numbers][..], &alone].concat()));
+    let all = output(format!("show {names} {alone} {VALUES}"));
+    assert_eq!(all, output(format!("show {numbers} {alone}")));
     for language in ["c", "rust", "js", "python"] {
-        let written = |path: &str, to: &str, fields: &[&str]| {
+        let written = |path: &str, to: &str, fields: &str| {
             let out = folder(to);
             let to = out.to_string_lossy();
-            let call = [
-                "generate", path, "--name", "folded", "--lang", language, "--out", &to,
-            ];
-            let files = output(&[&call[..], fields].concat());
+            let call = format!("generate {path} --name folded --lang {language} --out {to}");
+            let files = output(format!("{call} {fields}"));
             let texts = files
                 .lines()
                 .map(|file| std::fs::read_to_string(file).expect("a file"));
@@ -99,8 +95,8 @@ fn values_are_folded() {
                 .replace("in_numbers.toml", "folded.toml")
         };
         assert_eq!(
-            written(&names, "folded_names", &VALUES),
-            written(&numbers, "folded_numbers", &[]),
+            written(&names, "folded_names", VALUES),
+            written(&numbers, "folded_numbers", ""),
             "{language}"
         );
     }
@@ -163,7 +159,7 @@ fn names_are_arguments_in_every_language() {
             ],
         ),
     ] {
-        output(&["generate", &names, "--lang", language, "--out", &to]);
+        output(format!("generate {names} --lang {language} --out {to}"));
         let written = std::fs::read_to_string(out.join(file)).expect("a file");
         for text in texts {
             assert!(written.contains(text), "{text}: {written}");
@@ -176,35 +172,27 @@ fn names_are_arguments_in_every_language() {
 fn numbers_are_asked_for() {
     let names = file("asked.toml", NAMES.replace("m2 + load", "m2 + m1"));
     for call in [
-        &["evaluate", &names][..],
-        &["simulate", &names],
-        &["inverse-dynamics", &names, "--to", "1,1"],
-        &["measure", &names],
-        &["page", &names],
-        &["convert", &names],
+        format!("evaluate {names}"),
+        format!("simulate {names}"),
+        format!("inverse-dynamics {names} --to 1,1"),
+        format!("measure {names}"),
+        format!("page {names}"),
+        format!("convert {names}"),
     ] {
-        let message = errors(call, 1);
+        let message = errors(&call, 1);
         let asked: Vec<&str> = message.matches("unknown name `").collect();
         assert_eq!(asked.len(), 5, "{call:?}: {message}");
-        assert!(
-            message.contains("unknown name `m1`: `--field m1=2`"),
-            "{message}"
-        );
+        assert_has(&message, ["unknown name `m1`: `--field m1=2`"]);
     }
-    output(
-        &[
-            &["check", &file("all.toml", NAMES), "--samples", "5"][..],
-            &VALUES,
-        ]
-        .concat(),
-    );
+    let all = file("all.toml", NAMES);
+    output(format!("check {all} --samples 5 {VALUES}"));
 }
 
 /// Names without a value are numbers of the check's own, the same in each run, and are listed.
 #[test]
 fn a_table_of_names_is_checked() {
     let path = file("own_numbers.toml", NAMES);
-    let check = ["check", &path, "--samples", "5", "--field", "g=9.81"];
+    let check = format!("check {path} --samples 5 --field g=9.81");
     let text = output(&check);
     assert!(
         text.starts_with("fields without a value, which are checked with these numbers (`--field l1=2` gives another): l1 = "),
@@ -221,10 +209,10 @@ fn a_table_of_names_is_checked() {
     assert_eq!(output(&check), text);
     // A name of which no number makes a body: the sign is wrong.
     let negative = file("negative.toml", NAMES.replace("\"m1\"", "\"-m1 - 9\""));
-    let message = errors(&["check", &negative, "--samples", "5"], 1);
-    assert!(
-        message.contains("the mass matrix is not positive definite"),
-        "{message}"
+    refused(
+        format!("check {negative} --samples 5"),
+        1,
+        ["the mass matrix is not positive definite"],
     );
 }
 
@@ -234,29 +222,20 @@ fn a_list_of_fields_is_closed() {
     let list = r#"fields = ["l1", "l2", "m1", "m2", "g", "load"]"#;
     let closed = |name: &str, text: String| file(name, format!("{list}{text}"));
     let path = closed("closed.toml", NAMES.to_owned());
-    let shown = output(&["show", &path, "--functions", "mass_matrix"]);
-    assert!(
-        shown.contains("fields: l1, l2, m1, m2, g, load\n"),
-        "{shown}"
-    );
-    let shown = output(&[
-        "show",
-        &path,
-        "--field",
-        "g=1",
-        "--functions",
-        "mass_matrix",
-        "--allow",
-        "odd_gravity",
-    ]);
+    let shown = output(format!("show {path} --functions mass_matrix"));
+    assert_has(&shown, ["fields: l1, l2, m1, m2, g, load\n"]);
+    let shown = output(format!(
+        "show {path} --field g=1 --functions mass_matrix --allow odd_gravity"
+    ));
     assert!(shown.contains("fields: l1, l2, m1, m2, load\n"), "{shown}");
-    output(&[&["check", &path, "--samples", "5"][..], &VALUES].concat());
-    let message = errors(&["simulate", &path, "--field", "g=9.81"], 1);
-    assert!(
-        message.contains(
-            "fields have no value: `l1`, `l2`, `m1`, `m2`, `load`. This command needs numbers"
-        ) && message.contains("--field l1=2 --field l2=2"),
-        "{message}"
+    output(format!("check {path} --samples 5 {VALUES}"));
+    let message = errors(format!("simulate {path} --field g=9.81"), 1);
+    assert_has(
+        &message,
+        [
+            "fields have no value: `l1`, `l2`, `m1`, `m2`, `load`. This command needs numbers",
+            "--field l1=2 --field l2=2",
+        ],
     );
     for (wrong, right, expected) in [
         (
@@ -272,14 +251,12 @@ fn a_list_of_fields_is_closed() {
         ("m2", "m2 + load", "`load`"),
     ] {
         let path = closed("wrong.toml", NAMES.replace(right, wrong));
-        for call in [["show", &path], ["check", &path]] {
-            let message = errors(&call, 1);
-            assert!(message.contains(expected), "{message}");
+        for call in [format!("show {path}"), format!("check {path}")] {
+            refused(&call, 1, [expected]);
         }
     }
     let path = file("no_list.toml", format!("fields = 3{NAMES}"));
-    let message = errors(&["show", &path], 1);
-    assert!(message.contains("an array of names"), "{message}");
+    refused(format!("show {path}"), 1, ["an array of names"]);
 }
 
 /// Names that were meant otherwise are told, and none of them becomes a field.
@@ -294,29 +271,28 @@ fn other_names_are_no_fields() {
             "meant.toml",
             NAMES.replace("\"m1\"", &format!("\"{name}\"")),
         );
-        let message = errors(&["show", &path], 1);
-        assert!(
-            message.contains(&format!("`{name}`")) && message.contains(expected),
-            "{message}"
-        );
+        refused(format!("show {path}"), 1, [&format!("`{name}`"), expected]);
     }
     let below = NAMES.replace("half = 0.5", "half = \"2 * third\"\nthird = 0.25");
-    let message = errors(&["show", &file("below.toml", below)], 1);
-    assert!(message.contains("bound further down"), "{message}");
+    refused(
+        &["show", &file("below.toml", below)],
+        1,
+        ["bound further down"],
+    );
 }
 
 /// The page shows the names in the table, with a slider for each.
 #[test]
 fn names_are_on_the_page() {
     let names = file("paged.toml", NAMES);
-    let page = output(&[&["page", &names][..], &VALUES].concat());
+    let page = output(format!("page {names} {VALUES}"));
     for text in ["arm.load", "m2 + load", "0.5 l2"] {
         assert!(page.contains(text), "{text}");
     }
-    let message = errors(&[&["page", &names][..], &VALUES[2..]].concat(), 1);
-    assert!(
-        message.contains("unknown name `g`: `--field g=2`"),
-        "{message}"
+    refused(
+        format!("page {names} {}", VALUES.replace("--field g=9.81 ", "")),
+        1,
+        ["unknown name `g`: `--field g=2`"],
     );
 }
 
@@ -326,11 +302,8 @@ fn names_in_json_and_keywords() {
     let text = r#"{"convention": "modified", "gravity": [0, 0, "-g"], "functions": ["mass_matrix"], "joints": [
         {"name": "p", "type": "revolute", "mass": "type", "com": ["l", 0, 0]}]}"#;
     let json = file("names.json", text);
-    let shown = output(&["show", &json]);
-    assert!(
-        shown.contains("fields: g, type, l\n") && shown.contains("M11 = type l^2"),
-        "{shown}"
-    );
+    let shown = output(format!("show {json}"));
+    assert_has(&shown, ["fields: g, type, l\n", "M11 = type l^2"]);
     let out = folder("keywords");
     output(&[
         "generate",
@@ -341,8 +314,5 @@ fn names_in_json_and_keywords() {
         &out.to_string_lossy(),
     ]);
     let rust = std::fs::read_to_string(out.join("names.rs")).expect("a file");
-    assert!(
-        rust.contains("pub r#type: ::core::primitive::f64"),
-        "{rust}"
-    );
+    assert_has(&rust, ["pub r#type: ::core::primitive::f64"]);
 }

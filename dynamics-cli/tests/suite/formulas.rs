@@ -7,17 +7,12 @@ use super::calls::{data, folder, output};
 fn the_command_prints_what_documentation_leaves_out() {
     let arm = data("robots/elbow_3r.json");
     let out = folder("formulas");
-    let functions = ["--functions", "inverse_dynamics"];
+    let functions = "--functions inverse_dynamics";
     for (language, file) in [("c", "elbow_3r.h"), ("rust", "elbow_3r.rs")] {
-        let call = [
-            "generate",
-            &arm,
-            "--lang",
-            language,
-            "--out",
-            &out.to_string_lossy(),
-        ];
-        output(&[&call[..], &functions[..]].concat());
+        let to = out.to_string_lossy();
+        output(format!(
+            "generate {arm} --lang {language} --out {to} {functions}"
+        ));
         let code = std::fs::read_to_string(out.join(file)).expect("a file");
         let hint = code.lines().find(|line| line.contains("tau1: too long: "));
         let hint = hint.unwrap_or_else(|| panic!("{language}"));
@@ -27,17 +22,17 @@ fn the_command_prints_what_documentation_leaves_out() {
         let formula = text.lines().find(|line| line.contains("tau1 = "));
         formula.is_some_and(|formula| formula.len() > 400)
     };
-    let shown = output(&[&["show", &arm][..], &functions[..]].concat());
+    let shown = output(format!("show {arm} {functions}"));
     assert!(whole(&shown) && !shown.contains("too long"), "{shown}");
-    let text = ["--format", "text"];
-    let shown = output(&[&["show", &arm][..], &functions[..], &text[..]].concat());
+    let text = "--format text";
+    let shown = output(format!("show {arm} {functions} {text}"));
     assert!(whole(&shown), "{shown}");
     // And says how many terms it was asked for where they are not enough.
-    let few = ["--terms", "300", "--format", "text"];
-    let shown = output(&[&["show", &arm][..], &functions[..], &few[..]].concat());
+    let few = "--terms 300 --format text";
+    let shown = output(format!("show {arm} {functions} {few}"));
     assert!(whole(&shown), "{shown}");
-    let few = ["--terms", "20"];
-    let shown = output(&[&["show", &arm][..], &functions[..], &few[..]].concat());
+    let few = "--terms 20";
+    let shown = output(format!("show {arm} {functions} {few}"));
     assert!(
         shown.ends_with("a larger `--terms` prints them\n"),
         "{shown}"
@@ -48,14 +43,7 @@ fn the_command_prints_what_documentation_leaves_out() {
 #[test]
 fn one_sentence_for_all_long_formulas() {
     let wrist = data("files/skew_wrist.urdf");
-    let shown = output(&[
-        "show",
-        &wrist,
-        "--chain",
-        "base,l3",
-        "--gravity",
-        "0,0,-9.81",
-    ]);
+    let shown = output(format!("show {wrist} --chain base,l3 --gravity 0,0,-9.81"));
     let sentences: Vec<&str> = shown
         .lines()
         .filter(|line| line.contains("--terms"))

@@ -2,7 +2,7 @@
 
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 
-use super::calls::{data, errors, file, folder, output, run};
+use super::calls::{assert_has, data, errors, file, folder, output, refused, run};
 
 /// A brick with a wheel.
 pub(super) const BRICK: &str = r#"
@@ -21,12 +21,9 @@ const HYQ: &str = "urdf/trees/hyq_no_sensors.urdf";
 #[test]
 fn tables_and_files_are_checked() {
     let brick = file("brick.toml", BRICK);
-    let text = output(&[
-        "check",
-        &brick,
-        "--functions",
-        "default,jacobian,centroidal_momentum_matrix",
-    ]);
+    let text = output(format!(
+        "check {brick} --functions default,jacobian,centroidal_momentum_matrix"
+    ));
     for function in [
         "inverse_dynamics",
         "forward_dynamics",
@@ -35,21 +32,9 @@ fn tables_and_files_are_checked() {
         assert!(text.contains(function), "{text}");
     }
     let hyq = data(HYQ);
-    let functions = [
-        "--functions",
-        "mass_matrix,inverse_dynamics",
-        "--samples",
-        "3",
-    ];
-    let about = [
-        "--base",
-        "floating",
-        "--gravity",
-        "0,0,-9.81",
-        "--allow",
-        "unphysical_inertia",
-    ];
-    let call = [&["check", &hyq][..], &functions, &about].concat();
+    let functions = "--functions mass_matrix,inverse_dynamics --samples 3";
+    let about = "--base floating --gravity 0,0,-9.81 --allow unphysical_inertia";
+    let call = format!("check {hyq} {functions} {about}");
     assert!(output(&call).contains("inverse_dynamics"));
 }
 
@@ -59,8 +44,8 @@ fn poses_in_degrees_are_told() {
     let brick = file("turned_brick.toml", BRICK);
     let arm = data("robots/scara.json");
     for call in [
-        ["evaluate", &*brick, "--pose", "0,0,0,0,0,90"],
-        ["reach", &*arm, "--pose", "1.2,1.3,0,0,0,90"],
+        format!("evaluate {brick} --pose 0,0,0,0,0,90"),
+        format!("reach {arm} --pose 1.2,1.3,0,0,0,90"),
     ] {
         let told = run(&call).stderr;
         let told = String::from_utf8_lossy(&told);
@@ -74,7 +59,7 @@ fn poses_in_degrees_are_told() {
 #[test]
 fn formulas_of_a_base_are_newtons_and_eulers() {
     let brick = file("shown_brick.toml", BRICK);
-    let text = output(&["show", &brick]);
+    let text = output(format!("show {brick}"));
     for expected in [
         "shown_brick: 1 joint that moves",
         "base   moves        mass 2  com [0, 0, 0]  inertia [0.02, 0.03, 0.04, 0, 0, 0]",
@@ -85,8 +70,8 @@ fn formulas_of_a_base_are_newtons_and_eulers() {
     ] {
         assert!(text.contains(expected), "{expected}: {text}");
     }
-    let functions = ["--functions", "inverse_dynamics,jacobian"];
-    let call = |format| output(&[&["show", &*brick, "--format", format][..], &functions].concat());
+    let functions = "--functions inverse_dynamics,jacobian";
+    let call = |format| output(format!("show {brick} --format {format} {functions}"));
     for expected in [
         "tau1 = 25 r31 - 5/2 vy wz + 5/2 vz wy + 5/2 vxd\n",
         "tau4 = 0.011 wy wz + 0.002 wy qd1 + 0.021 wxd\n",
@@ -97,10 +82,7 @@ fn formulas_of_a_base_are_newtons_and_eulers() {
         assert!(text.contains(expected), "{expected}: {text}");
     }
     let latex = call("latex");
-    assert!(
-        latex.contains("\\dot{w}_{z}") && latex.contains("\\ddot{q}_{1}"),
-        "{latex}"
-    );
+    assert_has(&latex, ["\\dot{w}_{z}", "\\ddot{q}_{1}"]);
 }
 
 /// Two files of a robot on a moving base agree, or the number of the base that differs is named.
@@ -108,15 +90,18 @@ fn formulas_of_a_base_are_newtons_and_eulers() {
 fn files_of_moving_bases_are_compared() {
     let brick = file("compared_brick.toml", BRICK);
     let same = file("same_brick.toml", BRICK);
-    let text = output(&["check", &brick, "--against", &same]);
+    let text = output(format!("check {brick} --against {same}"));
     assert!(text.contains("gravity_vector       0.0e0"), "{text}");
     let heavier = file(
         "heavier_brick.toml",
         BRICK.replace("zz = 0.04", "zz = 0.05"),
     );
-    let told = errors(&["check", &brick, "--against", &heavier], 1);
-    assert!(told.contains("the two files differ by more than"), "{told}");
-    let differing = run(&["check", &brick, "--against", &heavier]).stdout;
+    refused(
+        format!("check {brick} --against {heavier}"),
+        1,
+        ["the two files differ by more than"],
+    );
+    let differing = run(format!("check {brick} --against {heavier}")).stdout;
     let differing = String::from_utf8_lossy(&differing);
     assert!(differing.contains("most at `base wz`"), "{differing}");
     let standing = BRICK.lines().filter(|line| !line.starts_with("base"));
@@ -124,23 +109,19 @@ fn files_of_moving_bases_are_compared() {
         "brick_that_stands.toml",
         standing.collect::<Vec<_>>().join("\n"),
     );
-    let told = errors(&["check", &brick, "--against", &standing], 1);
-    assert!(told.contains("the base stands, and moves in"), "{told}");
+    refused(
+        format!("check {brick} --against {standing}"),
+        1,
+        ["the base stands, and moves in"],
+    );
 }
 
 /// A file of a robot on a moving base stays the same robot as a table of either convention and as a URDF file. A link
 /// that is locked to the base is a part of it.
 #[test]
 fn moving_bases_are_converted() {
-    let beside = [
-        "--base",
-        "floating",
-        "--gravity",
-        "0,0,-9.81",
-        "--allow",
-        "unphysical_inertia",
-    ];
-    let lock = ["--lock", "lf_haa_joint=0.4"];
+    let beside = "--base floating --gravity 0,0,-9.81 --allow unphysical_inertia";
+    let lock = "--lock lf_haa_joint=0.4";
     let hyq = data(HYQ);
     let written = |name: &str| {
         folder("converted")
@@ -150,55 +131,27 @@ fn moving_bases_are_converted() {
     };
     let names = ["hyq_modified.toml", "hyq_standard.json", "hyq_again.urdf"].map(written);
     let [modified, standard, urdf] = names.each_ref().map(String::as_str);
-    output(&[&["convert", &*hyq, "--out", modified][..], &beside, &lock].concat());
-    output(&[
-        "convert",
-        modified,
-        "--convention",
-        "standard",
-        "--out",
-        standard,
-    ]);
-    output(&["convert", standard, "--out", urdf]);
+    output(format!("convert {hyq} --out {modified} {beside} {lock}"));
+    output(format!(
+        "convert {modified} --convention standard --out {standard}"
+    ));
+    output(format!("convert {standard} --out {urdf}"));
     for other in names.iter().map(String::as_str) {
-        let call = [
-            "check",
-            &hyq,
-            "--against",
-            other,
-            "--samples",
-            "8",
-            "--tolerance",
-            "1e-12",
-        ];
-        let text = output(&[&call[..], &beside, &lock].concat());
+        let call = format!("check {hyq} --against {other} --samples 8 --tolerance 1e-12");
+        let text = output(format!("{call} {beside} {lock}"));
         assert!(text.contains("against the other file"), "{text}");
     }
     let table = std::fs::read_to_string(modified).expect("a table");
-    assert!(
-        table.contains("[base]\nfloating = true\nmass = "),
-        "{table}"
-    );
+    assert_has(&table, ["[base]\nfloating = true\nmass = "]);
 }
 
 /// A throw with a spin: the base falls by g t^2 / 2, and a torque at the wheel turns it against the body.
 #[test]
 fn a_throw_is_simulated() {
     let brick = file("thrown.toml", BRICK);
-    let text = output(&[
-        "simulate",
-        &brick,
-        "--pose",
-        "1,2,3,0,0,1.5",
-        "--velocity",
-        "0,0,5,0,0,2,0",
-        "--torque",
-        "0,0,0,0,0,0,0.1",
-        "--duration",
-        "0.5",
-        "--samples",
-        "3",
-    ]);
+    let text = output(format!(
+        "simulate {brick} --pose 1,2,3,0,0,1.5 --velocity 0,0,5,0,0,2,0 --torque 0,0,0,0,0,0,0.1 --duration 0.5 --samples 3"
+    ));
     let lines: Vec<&str> = text.lines().collect();
     assert!(
         lines[0].starts_with("t [s],base.r11,")
@@ -224,12 +177,9 @@ fn a_throw_is_simulated() {
 #[test]
 fn times_and_errors_are_measured() {
     let brick = file("measured_brick.toml", BRICK);
-    let text = output(&[
-        "measure",
-        &brick,
-        "--functions",
-        "mass_matrix,inverse_dynamics,jacobian",
-    ]);
+    let text = output(format!(
+        "measure {brick} --functions mass_matrix,inverse_dynamics,jacobian"
+    ));
     for line in text.lines().skip(1) {
         let cells: Vec<&str> = line.split_whitespace().collect();
         let error: f64 = cells[4].parse().expect("an error");
@@ -246,41 +196,33 @@ fn what_makes_no_sense_is_told() {
     let hyq = data(HYQ);
     for (call, message) in [
         (
-            &["simulate", &brick, "--velocity", "1"][..],
+            format!("simulate {brick} --velocity 1"),
             "`--velocity` has 1 number: expected 7, six of the base, then one for each joint that moves",
         ),
         (
-            &["simulate", &brick, "--from", "1,2"],
+            format!("simulate {brick} --from 1,2"),
             "`--from` has 2 numbers: expected 1, one for each joint that moves",
         ),
         (
-            &["simulate", &brick, "--pose", "1,2"],
+            format!("simulate {brick} --pose 1,2"),
             "`--pose` has 2 numbers: expected six, X,Y,Z,ROLL,PITCH,YAW",
         ),
         (
-            &["simulate", &arm, "--pose", "0,0,0,0,0,0"],
+            format!("simulate {arm} --pose 0,0,0,0,0,0"),
             "`--pose` is of a robot whose base moves: this one stands",
         ),
         (
-            &["check", &arm, "--base", "floating"],
+            format!("check {arm} --base floating"),
             "`--base` is about a URDF file, a tree of links",
         ),
         (
-            &[
-                "check",
-                &hyq,
-                "--base",
-                "flaoting",
-                "--gravity",
-                "0,0,-9.81",
-            ],
+            format!("check {hyq} --base flaoting --gravity 0,0,-9.81"),
             "invalid value 'flaoting' for '--base <BASE>'",
         ),
     ] {
-        let told = errors(call, 2);
-        assert!(told.contains(message), "{told}");
+        refused(call, 2, [message]);
     }
-    let told = errors(&["reach", &brick, "--pose", "1,0,0"], 1);
+    let told = errors(format!("reach {brick} --pose 1,0,0"), 1);
     let message = "the base moves, which `reach` does not know: all others do";
     assert!(told.contains(message), "{told}");
 }
@@ -311,19 +253,12 @@ fn engine(path: &str, options: ReadOptions, arguments: &[&[f64]]) -> Vec<f64> {
 #[test]
 fn a_quadruped_has_torques() {
     let hyq = data(HYQ);
-    let beside = [
-        "--base",
-        "floating",
-        "--gravity",
-        "0,0,-9.81",
-        "--allow",
-        "unphysical_inertia",
-    ];
+    let beside = "--base floating --gravity 0,0,-9.81 --allow unphysical_inertia";
     let numbers: Vec<f64> = (0..48).map(|k| f64::from(k * 7 % 11) / 8.0 - 0.5).collect();
     let at: Vec<String> = numbers.iter().map(f64::to_string).collect();
     let (at, pose) = (at.join(","), "0.5,-1,2,0,0,PI/2");
-    let call = ["inverse-dynamics", &*hyq, "--at", &at, "--pose", pose];
-    let text = output(&[&call[..], &beside].concat());
+    let call = format!("inverse-dynamics {hyq} --at {at} --pose {pose}");
+    let text = output(format!("{call} {beside}"));
     let (header, rows) = table(&text);
     assert_eq!((header.len(), rows.len()), (1 + 12 + 12 + 3 * 18, 1));
     let first = header.len() - 18;
@@ -347,8 +282,8 @@ fn a_quadruped_has_torques() {
     // Held at rest, the base bears the weight.
     let zeros = ["0"; 11].join(",");
     let to = format!("1,{zeros}");
-    let call = ["inverse-dynamics", &*hyq, "--to", &to, "--samples", "3"];
-    let text = output(&[&call[..], &beside].concat());
+    let call = format!("inverse-dynamics {hyq} --to {to} --samples 3");
+    let text = output(format!("{call} {beside}"));
     for row in &table(&text).1 {
         let (base, q, v, a) = (&row[1..13], &row[13..25], &row[25..43], &row[43..61]);
         assert_eq!(
@@ -372,24 +307,12 @@ fn a_simulated_motion_gives_its_torques_back() {
     let torque = applied.map(|x| x.to_string()).join(",");
     let error = |rows: &str, samples: &str| {
         let motion = written(&format!("motion_of_{rows}.csv"));
-        let start = [
-            "--pose",
-            "1,2,3,0.4,-0.3,1.5",
-            "--velocity",
-            "0,1,5,2,-1,3,0.5,0.2",
-        ];
-        let call = ["simulate", &*arm, "--torque", &torque, "--samples", rows];
-        let to = ["--tolerance", "1e-13", "--out", &motion];
-        output(&[&call[..], &start, &to].concat());
-        let call = [
-            "inverse",
-            &*arm,
-            "--waypoints",
-            &motion,
-            "--samples",
-            samples,
-        ];
-        let text = output(&[&call[..], &["--plot", &plot]].concat());
+        let start = "--pose 1,2,3,0.4,-0.3,1.5 --velocity 0,1,5,2,-1,3,0.5,0.2";
+        let call = format!("simulate {arm} --torque {torque} --samples {rows}");
+        let to = format!("--tolerance 1e-13 --out {motion}");
+        output(format!("{call} {start} {to}"));
+        let call = format!("inverse {arm} --waypoints {motion} --samples {samples}");
+        let text = output(format!("{call} --plot {plot}"));
         let (header, found) = table(&text);
         assert_eq!(header[header.len() - 1], "tau.arm [N m]");
         assert_eq!(found.len().to_string(), samples);
@@ -417,22 +340,20 @@ fn a_simulated_motion_gives_its_torques_back() {
 #[test]
 fn mistakes_in_motions_of_a_base_are_told() {
     let brick = file("followed_brick.toml", BRICK);
-    let text = output(&[
-        "simulate",
-        &brick,
-        "--samples",
-        "3",
-        "--velocity",
-        "0,0,0,0,0,4,0",
-    ]);
+    let text = output(format!(
+        "simulate {brick} --samples 3 --velocity 0,0,0,0,0,4,0"
+    ));
     let lines: Vec<&str> = text.lines().collect();
     let changed = |name: &str, old: &str, new: &str| {
         assert!(text.contains(old), "{text}");
         file(name, text.replacen(old, new, 1))
     };
     let told = |path: &str, message: &str| {
-        let told = errors(&["inverse-dynamics", &brick, "--waypoints", path], 1);
-        assert!(told.contains(message), "{told}");
+        refused(
+            format!("inverse-dynamics {brick} --waypoints {path}"),
+            1,
+            [message],
+        );
     };
     let without = "t,q.wheel\n0,0\n1,1\n";
     let path = file("without_base.csv", without);
@@ -482,41 +403,26 @@ fn mistakes_in_motions_of_a_base_are_told() {
     );
     for (call, message) in [
         (
-            &[
-                "inverse-dynamics",
-                &*arm,
-                "--to",
-                "1",
-                "--pose",
-                "0,0,0,0,0,0",
-            ][..],
+            format!("inverse-dynamics {arm} --to 1 --pose 0,0,0,0,0,0"),
             "`--pose` is of a robot whose base moves: this one stands",
         ),
         (
-            &["inverse-dynamics", &brick, "--at", "1,2"],
+            format!("inverse-dynamics {brick} --at 1,2"),
             "`--at` has 2 numbers: expected 1, one position for each joint that moves, 8 with the 7 velocities behind them, or 15",
         ),
         (
-            &["inverse-dynamics", &brick, "--to", "1", "--pose", "1,2,3"],
+            format!("inverse-dynamics {brick} --to 1 --pose 1,2,3"),
             "`--pose` has 3 numbers: expected six",
         ),
         (
-            &["inverse-dynamics", &brick, "--at", "1", "--duration", "2"],
+            format!("inverse-dynamics {brick} --at 1 --duration 2"),
             "cannot be used with",
         ),
         (
-            &[
-                "inverse-dynamics",
-                &brick,
-                "--waypoints",
-                &path,
-                "--pose",
-                "0,0,0,0,0,0",
-            ],
+            format!("inverse-dynamics {brick} --waypoints {path} --pose 0,0,0,0,0,0"),
             "cannot be used with",
         ),
     ] {
-        let told = errors(call, 2);
-        assert!(told.contains(message), "{told}");
+        refused(call, 2, [message]);
     }
 }

@@ -1,6 +1,6 @@
 //! Tables that name the URDF file of their robot, with entries beside it.
 
-use super::calls::{errors, file, output};
+use super::calls::{assert_has, errors, file, output, refused};
 
 const PICKER: &str = r#"file = "picker.urdf"
 chain = ["base_link", "tool0"]
@@ -29,7 +29,7 @@ fn behind_name(text: &str) -> &str {
 #[test]
 fn entries_stand_beside_the_file_that_is_named() {
     let toml = table("project.toml", PICKER);
-    let shown = output(&["show", &toml]);
+    let shown = output(format!("show {toml}"));
     assert!(shown.starts_with("project: 4 joints that move, as the URDF file places them"));
     assert!(shown.contains("viscous [0.75]"), "{shown}");
     let json = r#"{"file": "picker.urdf", "chain": ["base_link", "tool0"], "lock": {"finger": 0.02},
@@ -37,12 +37,9 @@ fn entries_stand_beside_the_file_that_is_named() {
     let json = table("project.json", json);
     let urdf = file("beside_project.urdf", ROBOT);
     let options = "--chain base_link,tool0 --lock finger=0.02 --gravity 0,0,-9.81 --functions gravity_vector --round-angles 1e-4";
-    let by_options: Vec<&str> = ["show", &urdf]
-        .into_iter()
-        .chain(options.split(' '))
-        .collect();
+    let by_options = format!("show {urdf} {options}");
     assert_eq!(
-        behind_name(&output(&["show", &json])),
+        behind_name(&output(format!("show {json}"))),
         behind_name(&output(&by_options))
     );
 }
@@ -52,51 +49,32 @@ fn entries_stand_beside_the_file_that_is_named() {
 fn names_beside_the_file_that_is_named_are_fields() {
     let carrying = PICKER.replace("chain =", "tool = { mass = \"load\" }\nchain =");
     let toml = table("carrying.toml", &carrying);
-    let shown = output(&["show", &toml]);
+    let shown = output(format!("show {toml}"));
     assert!(shown.contains("fields: load\n"), "{shown}");
-    let asked = errors(&["simulate", &toml], 1);
-    assert!(asked.contains("--field load=2"), "{asked}");
-    output(&["check", &toml, "--field", "load=2", "--samples", "1"]);
+    refused(format!("simulate {toml}"), 1, ["--field load=2"]);
+    output(format!("check {toml} --field load=2 --samples 1"));
     let closed = table("closed.toml", &format!("fields = []\n{carrying}"));
-    let refused = errors(&["show", &closed], 1);
-    assert!(refused.contains("unknown name `load`"), "{refused}");
+    refused(format!("show {closed}"), 1, ["unknown name `load`"]);
     let urdf = file("slip.urdf", ROBOT);
     let slip = "--gravity 0,0,-9.81 --lock finger=open --functions gravity_vector";
-    let call: Vec<&str> = ["show", &urdf].into_iter().chain(slip.split(' ')).collect();
-    let refused = errors(&call, 2);
-    assert!(refused.contains("open"), "{refused}");
+    refused(format!("show {urdf} {slip}"), 2, ["open"]);
 }
 
 /// Options take the place of entries, or add to them, as beside a table.
 #[test]
 fn options_stand_beside_the_entries() {
     let toml = table("options.toml", PICKER);
-    let shown = output(&[
-        "show",
-        &toml,
-        "--gravity",
-        "0,0,-1.62",
-        "--lock",
-        "wrist=0.5",
-        "--functions",
-        "gravity_vector",
-    ]);
+    let shown = output(format!(
+        "show {toml} --gravity 0,0,-1.62 --lock wrist=0.5 --functions gravity_vector"
+    ));
     assert!(shown.starts_with("options: 3 joints that move"), "{shown}");
     assert!(shown.contains("gravity [0, 0, -1.62]"), "{shown}");
-    let whole = output(&[
-        "show",
-        &toml,
-        "--chain",
-        "base_link",
-        "--functions",
-        "gravity_vector",
-    ]);
+    let whole = output(format!(
+        "show {toml} --chain base_link --functions gravity_vector"
+    ));
     assert!(whole.contains("finger    prismatic"), "{whole}");
-    let converted = output(&["convert", &toml]);
-    assert!(
-        converted.contains("[[joint]]") && converted.contains("viscous = 0.75"),
-        "{converted}"
-    );
+    let converted = output(format!("convert {toml}"));
+    assert_has(&converted, ["[[joint]]", "viscous = 0.75"]);
 }
 
 #[test]
@@ -139,10 +117,7 @@ fn mistakes_have_their_places_in_three_sources() {
         ),
     ] {
         let found = told("mistaken.toml", from, to);
-        assert!(
-            found.contains(&format!("mistaken.toml{place}")),
-            "{to}: {found}"
-        );
+        assert_has(&found, [&format!("mistaken.toml{place}")]);
         assert!(found.contains(message), "{to}: {found}");
     }
     file(
@@ -156,12 +131,9 @@ fn mistakes_have_their_places_in_three_sources() {
         .expect("a mass")
         + 1;
     assert!(found.contains(&format!("broken.urdf:{line}:")), "{found}");
-    let found = errors(
+    refused(
         &["show", &table("fine.toml", PICKER), "--lock", "wist=0"],
         2,
-    );
-    assert!(
-        found.contains("--lock wist=0") && found.contains("`waist`"),
-        "{found}"
+        ["--lock wist=0", "`waist`"],
     );
 }

@@ -13,8 +13,8 @@ fn assert_compiled(name: &str, table: &str, functions: &str) {
     let table = file(&format!("{name}.toml"), table);
     let out = folder("rust");
     let to = out.to_string_lossy();
-    let call = ["generate", &table, "--lang", "rust", "--out", &to];
-    let text = output(&[&call[..], &["--functions", functions]].concat());
+    let call = format!("generate {table} --lang rust --out {to}");
+    let text = output(format!("{call} --functions {functions}"));
     let file = format!("{name}.rs");
     assert!(text.trim_end().ends_with(&file), "{text}");
     let generated = std::fs::read_to_string(out.join(&file)).expect("a file");

@@ -3,7 +3,7 @@
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 use dynamics_simulation::Simulation;
 
-use super::calls::{data, errors, file, folder, output, run};
+use super::calls::{assert_has, data, errors, file, folder, output, refused, run};
 
 /// A turntable with an arm, a gripper's finger at its end, and a camera whose mast turns.
 fn turntable(angle: &str) -> String {
@@ -37,78 +37,45 @@ fn turntable(angle: &str) -> String {
     )
 }
 
-const GRAVITY: [&str; 2] = ["--gravity", "0,0,-9.81"];
+const GRAVITY: &str = "--gravity 0,0,-9.81";
 
 /// The lines of `show --format text` about M of the turntable.
-fn mass_matrix(file: &str, options: &[&str]) -> String {
-    let call = [
-        "show",
-        file,
-        "--functions",
-        "mass_matrix",
-        "--format",
-        "text",
-    ];
-    output(&[&call[..], &GRAVITY[..], options].concat())
+fn mass_matrix(file: &str, options: &str) -> String {
+    let call = format!("show {file} --functions mass_matrix --format text");
+    output(format!("{call} {GRAVITY} {options}"))
 }
 
 #[test]
 fn the_chain_ends_where_it_is_told() {
     let file = file("turntable.urdf", turntable("1.5707963267948966"));
-    let ignore = ["--ignore", "mast"];
-    let whole = mass_matrix(
-        &file,
-        &[&["--chain", "base,flange"][..], &ignore[..]].concat(),
-    );
+    let ignore = "--ignore mast";
+    let whole = mass_matrix(&file, &format!("--chain base,flange {ignore}"));
     // 0.15 + 0.01 s2^2 + (0.02 + 2 0.25^2) c2^2, and 0.02 + 2 0.25^2.
-    assert!(
-        whole.contains("M11 = 0.16 + 0.135 c2^2\nM12 = 0\n"),
-        "{whole}"
-    );
+    assert_has(&whole, ["M11 = 0.16 + 0.135 c2^2\nM12 = 0\n"]);
     assert!(whole.contains("M22 = 0.145\n"), "{whole}");
-    let ignore = [&ignore[..], &["--ignore", "lift"]].concat();
-    let table = output(
-        &[
-            &["show", &file, "--chain", "base,table"][..],
-            &GRAVITY[..],
-            &ignore[..],
-        ]
-        .concat(),
-    );
+    let ignore = format!("{ignore} --ignore lift");
+    let table = output(format!("show {file} --chain base,table {GRAVITY} {ignore}"));
     assert!(table.contains("1 joint that moves"), "{table}");
     assert!(!table.contains("lift"), "{table}");
-    let told = |options: &[&str]| errors(&[&["show", &file][..], options].concat(), 2);
-    let gravity = |options: &[&'static str]| [options, &GRAVITY[..]].concat();
+    let told = |options: &str| errors(format!("show {file} {options}"), 2);
+    let gravity = |options: &str| format!("{options} {GRAVITY}");
     // The whole tree, and all that a link carries.
-    for chain in [&[][..], &["--chain", "base"]] {
-        let options = [&["--ignore", "mast"][..], chain].concat();
+    for chain in ["", "--chain base"] {
+        let options = format!("--ignore mast {chain}");
         assert_eq!(mass_matrix(&file, &options), whole);
     }
-    let message = told(&gravity(&["--chain", "base,"]));
+    let message = told(&gravity("--chain base,"));
     assert!(message.contains("expected BASE,TIP"), "{message}");
-    let message = told(&gravity(&["--chain", "base,flang"]));
+    let message = told(&gravity("--chain base,flang"));
     assert!(message.contains("`flange`"), "{message}");
-    let message = told(&gravity(&["--chain", "base,base"]));
-    assert!(
-        message.contains("`base` is in `--chain` twice"),
-        "{message}"
-    );
-    let beside = errors(
-        &[
-            "show",
-            &file,
-            "--chain",
-            "base,flange",
-            GRAVITY[0],
-            GRAVITY[1],
-        ],
+    let message = told(&gravity("--chain base,base"));
+    assert_has(&message, ["`base` is in `--chain` twice"]);
+    refused(
+        format!("show {file} --chain base,flange {GRAVITY}"),
         1,
+        ["name a tip behind it in `--chain`, lock it"],
     );
-    assert!(
-        beside.contains("name a tip behind it in `--chain`, lock it"),
-        "{beside}"
-    );
-    let message = told(&["--chain", "base,table"]);
+    let message = told("--chain base,table");
     assert!(message.contains("`--gravity X,Y,Z`"), "{message}");
 }
 
@@ -116,12 +83,11 @@ fn the_chain_ends_where_it_is_told() {
 #[test]
 fn angles_near_a_quarter_turn_are_shown() {
     let file = file("nearly.urdf", turntable("1.5708"));
-    let chain = ["--chain", "base,flange", "--ignore", "rest"];
-    let shown =
-        |options: &[&str]| output(&[&["show", &file][..], &chain, &GRAVITY, options].concat());
+    let chain = "--chain base,flange --ignore rest";
+    let shown = |options: &str| output(format!("show {file} {chain} {GRAVITY} {options}"));
     let note = "As multiples, `--round-angles 1e-5` takes 1 of them.";
-    assert!(shown(&[]).contains(note), "{}", shown(&[]));
-    let rounded = shown(&["--round-angles", "1e-5"]);
+    assert!(shown("").contains(note), "{}", shown(""));
+    let rounded = shown("--round-angles 1e-5");
     let note =
         "One angle of the file is taken as multiples of a quarter turn: `--round-angles 1e-5`.";
     assert!(rounded.contains(note), "{rounded}");
@@ -137,11 +103,11 @@ fn a_file_without_joints_is_told_before_options_that_are_missing() {
         ("no_joints.urdf", links, "no joints"),
     ] {
         let file = file(name, text);
-        for options in [&[][..], &["--chain", "base,tip"], &GRAVITY] {
-            let message = errors(&[&["show", &file][..], options].concat(), 1);
-            assert!(
-                message.contains(&format!("{name}:1:1: {expected}")),
-                "{message}"
+        for options in ["", "--chain base,tip", GRAVITY] {
+            refused(
+                format!("show {file} {options}"),
+                1,
+                [&format!("{name}:1:1: {expected}")],
             );
         }
     }
@@ -151,32 +117,21 @@ fn a_file_without_joints_is_told_before_options_that_are_missing() {
 #[test]
 fn joints_off_the_chain_are_left_out_or_locked() {
     let file = file("mast.urdf", turntable("1.5707963267948966"));
-    let call = [
-        "show",
-        &file,
-        "--chain",
-        "base,table",
-        "--ignore",
-        "lift",
-        "--functions",
-        "mass_matrix",
-        "--format",
-        "text",
-    ];
-    let call = |options: &[&'static str]| [&call[..], &GRAVITY[..], options].concat();
-    let message = errors(&call(&[]), 1);
-    assert!(
-        message.contains("mast.urdf:9:3: ")
-            && message.contains("`--lock mast=0`")
-            && message.contains("`--ignore mast`"),
-        "{message}"
+    let call = format!(
+        "show {file} --chain base,table --ignore lift --functions mass_matrix --format text"
     );
-    assert!(output(&call(&["--ignore", "mast"])).contains("M11 = 0.15\n"));
+    let call = |options: &str| format!("{call} {GRAVITY} {options}");
+    let message = errors(&call(""), 1);
+    assert_has(
+        &message,
+        ["mast.urdf:9:3: ", "`--lock mast=0`", "`--ignore mast`"],
+    );
+    assert!(output(&call("--ignore mast")).contains("M11 = 0.15\n"));
     // The camera is above a point 0.3 m from the axis, or a quarter turn leans it outwards to 0.8 m.
-    assert!(output(&call(&["--lock", "mast=0"])).contains("M11 = 0.24\n"));
-    assert!(output(&call(&["--lock", "mast=PI/2"])).contains("M11 = 0.79\n"));
+    assert!(output(&call("--lock mast=0")).contains("M11 = 0.24\n"));
+    assert!(output(&call("--lock mast=PI/2")).contains("M11 = 0.79\n"));
     // A slip is told alone, without the joint that it leaves.
-    for slip in [["--ignore", "mst"], ["--lock", "mst=0"]] {
+    for slip in ["--ignore mst", "--lock mst=0"] {
         let message = errors(&call(&slip), 2);
         assert!(
             message.contains("unknown joint `mst`: did you mean `mast`?")
@@ -189,27 +144,21 @@ fn joints_off_the_chain_are_left_out_or_locked() {
 #[test]
 fn angles_are_rounded_where_that_is_asked_for() {
     let file = file("rounded.urdf", turntable("1.5708"));
-    let chain = ["--chain", "base,flange", "--ignore", "mast"];
+    let chain = "--chain base,flange --ignore mast";
     // A little of the arm's inertia is about the first axis besides.
     let written = mass_matrix(&file, &chain);
     assert!(!written.contains("M12 = 0\n"), "{written}");
-    let rounded = mass_matrix(
-        &file,
-        &[&chain[..], &["--round-angles", "1e-4"][..]].concat(),
-    );
+    let rounded = mass_matrix(&file, &format!("{chain} --round-angles 1e-4"));
     assert!(rounded.contains("M12 = 0\n"), "{rounded}");
-    let still = mass_matrix(
-        &file,
-        &[&chain[..], &["--round-angles", "1e-6"][..]].concat(),
-    );
+    let still = mass_matrix(&file, &format!("{chain} --round-angles 1e-6"));
     assert_eq!(still, written);
     for wrong in ["1", "-1", "small"] {
         let option = format!("--round-angles={wrong}");
-        let message = errors(
-            &[&["show", &file, &option][..], &chain[..], &GRAVITY[..]].concat(),
+        refused(
+            format!("show {file} {option} {chain} {GRAVITY}"),
             2,
+            ["from 0 to 0.1 rad"],
         );
-        assert!(message.contains("from 0 to 0.1 rad"), "{message}");
     }
 }
 
@@ -266,16 +215,8 @@ fn greatest_torques_and_velocities_are_those_of_the_file() {
         let limit = format!("effort=\"{effort}\" velocity=\"{velocity}\"");
         let text = turntable("0").replace("effort=\"1\" velocity=\"1\"", &limit);
         let path = file(&format!("greatest_{index}.urdf"), text);
-        let options = [
-            "--chain",
-            "base,flange",
-            "--ignore",
-            "mast",
-            "--gravity",
-            "0,0,-9.81",
-        ];
-        let converted =
-            |format: &str| output(&[&["convert", &path, "--to", format][..], &options].concat());
+        let options = "--chain base,flange --ignore mast --gravity 0,0,-9.81";
+        let converted = |format: &str| output(format!("convert {path} --to {format} {options}"));
         let (table, urdf) = (converted("toml"), converted("urdf"));
         let is_in_table = table.contains("torque_limit = 87\nvelocity_limit = 2.5");
         assert_eq!(is_in_table, is_bound, "{table}");
@@ -298,17 +239,19 @@ fn what_is_not_read_does_no_harm() {
         .replace("</robot>", "<gazebo><sensor:camera name=\"${name}\"/></gazebo><xacro:property name=\"x\"/></robot>")
         .replace("effort=\"1\"", "effort=\"1\" drake:acceleration=\"${acceleration}\"");
     assert!(left.contains("drake") && left.contains("grey") && left.contains("sensor"));
-    let chain = ["--chain", "base,flange", "--ignore", "mast"];
+    let chain = "--chain base,flange --ignore mast";
     let expected = mass_matrix(&file("without.urdf", plain), &chain);
     assert_eq!(mass_matrix(&file("left.urdf", &left), &chain), expected);
     let wrong = left.replace("0 0 0.4", "0 0 ${height}");
     let path = file("left_number.urdf", wrong);
-    let call = [&["show", &path][..], &chain, &GRAVITY].concat();
+    let call = format!("show {path} {chain} {GRAVITY}");
     let message = errors(&call, 1);
-    assert!(
-        message.contains("left_number.urdf:16:18: `0 0 ${height}` is left of xacro")
-            && message.contains("`xacro arm.urdf.xacro > arm.urdf`"),
-        "{message}"
+    assert_has(
+        &message,
+        [
+            "left_number.urdf:16:18: `0 0 ${height}` is left of xacro",
+            "`xacro arm.urdf.xacro > arm.urdf`",
+        ],
     );
 }
 
@@ -322,7 +265,7 @@ fn noise_is_taken_for_zero() {
             "<axis xyz=\"-6.1e-16 9.9e-17 1\"/>",
         )
         .replace("xyz=\"0 0 0.4\"", "xyz=\"1.1e-16 0 0.4\"");
-    let chain = ["--chain", "base,flange", "--ignore", "mast"];
+    let chain = "--chain base,flange --ignore mast";
     let found = mass_matrix(&file("noisy.urdf", &noisy), &chain);
     assert_eq!(found, mass_matrix(&exact, &chain));
     let tilted = file(
@@ -330,17 +273,17 @@ fn noise_is_taken_for_zero() {
         noisy.replace("-6.1e-16 9.9e-17 1", "0.0001 0 1"),
     );
     assert_ne!(mass_matrix(&tilted, &chain), found);
-    let rounded = [&chain[..], &["--round-angles", "1e-3"]].concat();
+    let rounded = format!("{chain} --round-angles 1e-3");
     assert_eq!(mass_matrix(&tilted, &rounded), found);
-    let call = [&["convert", &tilted][..], &chain, &GRAVITY].concat();
+    let call = format!("convert {tilted} {chain} {GRAVITY}");
     let text = output(&call);
-    assert!(
-        text.contains("# 2 numbers of the file are noise and taken as zero")
-            && text.contains(
-                "# 2 angles of the file are within 0.01 rad of a multiple of a quarter turn"
-            )
-            && text.contains("`--round-angles 1e-4` takes 2 of them"),
-        "{text}"
+    assert_has(
+        &text,
+        [
+            "# 2 numbers of the file are noise and taken as zero",
+            "# 2 angles of the file are within 0.01 rad of a multiple of a quarter turn",
+            "`--round-angles 1e-4` takes 2 of them",
+        ],
     );
 }
 
@@ -350,43 +293,18 @@ fn every_subcommand_reads_a_chain() {
     let file = data("urdf/anymal.urdf");
     let out = folder("chain");
     let out = out.to_string_lossy();
-    let chain = [
-        "--chain",
-        "base,LF_FOOT",
-        "--ignore",
-        "RF_HAA",
-        "--ignore",
-        "LH_HAA",
-        "--ignore",
-        "RH_HAA",
-    ];
+    let chain = "--chain base,LF_FOOT --ignore RF_HAA --ignore LH_HAA --ignore RH_HAA";
     for call in [
-        vec!["show", &file, "--functions", "gravity_vector"],
-        vec![
-            "check",
-            &file,
-            "--functions",
-            "gravity_vector",
-            "--samples",
-            "2",
-        ],
-        vec![
-            "generate",
-            &file,
-            "--functions",
-            "gravity_vector",
-            "--lang",
-            "js",
-            "--out",
-            &out,
-        ],
-        vec!["simulate", &file, "--duration", "0.01", "--samples", "2"],
-        vec!["inverse", &file, "--to", "0.1,0.2,0.3", "--samples", "2"],
-        vec!["measure", &file, "--functions", "gravity_vector"],
-        vec!["convert", &file],
+        format!("show {file} --functions gravity_vector"),
+        format!("check {file} --functions gravity_vector --samples 2"),
+        format!("generate {file} --functions gravity_vector --lang js --out {out}"),
+        format!("simulate {file} --duration 0.01 --samples 2"),
+        format!("inverse {file} --to 0.1,0.2,0.3 --samples 2"),
+        format!("measure {file} --functions gravity_vector"),
+        format!("convert {file}"),
     ] {
-        let odd = ["--allow", "unphysical_inertia"];
-        let text = output(&[&call[..], &chain[..], &GRAVITY[..], &odd[..]].concat());
+        let odd = "--allow unphysical_inertia";
+        let text = output(format!("{call} {chain} {GRAVITY} {odd}"));
         assert!(!text.is_empty(), "{call:?}");
     }
 }
@@ -396,23 +314,10 @@ fn every_subcommand_reads_a_chain() {
 fn odd_files_are_accepted_where_that_is_asked_for() {
     let odd = turntable("0").replace("izz=\"0.15\"", "izz=\"0.25\"");
     let file = file("odd.urdf", odd);
-    let call = [
-        "show",
-        &file,
-        "--chain",
-        "base,flange",
-        "--ignore",
-        "mast",
-        "--functions",
-        "gravity_vector",
-    ];
-    let call = [&call[..], &GRAVITY[..]].concat();
-    let message = errors(&call, 1);
-    assert!(
-        message.contains("`--allow unphysical_inertia`"),
-        "{message}"
-    );
-    output(&[&call[..], &["--allow", "unphysical_inertia"][..]].concat());
+    let call = format!("show {file} --chain base,flange --ignore mast --functions gravity_vector");
+    let call = format!("{call} {GRAVITY}");
+    refused(&call, 1, ["`--allow unphysical_inertia`"]);
+    output(format!("{call} --allow unphysical_inertia"));
 }
 
 /// A word that is nearly one of URDF's would leave something of the arm out, if it were passed over; other words mean
@@ -422,8 +327,8 @@ fn misspelled_words_are_told() {
     let right = turntable("0");
     let call = |name: &str, text: String| {
         let file = file(name, text);
-        let options = ["--chain", "base,flange", "--ignore", "mast"];
-        run(&[&["show", &file][..], &GRAVITY, &options].concat())
+        let options = "--chain base,flange --ignore mast";
+        run(format!("show {file} {GRAVITY} {options}"))
     };
     for (wrong, expected) in [
         (
@@ -455,19 +360,9 @@ fn misspelled_words_are_told() {
     }
     let turns = right.replace("lower=\"-1\" upper=\"2\"", "lower=\"-90\" upper=\"90\"");
     let refused = String::from_utf8_lossy(&call("turns.urdf", turns.clone()).stderr).into_owned();
-    assert!(
-        refused.contains("as which `--allow odd_limits` takes it"),
-        "{refused}"
-    );
+    assert_has(&refused, ["as which `--allow odd_limits` takes it"]);
     let turns = file("turns.urdf", turns);
-    output(&[
-        "show",
-        &turns,
-        "--gravity",
-        "0,0,0",
-        "--allow",
-        "odd_limits",
-    ]);
+    output(format!("show {turns} --gravity 0,0,0 --allow odd_limits"));
     let others = right
         .replace(
             "<limit lower",
@@ -562,31 +457,19 @@ fn typed_in(shown: &str) -> String {
 fn the_table_that_is_shown_is_the_arm() {
     let turntable = file("askew.urdf", turntable("0.3"));
     let panda = data("urdf/panda.urdf");
-    let fingers = ["panda_finger_joint1=0.02", "panda_finger_joint2=0.01"];
+    let fingers = "--lock panda_finger_joint1=0.02 --lock panda_finger_joint2=0.01";
     for (of, chain, locks) in [
-        (&turntable, "base,flange", &["mast=0.4"][..]),
-        (&panda, "panda_link0,panda_hand_tcp", &fingers[..]),
+        (&turntable, "base,flange", "--lock mast=0.4"),
+        (&panda, "panda_link0,panda_hand_tcp", fingers),
     ] {
-        let locks: Vec<_> = locks.iter().flat_map(|lock| ["--lock", lock]).collect();
-        let functions = [
-            "--functions",
-            "mass_matrix,gravity_vector,forward_kinematics",
-        ];
-        let options = [&GRAVITY[..], &functions[..], &locks[..]].concat();
-        let shown = output(&[&["show", of, "--chain", chain][..], &options].concat());
+        let functions = "--functions mass_matrix,gravity_vector,forward_kinematics";
+        let options = format!("{GRAVITY} {functions} {locks}");
+        let shown = output(format!("show {of} --chain {chain} {options}"));
         let typed = file("typed.urdf", typed_in(&shown));
-        let compared = [
-            "check",
-            &typed,
-            "--chain",
-            "l0,tip",
-            "--against",
-            of,
-            "--against-chain",
-            chain,
-        ];
-        let more = ["--samples", "5", "--allow", "odd_angle"];
-        output(&[&compared[..], &more[..], &options].concat());
+        let compared =
+            format!("check {typed} --chain l0,tip --against {of} --against-chain {chain}");
+        let more = "--samples 5 --allow odd_angle";
+        output(format!("{compared} {more} {options}"));
     }
 }
 
@@ -616,9 +499,8 @@ const ZEROS: &str = r#"<inertial><mass value="0"/>
     <inertia ixx="0" iyy="0" izz="0" ixy="0" iyz="0" ixz="0"/></inertial>"#;
 
 /// A call of a subcommand about a file of `bare`.
-fn of_bare<'a>(subcommand: &'a str, file: &'a str, options: &[&'a str]) -> Vec<&'a str> {
-    let chain = ["--chain", "base,lower"];
-    [&[subcommand, file][..], &chain, &GRAVITY, options].concat()
+fn of_bare(subcommand: &str, file: &str, options: &str) -> String {
+    format!("{subcommand} {file} --chain base,lower {GRAVITY} {options}")
 }
 
 /// Functions of the geometry do not ask for masses. All others name every link of which nothing is said, in one line, and
@@ -627,14 +509,17 @@ fn of_bare<'a>(subcommand: &'a str, file: &'a str, options: &[&'a str]) -> Vec<&
 fn links_without_inertia_matter_where_masses_are_read() {
     let neither = bare("neither.urdf", ["", ""]);
     let zeros = bare("zeros.urdf", [ZEROS, ZEROS]);
-    let geometry = ["--functions", "forward_kinematics,jacobian,friction_vector"];
-    let of_geometry = |file| output(&of_bare("show", file, &geometry));
+    let geometry = "--functions forward_kinematics,jacobian,friction_vector";
+    let of_geometry = |file| output(&of_bare("show", file, geometry));
     assert_eq!(
         of_geometry(&neither).replace("neither", "zeros"),
         of_geometry(&zeros)
     );
     for functions in ["default", "jacobian,mass_matrix", "center_of_mass"] {
-        let message = errors(&of_bare("show", &neither, &["--functions", functions]), 1);
+        let message = errors(
+            of_bare("show", &neither, &format!("--functions {functions}")),
+            1,
+        );
         for expected in [
             "neither.urdf:3:3: the links `upper` and `lower` move",
             "no mass moves with `one` and `two`",
@@ -644,36 +529,28 @@ fn links_without_inertia_matter_where_masses_are_read() {
         }
     }
     // A file that says nothing of any inertia is one of geometry, if no function needs it.
-    let converted = output(&of_bare("convert", &neither, &["--to", "toml"]));
+    let converted = output(&of_bare("convert", &neither, "--to toml"));
     assert!(!converted.contains("mass"), "{converted}");
     let page = folder("neither").join("page.html");
-    output(&of_bare(
-        "page",
-        &neither,
-        &["--out", &page.to_string_lossy()],
-    ));
+    let page = format!("--out {}", page.to_string_lossy());
+    output(of_bare("page", &neither, &page));
     let first = bare("first.urdf", [POINT, ""]);
-    assert!(errors(&of_bare("convert", &first, &["--to", "toml"]), 1).contains("`lower` moves"));
-    let message = errors(&of_bare("show", &first, &[]), 1);
+    assert!(errors(&of_bare("convert", &first, "--to toml"), 1).contains("`lower` moves"));
+    let message = errors(&of_bare("show", &first, ""), 1);
     assert!(!message.contains("`upper`"), "{message}");
     assert!(message.contains("the link `lower` moves"), "{message}");
     assert!(message.contains("no mass moves with `two`"), "{message}");
-    let massless = [
-        "--functions",
-        "mass_matrix,gravity_vector",
-        "--format",
-        "text",
-    ];
-    let allowed = [&massless[..], &["--allow", "no_inertia"]].concat();
+    let massless = "--functions mass_matrix,gravity_vector --format text";
+    let allowed = format!("{massless} --allow no_inertia");
     let shown = output(&of_bare("show", &first, &allowed));
     assert!(shown.contains("M11 = 1/8\nM12 = 0\n"), "{shown}");
     let said = bare("said.urdf", [POINT, ZEROS]);
-    assert_eq!(output(&of_bare("show", &said, &massless)), shown);
+    assert_eq!(output(&of_bare("show", &said, massless)), shown);
     // The mass on the second link moves with the first one, too.
     let second = bare("second.urdf", ["", POINT]);
-    assert!(errors(&of_bare("show", &second, &[]), 1).contains("`upper` moves"));
-    let bent = ["--allow", "no_inertia", "--from", "0,1", "--samples", "2"];
-    output(&of_bare("simulate", &second, &bent));
+    assert!(errors(&of_bare("show", &second, ""), 1).contains("`upper` moves"));
+    let bent = "--allow no_inertia --from 0,1 --samples 2";
+    output(&of_bare("simulate", &second, bent));
 }
 
 /// A subcommand that reads masses asks for them whatever `--functions` says, and of a table, too.
@@ -685,36 +562,35 @@ fn subcommands_ask_for_the_masses_that_they_read() {
     let table = file("without.toml", table);
     let page = folder("without").join("page.html");
     let page = page.to_string_lossy();
-    for options in [
-        &["simulate"][..],
-        &["inverse", "--to", "1,1"],
-        &["page", "--out", &page],
+    for (subcommand, options) in [
+        ("simulate", ""),
+        ("inverse", "--to 1,1"),
+        ("page", &format!("--out {page}")),
     ] {
-        let functions = [&options[1..], &["--functions", "jacobian"]].concat();
-        let of_file = of_bare(options[0], &neither, &functions);
-        let of_table = [&[options[0], &table][..], &options[1..]].concat();
+        let functions = format!("{options} --functions jacobian");
+        let of_file = of_bare(subcommand, &neither, &functions);
+        let of_table = format!("{subcommand} {table} {options}");
         for call in [of_file, of_table] {
             // A page shows the poses of a robot in which nothing has a mass.
-            if options[0] == "page" {
+            if subcommand == "page" {
                 output(&call);
                 continue;
             }
-            let message = errors(&call, 1);
-            assert!(message.contains("`--allow no_inertia`"), "{message}");
+            refused(&call, 1, ["`--allow no_inertia`"]);
         }
     }
-    let message = errors(
-        &of_bare("simulate", &neither, &["--allow", "no_inertia"]),
+    refused(
+        &of_bare("simulate", &neither, "--allow no_inertia"),
         1,
+        ["not positive definite"],
     );
-    assert!(message.contains("not positive definite"), "{message}");
     // A converted file can be read back, with the entry that it needs.
     for (options, expected) in [
-        (["--functions", "jacobian"], "functions = [\"jacobian\"]"),
-        (["--allow", "no_inertia"], "allow = [\"no_inertia\"]"),
+        ("--functions jacobian", "functions = [\"jacobian\"]"),
+        ("--allow no_inertia", "allow = [\"no_inertia\"]"),
     ] {
         for format in ["toml", "json"] {
-            let options = [&options[..], &["--to", format]].concat();
+            let options = format!("{options} --to {format}");
             let text = output(&of_bare("convert", &neither, &options));
             let expected = match format {
                 "toml" => expected.to_owned(),
@@ -775,30 +651,27 @@ fn joints_of_other_kinds_have_a_way_out() {
         ),
         ("ball", "three revolute ones"),
     ] {
-        let message = errors(
-            &[&["show", &behind("kinds.urdf", kind, "")], &GRAVITY[..]].concat(),
+        let kinds = behind("kinds.urdf", kind, "");
+        refused(
+            format!("show {kinds} {GRAVITY}"),
             1,
+            [
+                &format!("the joint `root` is {kind}"),
+                expected,
+                "`--chain trunk`",
+            ],
         );
-        assert!(
-            message.contains(&format!("the joint `root` is {kind}")),
-            "{message}"
-        );
-        assert!(message.contains(expected), "{message}");
-        assert!(message.contains("`--chain trunk`"), "{message}");
     }
     let floating = behind("floats.urdf", "floating", "");
-    let way_out = ["--chain", "trunk", "--base", "floating"];
-    let shown = output(&[&["show", &floating], &GRAVITY[..], &way_out].concat());
+    let way_out = "--chain trunk --base floating";
+    let shown = output(format!("show {floating} {GRAVITY} {way_out}"));
     assert!(shown.contains("elbow"), "{shown}");
-    let message = errors(
-        &[
-            &["show", &behind("kinds.urdf", "revolut", "")],
-            &GRAVITY[..],
-        ]
-        .concat(),
+    let kinds = behind("kinds.urdf", "revolut", "");
+    refused(
+        format!("show {kinds} {GRAVITY}"),
         1,
+        ["did you mean `revolute`?"],
     );
-    assert!(message.contains("did you mean `revolute`?"), "{message}");
 }
 
 /// Files in other formats are called by their names, and a declaration may stand behind a blank line.
@@ -810,26 +683,21 @@ fn formats_of_robots_are_told_apart() {
         ("<html><head/></html>", "download the file itself"),
         ("<xacro/>", "is expanded first"),
     ] {
-        let message = errors(
-            &["show", &file("other.urdf", text), "--gravity", "0,0,0"],
-            1,
-        );
-        assert!(message.contains(expected), "{message}");
+        let other = file("other.urdf", text);
+        refused(format!("show {other} --gravity 0,0,0"), 1, [expected]);
     }
     let of = |declaration: &str| {
-        output(
-            &[
-                &["show", &behind("declared.urdf", "fixed", declaration)],
-                &GRAVITY[..],
-            ]
-            .concat(),
-        )
+        let declared = behind("declared.urdf", "fixed", declaration);
+        output(format!("show {declared} {GRAVITY}"))
     };
     let late = "\n  <?xml version=\"1.0\"\n encoding=\"utf-8\"?>\n";
     assert_eq!(of(late), of(""));
     let misspelled = behind("late.urdf", "revolut", late);
-    let message = errors(&[&["show", &misspelled], &GRAVITY[..]].concat(), 1);
-    assert!(message.contains("late.urdf:7:34"), "{message}");
+    refused(
+        format!("show {misspelled} {GRAVITY}"),
+        1,
+        ["late.urdf:7:34"],
+    );
 }
 
 /// A hand: two fingers, of which one follows, a thumb and a joint with another name.
@@ -868,85 +736,69 @@ fn hand(name: &str, thumb: &str) -> String {
 fn the_rest_of_the_joints_has_a_name() {
     let hand = |name: &str, thumb: &str| (self::hand(name, thumb), "base,arm");
     let (plain, chain) = hand("hand.urdf", "thumb");
-    let inertia = |file: &str, options: &[&str]| {
-        let chain = ["--chain", chain, "--allow", "odd_limits"];
-        mass_matrix(file, &[&chain[..], options].concat())
+    let inertia = |file: &str, options: &str| {
+        let chain = format!("--chain {chain} --allow odd_limits");
+        mass_matrix(file, &format!("{chain} {options}"))
     };
     // 2 kg at 0.25 m from where each finger is: 0.125, 0.125, 2 0.75^2, 0.125, 0.125.
-    assert!(inertia(&plain, &["--lock", "rest=0"]).contains("M11 = 13/8\n"));
-    let named = ["--lock", "left=0", "--lock", "thumb=0", "--lock", "4=0"];
+    assert!(inertia(&plain, "--lock rest=0").contains("M11 = 13/8\n"));
+    let named = "--lock left=0 --lock thumb=0 --lock 4=0";
     assert!(inertia(&plain, &named).contains("M11 = 13/8\n"));
     for none in [
-        &["--ignore", "rest"][..],
-        &["--ignore", "left,right,thumb,4"],
-        &["--ignore", "left,right", "--ignore", "rest"],
-        &["--ignore", "left,right,4", "--ignore=thumb"],
+        "--ignore rest",
+        "--ignore left,right,thumb,4",
+        "--ignore left,right --ignore rest",
+        "--ignore left,right,4 --ignore=thumb",
     ] {
         assert!(inertia(&plain, none).contains("M11 = 1/8\n"), "{none:?}");
     }
     // The left finger at 0.25 m, and so the right one; the others are left out, or at 0.
-    let left = ["--lock", "left=0.25", "--ignore", "rest"];
-    assert!(inertia(&plain, &left).contains("M11 = 9/8\n"));
-    let left = ["--lock", "left=0.25,rest=0"];
-    assert!(inertia(&plain, &left).contains("M11 = 11/8\n"));
+    let left = "--lock left=0.25 --ignore rest";
+    assert!(inertia(&plain, left).contains("M11 = 9/8\n"));
+    let left = "--lock left=0.25,rest=0";
+    assert!(inertia(&plain, left).contains("M11 = 11/8\n"));
     // A joint that has this name is meant by it alone.
     let (named, _) = hand("hand_at_rest.urdf", "rest");
-    let all = ["--lock", "left=0.25", "--lock", "rest=0", "--ignore", "4"];
-    assert!(inertia(&named, &all).contains("M11 = 5/4\n"));
-    let call = [
-        "--chain",
-        chain,
-        "--allow",
-        "odd_limits",
-        "--ignore",
-        "rest",
-    ];
-    let message = errors(&[&["show", &named][..], &GRAVITY, &call].concat(), 1);
-    assert!(message.contains("the joint `left` moves"), "{message}");
-    // The same options may be about a table besides.
-    let table = output(&[&["convert", &plain][..], &GRAVITY, &call].concat());
-    let table = file("hand.toml", table);
-    output(&[&["check", &table, "--against", &plain][..], &GRAVITY, &call].concat());
-    let locked = [
-        "--chain",
-        chain,
-        "--allow",
-        "odd_limits",
-        "--lock",
-        "rest=0",
-    ];
-    let table = output(&[&["convert", &plain][..], &GRAVITY, &locked].concat());
-    let table = file("hand.toml", table);
-    output(
-        &[
-            &["check", &table, "--against", &plain][..],
-            &GRAVITY,
-            &locked,
-        ]
-        .concat(),
+    let all = "--lock left=0.25 --lock rest=0 --ignore 4";
+    assert!(inertia(&named, all).contains("M11 = 5/4\n"));
+    let call = format!("--chain {chain} --allow odd_limits --ignore rest");
+    refused(
+        format!("show {named} {GRAVITY} {call}"),
+        1,
+        ["the joint `left` moves"],
     );
+    // The same options may be about a table besides.
+    let table = output(format!("convert {plain} {GRAVITY} {call}"));
+    let table = file("hand.toml", table);
+    output(format!("check {table} --against {plain} {GRAVITY} {call}"));
+    let locked = format!("--chain {chain} --allow odd_limits --lock rest=0");
+    let table = output(format!("convert {plain} {GRAVITY} {locked}"));
+    let table = file("hand.toml", table);
+    output(format!(
+        "check {table} --against {plain} {GRAVITY} {locked}"
+    ));
 }
 
 /// A locked joint stands within its limits. Limits the wrong way round are none if that is requested.
 #[test]
 fn limits_hold_beside_the_chain() {
     let hand = hand("limits.urdf", "thumb");
-    let told = |options: &[&str], status| {
-        let call = ["show", &hand, "--chain", "base,arm", "--ignore", "thumb,4"];
-        errors(&[&call[..], &GRAVITY, options].concat(), status)
+    let told = |options: &str, status| {
+        let call = format!("show {hand} --chain base,arm --ignore thumb,4");
+        errors(format!("{call} {GRAVITY} {options}"), status)
     };
-    let message = told(&["--lock", "left=0"], 1);
-    assert!(
-        message.contains("limits.urdf:6:78: `lower` is above `upper`")
-            && message.contains("`--allow odd_limits`"),
-        "{message}"
+    let message = told("--lock left=0", 1);
+    assert_has(
+        &message,
+        [
+            "limits.urdf:6:78: `lower` is above `upper`",
+            "`--allow odd_limits`",
+        ],
     );
-    let message = told(&["--allow", "odd_limits", "--lock", "left=1.5"], 2);
-    assert!(
-        message.contains(
-            "`left` would stand still at 1.5, outside of its limits, -1 to 1: `--lock left=0` is"
-        ),
-        "{message}"
+    let message = told("--allow odd_limits --lock left=1.5", 2);
+    assert_has(
+        &message,
+        ["`left` would stand still at 1.5, outside of its limits, -1 to 1: `--lock left=0` is"],
     );
     // A joint of the chain that follows a locked one.
     let follower = r#"<mimic joint="one" multiplier="3"/><limit lower="-1" upper="1"/>"#;
@@ -960,22 +812,17 @@ fn limits_hold_beside_the_chain() {
         <parent link="lower"/><child link="tip"/></joint></robot>"#;
     let followed = file("followed.urdf", text.replace("</robot>", tip));
     let show = |lock: &str| {
-        let options = [
-            "--chain",
-            "base,tip",
-            "--functions",
-            "jacobian",
-            "--lock",
-            lock,
-        ];
-        run(&[&["show", &followed][..], &GRAVITY, &options].concat())
+        let options = format!("--chain base,tip --functions jacobian --lock {lock}");
+        run(format!("show {followed} {GRAVITY} {options}"))
     };
     assert!(show("one=0.3").status.success());
     let message = String::from_utf8_lossy(&show("one=0.5").stderr).into_owned();
-    assert!(
-        message.contains("followed.urdf:11:")
-            && message.contains("1.5 is outside of the limits of `two`, -1 to 1"),
-        "{message}"
+    assert_has(
+        &message,
+        [
+            "followed.urdf:11:",
+            "1.5 is outside of the limits of `two`, -1 to 1",
+        ],
     );
 }
 
@@ -995,14 +842,9 @@ fn arms_need_no_chain() {
         ("so100.urdf", "base,jaw"),
     ] {
         let file = urdf(name);
-        let functions = ["--functions", "default,jacobian,forward_kinematics"];
-        let show = [
-            &["show", &file, "--allow", "no_inertia"][..],
-            &GRAVITY,
-            &functions,
-        ]
-        .concat();
-        let with_chain = [&show[..], &["--chain", chain]].concat();
+        let functions = "--functions default,jacobian,forward_kinematics";
+        let show = format!("show {file} --allow no_inertia {GRAVITY} {functions}");
+        let with_chain = format!("{show} --chain {chain}");
         assert_eq!(output(&show), output(&with_chain), "{name}");
     }
 }

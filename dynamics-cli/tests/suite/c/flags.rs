@@ -168,14 +168,10 @@ fn assert_casadi(name: &'static str, path: &str) {
     let label = format!("{name}_casadi");
     let out = folder(&format!("flags_{label}"));
     let to = out.to_string_lossy();
-    let options = ["--lang", "casadi", "--name", name, "--out", &to];
-    output(
-        &[
-            &["generate", path, "--functions", CASADI_FUNCTIONS][..],
-            &options,
-        ]
-        .concat(),
-    );
+    let options = format!("--lang casadi --name {name} --out {to}");
+    output(format!(
+        "generate {path} --functions {CASADI_FUNCTIONS} {options}"
+    ));
     let (main, expected) = casadi_program(path);
     std::fs::write(out.join("main.c"), main).expect("a file");
     Generated {
@@ -219,21 +215,13 @@ fn assert_near<F: Number>(found: &str, expected: &[Vec<F>], label: &str) {
 }
 
 /// Compiles one robot with every flag: values are Rust's and batches those of single calls, or a sentence refuses the flag.
-fn assert_flags<F: Number + Sync>(name: &str, path: &str, sines: &[&str]) {
+fn assert_flags<F: Number + Sync>(name: &str, path: &str, sines: &str) {
     let label = format!("{name}_{}_{}", F::WORD, sines.len());
     let out = folder(&format!("flags_{label}"));
     let to = out.to_string_lossy();
-    let options = [
-        "--lang",
-        "c",
-        "--project",
-        "--name",
-        name,
-        "--scalar",
-        F::WORD,
-    ];
-    let call = ["generate", path, "--functions", FUNCTIONS, "--out", &to];
-    output(&[&call[..], &options, sines].concat());
+    let options = format!("--lang c --project --name {name} --scalar {}", F::WORD);
+    let call = format!("generate {path} --functions {FUNCTIONS} --out {to}");
+    output(format!("{call} {options} {sines}"));
     let (calls, expected) = calls::<F>(name, path);
     std::fs::write(out.join("main.c"), main_of::<F>(name, &calls)).expect("a file");
     let has_own_sines = sines.is_empty();
@@ -320,12 +308,12 @@ fn assert_robots(some: std::ops::Range<usize>) {
     }
     let robots = robots();
     for (name, path) in &robots[some] {
-        assert_flags::<f64>(name, path, &[]);
-        assert_flags::<f32>(name, path, &[]);
+        assert_flags::<f64>(name, path, "");
+        assert_flags::<f32>(name, path, "");
     }
     let (name, path) = &robots[0];
-    assert_flags::<f64>(name, path, &["--sines", "libm"]);
-    assert_flags::<f32>(name, path, &["--sines", "libm"]);
+    assert_flags::<f64>(name, path, "--sines libm");
+    assert_flags::<f32>(name, path, "--sines libm");
     assert_casadi(name, path);
 }
 

@@ -11,7 +11,7 @@ use std::process::Command;
 use dynamics_evaluation::{ReadOptions, RuntimeRobot};
 use dynamics_runtime::Scalar;
 
-use super::calls::{errors, file, folder, has, output, succeed};
+use super::calls::{assert_has, file, folder, has, output, refused, succeed};
 
 /// An arm with friction, a slide and a follower.
 const ARM: &str = r#"
@@ -19,39 +19,12 @@ convention = "modified"
 gravity = [0, 0, -9.81]
 couple = { third = "2*first + 0.1" }
 functions = ["default", "jacobian"]
-
-[[joint]]
-name = "first"
-type = "revolute"
-mass = 2
-com = [0.1, 0, 0.2]
-inertia = { zz = 0.3 }
-friction = { viscous = 0.1, coulomb = 0.2 }
-
-[[joint]]
-name = "second"
-type = "prismatic"
-alpha = "deg(20)"
-a = 0.3
-mass = 1
-com = [0, 0.1, 0]
-
-[[joint]]
-name = "third"
-type = "revolute"
-alpha = -0.4
-mass = 0.7
-com = [0.2, 0, 0.1]
-inertia = { xx = 0.01, yy = 0.02, zz = 0.03 }
-
-[[joint]]
-name = "fourth"
-type = "revolute"
-alpha = "PI/2"
-a = 0.5
-mass = 0.5
-com = [0.1, 0, 0]
-inertia = { yy = 0.01, zz = 0.01 }
+joint = [
+    { name = "first", type = "revolute", mass = 2, com = [0.1, 0, 0.2], inertia = { zz = 0.3 }, friction = { viscous = 0.1, coulomb = 0.2 } },
+    { name = "second", type = "prismatic", alpha = "deg(20)", a = 0.3, mass = 1, com = [0, 0.1, 0] },
+    { name = "third", type = "revolute", alpha = -0.4, mass = 0.7, com = [0.2, 0, 0.1], inertia = { xx = 0.01, yy = 0.02, zz = 0.03 } },
+    { name = "fourth", type = "revolute", alpha = "PI/2", a = 0.5, mass = 0.5, com = [0.1, 0, 0], inertia = { yy = 0.01, zz = 0.01 } },
+]
 "#;
 
 /// The header of a long robot says how it is compiled fast, and that of a short one is silent.
@@ -63,11 +36,11 @@ fn long_texts_say_how_to_compile_them() {
         "{}/../tests/data/urdf/g1_29dof_rev_1_0.urdf",
         env!("CARGO_MANIFEST_DIR")
     );
-    let of_base = ["--base", "floating", "--gravity", "0,0,-9.81"];
+    let of_base = "--base floating --gravity 0,0,-9.81";
     let arm = file("short.toml", ARM);
-    for (path, more, is_long) in [(&g1, &of_base[..], true), (&arm, &[], false)] {
-        let functions = ["--lang", "c", "--functions", "mass_matrix", "--out", out];
-        let written = output(&[&["generate", path], more, &functions].concat());
+    for (path, more, is_long) in [(&g1, of_base, true), (&arm, "", false)] {
+        let functions = format!("--lang c --functions mass_matrix --out {out}");
+        let written = output(format!("generate {path} {more} {functions}"));
         let header = written.lines().find(|line| line.ends_with(".h"));
         let header = std::fs::read_to_string(header.expect("a header")).expect("a file");
         assert_eq!(header.contains("max-combine-insns=2"), is_long, "{path}");
@@ -183,8 +156,8 @@ fn assert_functions<F: Number>(name: &str) -> (String, String) {
     let path = file(&format!("{name}.toml"), ARM);
     let out = folder(name);
     let to = out.to_string_lossy();
-    let scalar = ["--lang", "c", "--scalar", F::WORD];
-    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
+    let scalar = format!("--lang c --scalar {}", F::WORD);
+    output(format!("generate {path} --out {to} {scalar}"));
     let read = |ending: &str| {
         std::fs::read_to_string(out.join(format!("{name}.{ending}"))).expect("a file")
     };
@@ -241,9 +214,9 @@ fn assert_functions<F: Number>(name: &str) -> (String, String) {
 #[test]
 fn double_precision_has_the_digits_of_rust() {
     let (text, _) = assert_functions::<f64>("double_arm");
-    assert!(
-        text.contains("robot_dynamics_sin_cos_2(q[0], q[2], &sines_1, &cosines_1);"),
-        "{text}"
+    assert_has(
+        &text,
+        ["robot_dynamics_sin_cos_2(q[0], q[2], &sines_1, &cosines_1);"],
     );
 }
 
@@ -259,8 +232,8 @@ fn assert_library<F: Number>(name: &str, sine: &str, tolerance: f64) -> String {
     let path = file(&format!("{name}.toml"), ARM);
     let out = folder(name);
     let to = out.to_string_lossy();
-    let scalar = ["--lang", "c", "--scalar", F::WORD, "--sines", "libm"];
-    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
+    let scalar = format!("--lang c --scalar {} --sines libm", F::WORD);
+    output(format!("generate {path} --out {to} {scalar}"));
     let text = std::fs::read_to_string(out.join(format!("{name}.c"))).expect("a source");
     assert!(text.contains(sine), "{text}");
     if has("gcc") {
@@ -285,8 +258,11 @@ fn sines_of_the_c_library() {
     assert!(!of_floats.contains("double "), "{of_floats}");
     let path = file("library.toml", ARM);
     for (option, word) in [("--scalar", "float"), ("--sines", "libm")] {
-        let message = errors(&["generate", &path, "--lang", "js", option, word], 2);
-        assert!(message.contains("is about `--lang c`"), "{message}");
+        refused(
+            format!("generate {path} --lang js {option} {word}"),
+            2,
+            ["is about `--lang c`"],
+        );
     }
 }
 
@@ -295,16 +271,16 @@ fn sines_of_the_c_library() {
 fn fields_of_single_precision() {
     let tilted = ARM
         .replace("alpha = -0.4", "alpha = \"2 * tilt\"")
-        .replace("mass = 1\n", "mass = \"load\"\n");
+        .replace("mass = 1,", "mass = \"load\",");
     let path = file("tilted.toml", tilted);
     let out = folder("tilted");
     let to = out.to_string_lossy();
-    let scalar = ["--lang", "c", "--scalar", "float"];
-    output(&[&["generate", &path, "--out", &to][..], &scalar].concat());
+    let scalar = "--lang c --scalar float";
+    output(format!("generate {path} --out {to} {scalar}"));
     let header = std::fs::read_to_string(out.join("tilted.h")).expect("a header");
-    assert!(
-        header.contains("    float load;\n    float tilt;\n} tilted_fields;"),
-        "{header}"
+    assert_has(
+        &header,
+        ["    float load;\n    float tilt;\n} tilted_fields;"],
     );
     if !has("gcc") {
         return;
@@ -331,9 +307,9 @@ fn a_base_that_moves_in_single_precision() {
     let path = file("single_brick.toml", super::moving_base::BRICK);
     let out = folder("single_brick");
     let to = out.to_string_lossy();
-    output(&[
-        "generate", &path, "--lang", "c", "--scalar", "float", "--out", &to,
-    ]);
+    output(format!(
+        "generate {path} --lang c --scalar float --out {to}"
+    ));
     let header = std::fs::read_to_string(out.join("single_brick.h")).expect("a header");
     assert!(
         header.contains("const float base[12]") && !header.contains("double"),

@@ -129,9 +129,9 @@ fn assert_sines<F: Number>(lanes: Option<usize>, count: usize, expected: &str) {
     );
     let out = folder(&name);
     let to = out.to_string_lossy();
-    output(&[
-        "generate", &path, "--lang", "c", "--scalar", word, "--out", &to,
-    ]);
+    output(format!(
+        "generate {path} --lang c --scalar {word} --out {to}"
+    ));
     let values = match lanes {
         None => format!(
             "        const {word} x = next(i++);\n        add(robot_dynamics_sin(x));\n        add(robot_dynamics_cos(x));\n"
