@@ -16,7 +16,6 @@ use crate::singular::relative_pivot;
 /// 1969).
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::Conditioning;
 /// use robot_dynamics::nalgebra::Matrix2;
 ///

@@ -10,7 +10,6 @@ use crate::closed_form::is_rotation;
 /// It is written as a literal. Generated functions do not check that `rotation` is one.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::Pose;
 /// use robot_dynamics::nalgebra::{Rotation3, Vector3};
 ///

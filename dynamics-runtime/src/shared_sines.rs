@@ -14,7 +14,6 @@ use crate::{
 /// same q evaluates them once:
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// # use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
 /// # use robot_dynamics::table::{Convention, JointType, Row, Table};
 /// use robot_dynamics::{SharedSines, GravityVector, MassMatrix, Model, Scalar};

@@ -23,7 +23,6 @@ use crate::float::{first_non_finite, sin_cos};
 /// times, also near their zeros, where the formulas above would cancel; `tests/suite/trajectories.rs` tests it.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::{Cycloidal, nalgebra::SVector};
 ///
 /// let turn = Cycloidal::new(SVector::from([0.0]), SVector::from([2.0]), 4.0)?;

@@ -49,7 +49,6 @@ dynamics_items::batch_methods! {
 /// is written. No method panics, and none allocates but those of all cores, a few bytes for each core.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::{SVector, Vector1};
 /// use robot_dynamics::{Batch, GravityVector, Scalar};
 ///

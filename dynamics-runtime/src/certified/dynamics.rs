@@ -41,7 +41,6 @@ type Vector<F, const N: usize> = SVector<Certified<F>, N>;
 /// [`SingularMassMatrix`] where the plain method returns it. Never panics, never allocates.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::Vector2;
 /// use robot_dynamics::{Certified, certified, robot_dynamics};
 ///

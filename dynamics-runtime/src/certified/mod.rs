@@ -46,7 +46,6 @@ pub use rounded::Rounded;
 /// angles beyond 1e5 rad.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::Vector2;
 /// use robot_dynamics::{Certified, robot_dynamics};
 ///

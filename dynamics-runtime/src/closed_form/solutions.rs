@@ -40,7 +40,6 @@ pub enum NoSolution {
 /// there is none, [`reason`](Solutions::reason) says why.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::closed_form::Solutions;
 /// # let solutions = Solutions::<f64, 1>::default();
 /// for solution in &solutions {

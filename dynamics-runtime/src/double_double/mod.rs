@@ -29,7 +29,6 @@ use crate::operators::scalar_methods;
 /// products below 1e-291 lose digits of their second half.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::{DoubleDouble, Scalar};
 ///
 /// let third = DoubleDouble::from(1.0) / DoubleDouble::from(3.0);

@@ -124,7 +124,6 @@ impl<const N: usize, const V: usize, T: Scalar> Arguments<N, T, V> {
 /// Values of the generated functions at one state, by the names of the functions.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::nalgebra::{SMatrix, SVector, Vector1};
 /// use robot_dynamics::{SingularMassMatrix, State, robot_dynamics, check::Evaluate};
 ///

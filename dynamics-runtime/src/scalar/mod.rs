@@ -19,7 +19,6 @@ use crate::sine::{Part, Sines, level};
 /// No method panics. Values that are not finite propagate as IEEE 754 arithmetic has it.
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::Scalar;
 ///
 /// fn height<T: Scalar>(length: T, angle: T) -> T {

@@ -98,7 +98,6 @@ impl Spring {
 /// Rows are a tree if some of them say on which link they stand:
 ///
 /// ```
-/// # extern crate dynamics_runtime as robot_dynamics;
 /// use robot_dynamics::table::{Carrier, Frame, JointType, Placement, Row};
 ///
 /// // Two fingers on the link of row 0, 4 cm apart.
