@@ -371,7 +371,7 @@ fn couplings_are_kept() {
     let source = read(&path, &none);
     assert_eq!(source.dof(), 2);
     let options = "--convention standard --to toml";
-    let (_, standard) = converted(&path, &options, "coupled_standard.toml", &none);
+    let (_, standard) = converted(&path, options, "coupled_standard.toml", &none);
     assert_eq!(names(&standard), names(&source));
     let couplings = |robot: &Robot| {
         let followers = robot.followers();
@@ -426,7 +426,7 @@ fn what_urdf_cannot_say_is_told() {
     let options = "--convention standard --to toml";
     let (written, standard) = converted(
         &path,
-        &options,
+        options,
         "everything_standard.toml",
         &ReadOptions::new(),
     );

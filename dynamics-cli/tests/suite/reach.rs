@@ -130,13 +130,13 @@ fn frames_of_trees_are_reached() {
     let torso: &str = &data("files/torso.toml");
     let at = format!("reach {torso} --field load=1 --pose 0.1,0.5,0.3");
     let call = |more: &str| format!("{at} {more}");
-    refused(&call(""), 2, ["the robot has no tip", "`left_hand`"]);
-    let message = errors(&call("--frame foot"), 2);
+    refused(call(""), 2, ["the robot has no tip", "`left_hand`"]);
+    let message = errors(call("--frame foot"), 2);
     assert_has(
         &message,
         ["`--frame foot` is no frame: expected one of `left_hand`"],
     );
-    let text = output(&call("--frame left_hand"));
+    let text = output(call("--frame left_hand"));
     assert!(text.contains("1, ") || text.contains("\n1  "), "{text}");
 }
 

@@ -124,9 +124,9 @@ fn two_ends_on_the_last_link_are_no_tip() {
     let urdf = file("fork_with_two_ends.urdf", fork("left"));
     let common = "--gravity 0,0,-9.81 --ignore two";
     let call = |function: &str| format!("show {urdf} {common} --functions {function}");
-    let text = output(&call("mass_matrix"));
+    let text = output(call("mass_matrix"));
     assert!(!text.contains("\ntip "), "{text}");
-    let refused = errors(&call("jacobian"), 2);
+    let refused = errors(call("jacobian"), 2);
     assert_has(
         &refused,
         ["several links end on that of `one`: request it at a frame"],
@@ -447,7 +447,7 @@ fn links_of_a_tree_are_kept() {
             true => besides.entries("gravity = [0, 0, -9.81]"),
             false => besides,
         };
-        let (written, same) = converted(&path, &beside, to, &besides);
+        let (written, same) = converted(&path, beside, to, &besides);
         let of_file =
             ReadOptions::new().functions(names.map(|name| format!("forward_kinematics('{name}')")));
         let mut source = read(

@@ -121,18 +121,18 @@ fn joints_off_the_chain_are_left_out_or_locked() {
         "show {file} --chain base,table --ignore lift --functions mass_matrix --format text"
     );
     let call = |options: &str| format!("{call} {GRAVITY} {options}");
-    let message = errors(&call(""), 1);
+    let message = errors(call(""), 1);
     assert_has(
         &message,
         ["mast.urdf:9:3: ", "`--lock mast=0`", "`--ignore mast`"],
     );
-    assert!(output(&call("--ignore mast")).contains("M11 = 0.15\n"));
+    assert!(output(call("--ignore mast")).contains("M11 = 0.15\n"));
     // The camera is above a point 0.3 m from the axis, or a quarter turn leans it outwards to 0.8 m.
-    assert!(output(&call("--lock mast=0")).contains("M11 = 0.24\n"));
-    assert!(output(&call("--lock mast=PI/2")).contains("M11 = 0.79\n"));
+    assert!(output(call("--lock mast=0")).contains("M11 = 0.24\n"));
+    assert!(output(call("--lock mast=PI/2")).contains("M11 = 0.79\n"));
     // A slip is told alone, without the joint that it leaves.
     for slip in ["--ignore mst", "--lock mst=0"] {
-        let message = errors(&call(&slip), 2);
+        let message = errors(call(slip), 2);
         assert!(
             message.contains("unknown joint `mst`: did you mean `mast`?")
                 && !message.contains("mast.urdf"),
@@ -146,7 +146,7 @@ fn angles_are_rounded_where_that_is_asked_for() {
     let file = file("rounded.urdf", turntable("1.5708"));
     let chain = "--chain base,flange --ignore mast";
     // A little of the arm's inertia is about the first axis besides.
-    let written = mass_matrix(&file, &chain);
+    let written = mass_matrix(&file, chain);
     assert!(!written.contains("M12 = 0\n"), "{written}");
     let rounded = mass_matrix(&file, &format!("{chain} --round-angles 1e-4"));
     assert!(rounded.contains("M12 = 0\n"), "{rounded}");
@@ -240,8 +240,8 @@ fn what_is_not_read_does_no_harm() {
         .replace("effort=\"1\"", "effort=\"1\" drake:acceleration=\"${acceleration}\"");
     assert!(left.contains("drake") && left.contains("grey") && left.contains("sensor"));
     let chain = "--chain base,flange --ignore mast";
-    let expected = mass_matrix(&file("without.urdf", plain), &chain);
-    assert_eq!(mass_matrix(&file("left.urdf", &left), &chain), expected);
+    let expected = mass_matrix(&file("without.urdf", plain), chain);
+    assert_eq!(mass_matrix(&file("left.urdf", &left), chain), expected);
     let wrong = left.replace("0 0 0.4", "0 0 ${height}");
     let path = file("left_number.urdf", wrong);
     let call = format!("show {path} {chain} {GRAVITY}");
@@ -266,13 +266,13 @@ fn noise_is_taken_for_zero() {
         )
         .replace("xyz=\"0 0 0.4\"", "xyz=\"1.1e-16 0 0.4\"");
     let chain = "--chain base,flange --ignore mast";
-    let found = mass_matrix(&file("noisy.urdf", &noisy), &chain);
-    assert_eq!(found, mass_matrix(&exact, &chain));
+    let found = mass_matrix(&file("noisy.urdf", &noisy), chain);
+    assert_eq!(found, mass_matrix(&exact, chain));
     let tilted = file(
         "tilted_axis.urdf",
         noisy.replace("-6.1e-16 9.9e-17 1", "0.0001 0 1"),
     );
-    assert_ne!(mass_matrix(&tilted, &chain), found);
+    assert_ne!(mass_matrix(&tilted, chain), found);
     let rounded = format!("{chain} --round-angles 1e-3");
     assert_eq!(mass_matrix(&tilted, &rounded), found);
     let call = format!("convert {tilted} {chain} {GRAVITY}");
@@ -510,7 +510,7 @@ fn links_without_inertia_matter_where_masses_are_read() {
     let neither = bare("neither.urdf", ["", ""]);
     let zeros = bare("zeros.urdf", [ZEROS, ZEROS]);
     let geometry = "--functions forward_kinematics,jacobian,friction_vector";
-    let of_geometry = |file| output(&of_bare("show", file, geometry));
+    let of_geometry = |file| output(of_bare("show", file, geometry));
     assert_eq!(
         of_geometry(&neither).replace("neither", "zeros"),
         of_geometry(&zeros)
@@ -529,28 +529,28 @@ fn links_without_inertia_matter_where_masses_are_read() {
         }
     }
     // A file that says nothing of any inertia is one of geometry, if no function needs it.
-    let converted = output(&of_bare("convert", &neither, "--to toml"));
+    let converted = output(of_bare("convert", &neither, "--to toml"));
     assert!(!converted.contains("mass"), "{converted}");
     let page = folder("neither").join("page.html");
     let page = format!("--out {}", page.to_string_lossy());
     output(of_bare("page", &neither, &page));
     let first = bare("first.urdf", [POINT, ""]);
-    assert!(errors(&of_bare("convert", &first, "--to toml"), 1).contains("`lower` moves"));
-    let message = errors(&of_bare("show", &first, ""), 1);
+    assert!(errors(of_bare("convert", &first, "--to toml"), 1).contains("`lower` moves"));
+    let message = errors(of_bare("show", &first, ""), 1);
     assert!(!message.contains("`upper`"), "{message}");
     assert!(message.contains("the link `lower` moves"), "{message}");
     assert!(message.contains("no mass moves with `two`"), "{message}");
     let massless = "--functions mass_matrix,gravity_vector --format text";
     let allowed = format!("{massless} --allow no_inertia");
-    let shown = output(&of_bare("show", &first, &allowed));
+    let shown = output(of_bare("show", &first, &allowed));
     assert!(shown.contains("M11 = 1/8\nM12 = 0\n"), "{shown}");
     let said = bare("said.urdf", [POINT, ZEROS]);
-    assert_eq!(output(&of_bare("show", &said, massless)), shown);
+    assert_eq!(output(of_bare("show", &said, massless)), shown);
     // The mass on the second link moves with the first one, too.
     let second = bare("second.urdf", ["", POINT]);
-    assert!(errors(&of_bare("show", &second, ""), 1).contains("`upper` moves"));
+    assert!(errors(of_bare("show", &second, ""), 1).contains("`upper` moves"));
     let bent = "--allow no_inertia --from 0,1 --samples 2";
-    output(&of_bare("simulate", &second, bent));
+    output(of_bare("simulate", &second, bent));
 }
 
 /// A subcommand that reads masses asks for them whatever `--functions` says, and of a table, too.
@@ -580,7 +580,7 @@ fn subcommands_ask_for_the_masses_that_they_read() {
         }
     }
     refused(
-        &of_bare("simulate", &neither, "--allow no_inertia"),
+        of_bare("simulate", &neither, "--allow no_inertia"),
         1,
         ["not positive definite"],
     );
@@ -591,7 +591,7 @@ fn subcommands_ask_for_the_masses_that_they_read() {
     ] {
         for format in ["toml", "json"] {
             let options = format!("{options} --to {format}");
-            let text = output(&of_bare("convert", &neither, &options));
+            let text = output(of_bare("convert", &neither, &options));
             let expected = match format {
                 "toml" => expected.to_owned(),
                 _ => format!("\"{}", expected.replace(" =", "\":")),
@@ -743,7 +743,7 @@ fn the_rest_of_the_joints_has_a_name() {
     // 2 kg at 0.25 m from where each finger is: 0.125, 0.125, 2 0.75^2, 0.125, 0.125.
     assert!(inertia(&plain, "--lock rest=0").contains("M11 = 13/8\n"));
     let named = "--lock left=0 --lock thumb=0 --lock 4=0";
-    assert!(inertia(&plain, &named).contains("M11 = 13/8\n"));
+    assert!(inertia(&plain, named).contains("M11 = 13/8\n"));
     for none in [
         "--ignore rest",
         "--ignore left,right,thumb,4",
