@@ -14,6 +14,12 @@ macro_rules! arm {
             $($more)*
             functions: [forward_kinematics, link_poses, jacobian, inverse_kinematics],
         }
+
+        impl $name {
+            /// The rows, as they are written.
+            #[allow(dead_code, reason = "measurements read no text")]
+            pub(crate) const ROWS: &str = stringify!($($rows)*);
+        }
     };
 }
 
@@ -148,6 +154,40 @@ arm! {
         q2: revolute { a: 0.45 },
         q3: revolute { a: 0.38 },
     ]
+}
+
+arm! {
+    /// A waist and three parallel axes: ROBOTIS OpenMANIPULATOR-X.
+    OpenManipulator, [
+        q1: revolute { d: 0.077, a: 0.012, alpha: PI/2 },
+        q2: revolute { a: 0.1302, theta: 1.3854 },
+        q3: revolute { a: 0.124, theta: -1.3854 },
+        q4: revolute { a: 0.126 },
+    ]
+}
+
+arm! {
+    /// A waist, three parallel axes and a roll, about as an SO-100, with a step beside the waist.
+    So100, [
+        q1: revolute { d: 0.0542, a: 0.0304, alpha: -PI/2 },
+        q2: revolute { a: 0.1126, d: 0.01 },
+        q3: revolute { a: 0.1349, theta: 0.2 },
+        q4: revolute { alpha: PI/2, theta: PI/2 },
+        q5: revolute { d: 0.1 },
+    ]
+}
+
+arm! {
+    /// The same with a tool beside the axis of its roll, on a base that stands inclined.
+    BesideRoll, [
+        q1: revolute { d: 0.0542, a: 0.0304, alpha: -PI/2 },
+        q2: revolute { a: 0.1126, d: 0.01 },
+        q3: revolute { a: 0.1349, theta: 0.2 },
+        q4: revolute { alpha: PI/2, theta: PI/2 },
+        q5: revolute { d: 0.1 },
+    ]
+    base: { xyz: [0.1, -0.2, 0.3], rpy: [0.3, deg(-20), 0.7] },
+    tool: { xyz: [0.03, -0.01, 0.05], rpy: [0.1, 0.2, deg(35)] },
 }
 
 arm! {
@@ -305,7 +345,8 @@ macro_rules! for_each_arm {
     ($then:ident) => {
         $then! {
             Puma560: 6, true; Ur5: 6, true; Stanford: 6, true; Shoulder: 6, true; ThreeRolls: 6, true;
-            GantryWithWrist: 6, true; SevenJoints: 7, true; Iiwa14: 7, true; EqualHalves: 7, true; Scara: 4, true; Elbow3r: 3, false;
+            GantryWithWrist: 6, true; SevenJoints: 7, true; Iiwa14: 7, true; EqualHalves: 7, true; Scara: 4, true; OpenManipulator: 4, true;
+            So100: 5, true; BesideRoll: 5, true; Elbow3r: 3, false;
             RrrPlanar: 3, true; Cylindrical: 3, false; TwoLink: 2, false;
         }
     };

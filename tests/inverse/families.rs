@@ -152,7 +152,7 @@ fn singular_poses_have_the_solutions_of_the_file() {
         let q = SVector::from_fn(|i, _| degrees[i].to_radians());
         let solutions = Ur3e.inverse_kinematics(&Ur3e.pose(&q));
         found += &format!("{line}\n");
-        for Solution { q, is_singular } in &solutions {
+        for Solution { q, is_singular, .. } in &solutions {
             let angles: Vec<_> = q.iter().map(|angle| format!("{angle:.6}")).collect();
             found += &format!("# {} {}\n", angles.join(" "), u8::from(*is_singular));
             let expected = lines.next().expect("a solution").trim_start_matches('#');

@@ -1,11 +1,13 @@
 //! Inverse kinematics in closed form, of an arm of each class.
 
 mod arms;
+mod branches;
 mod edges;
 mod families;
 mod long;
 mod poses;
 mod round;
+mod run_time;
 mod singular;
 
 use std::f64::consts::TAU;
@@ -164,7 +166,9 @@ fn random_poses_are_solved<const N: usize, A: Inverse<N>>(arm: &A, count: usize)
         "{}: residual {worst_residual:.1e}, joints {away:.1e}, near singular {near:.1e}, times conditioning {roundings:.1e}",
         A::NAME
     );
-    assert!(worst_residual < 1e-14, "{}: {worst_residual:e}", A::NAME);
+    // A waist is read of the position, and with a wrist above it five joints have none that makes good how far it is turned.
+    let most = if N == 5 { 1e-13 } else { 1e-14 };
+    assert!(worst_residual < most, "{}: {worst_residual:e}", A::NAME);
     assert!(away < 1e-12, "{}: {away:e}", A::NAME);
     // The rounding of the pose alone moves the joints by this.
     assert!(roundings < 1e-14, "{}: {roundings:e}", A::NAME);

@@ -104,7 +104,7 @@ pub fn inverse_in_c(robot: &Robot, plans: &[(Option<&str>, Plan)]) -> [(String, 
 fn signature(robot: &Robot, name: &str, frame: Option<&str>, plan: &Plan) -> String {
     let arm = (!robot.fields.is_empty()).then(|| format!("const {name}_fields *arm, "));
     let elbow = (plan.target == Target::PoseAndElbow).then_some("double elbow, ");
-    let (joints, most) = (plan.joints, plan.branches());
+    let (joints, most) = (plan.joints, plan.most());
     format!(
         "int {name}_{}({}const double pose[4][4], {}double q[{most}][{joints}], int is_singular[{most}])",
         inverse_method(frame),

@@ -2,14 +2,20 @@
 //! joint of which it is made.
 
 mod angle;
+mod elbow;
 mod family;
+mod follow;
 mod pose;
 mod real;
 mod roots;
 mod solutions;
 
+pub use elbow::ElbowRanges;
+#[doc(hidden)]
+pub use elbow::{elbow_angle, elbow_ranges};
 #[doc(hidden)]
 pub use family::Family;
+pub use follow::BranchEnds;
 #[doc(hidden)]
 pub use pose::{is_homogeneous, is_rotation, nearest_pose};
 pub use real::Real;

@@ -13,6 +13,8 @@ pub struct Found<T> {
     pub cosine: T,
     /// Whether another position would do as well, or nearly.
     pub is_singular: bool,
+    /// Whether it is the second of two roots.
+    pub(super) is_second: bool,
     /// An angle is known to `rounding * sqrt(size / length)`, half a turn at most.
     pub(super) length: T,
     pub(super) size: T,
@@ -58,9 +60,23 @@ impl<T: Real> Found<T> {
             sine,
             cosine,
             is_singular,
+            is_second: false,
             length: T::from_f64(0.0),
             size: T::from_f64(1.0),
         }
+    }
+
+    /// Two roots, told apart.
+    #[inline]
+    fn both(first: Self, second: Self) -> [Self; 2] {
+        let is_second = true;
+        [
+            first,
+            Found {
+                is_second,
+                ..second
+            },
+        ]
     }
 
     /// No turn, if any will do.
@@ -89,7 +105,10 @@ impl<T: Real> Found<T> {
     pub(super) fn turned(self, by: T) -> Self {
         let (s, c) = by.sin_cos();
         let sine = self.sine * c + self.cosine * s;
-        Found::new(sine, self.cosine * c - self.sine * s, true)
+        Found {
+            is_second: self.is_second,
+            ..Found::new(sine, self.cosine * c - self.sine * s, true)
+        }
     }
 }
 
@@ -141,7 +160,7 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
             Found::new(s, c, is_singular).known_to(length, size)
         };
         return Roots {
-            both: [turn(root), turn(-root)],
+            both: Found::both(turn(root), turn(-root)),
             count: 2,
             miss: discriminant,
         };
@@ -193,7 +212,7 @@ pub fn slides<T: Real>(b: T, discriminant: T, size: T) -> Roots<T> {
     let is_singular = twice * twice <= T::APART * T::APART * size;
     let slide = |position| Found::new(position, T::from_f64(0.0), is_singular);
     Roots {
-        both: [slide(b + root), slide(b - root)],
+        both: Found::both(slide(b + root), slide(b - root)),
         count: usize::from(is_some) + usize::from(is_some && is_two),
         miss: discriminant / size,
     }

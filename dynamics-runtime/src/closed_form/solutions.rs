@@ -24,6 +24,8 @@ pub struct Solution<T: Real, const N: usize> {
     /// 1e-7 rad (1e-3 rad in single precision). `q` is then one of them: of an angle that is free the one nearest to zero with
     /// which the arm reaches the pose.
     pub is_singular: bool,
+    /// The name of the branch, as "shoulder left, elbow up, wrist flipped": the same on all ways on which no joint jumps.
+    pub branch: &'static str,
 }
 
 /// Why a pose has no solution.
@@ -63,6 +65,8 @@ pub struct Branches<T: Real, const N: usize> {
     sines: [[T; N]; MOST],
     cosines: [[T; N]; MOST],
     are_singular: [bool; MOST],
+    /// The joints that stand at the second of two roots, one bit each.
+    seconds: [u8; MOST],
     pub(super) count: usize,
     /// How far the best equation without a solution is from having one, at most 0.
     pub(super) miss: T,
@@ -77,6 +81,7 @@ impl<T: Real, const N: usize> Default for Branches<T, N> {
             sines: zeros,
             cosines: zeros,
             are_singular: [false; MOST],
+            seconds: [0; MOST],
             count: 0,
             miss: T::from_f64(NO_TRY),
             is_loose: false,
@@ -117,16 +122,32 @@ impl<T: Real, const N: usize> Branches<T, N> {
         if self.count < MOST && sum.is_finite() {
             let (sines, cosines) = (&mut self.sines[self.count], &mut self.cosines[self.count]);
             self.are_singular[self.count] = is_singular;
+            self.seconds[self.count] = 0;
             for (i, joint) in joints.iter().enumerate() {
                 (sines[i], cosines[i]) = (joint.sine, joint.cosine);
                 self.are_singular[self.count] |= joint.is_singular;
+                self.seconds[self.count] |= u8::from(joint.is_second) << i;
             }
             self.count += 1;
         }
     }
 
-    /// The solutions of an arm of whose joints these turn, for a matrix that is a pose or is none. Cosines become the positions.
-    pub fn solutions(&mut self, turns: [bool; N], is_pose: bool) -> Solutions<T, N> {
+    /// The number of a solution's branch: one bit for each of the joints that have two roots, the first joint's counts least.
+    #[inline]
+    pub fn branch(&self, solution: usize, joints: &[usize]) -> usize {
+        let bit =
+            |(k, joint): (usize, &usize)| usize::from(self.seconds[solution] >> joint & 1) << k;
+        joints.iter().enumerate().map(bit).sum()
+    }
+
+    /// The solutions of an arm of whose joints these turn, for a matrix that is a pose or is none. The branches that joints with two
+    /// roots make have names. Cosines become the positions.
+    pub fn solutions(
+        &mut self,
+        turns: [bool; N],
+        is_pose: bool,
+        (joints, names): (&[usize], &[&'static str]),
+    ) -> Solutions<T, N> {
         let some = (self.count * N).next_multiple_of(TOGETHER);
         let cosines = &mut self.cosines.as_flattened_mut()[..some];
         angles(&self.sines.as_flattened()[..some], cosines);
@@ -138,6 +159,7 @@ impl<T: Real, const N: usize> Branches<T, N> {
         let solution = |branch: usize| Solution {
             q: self.cosines[branch].into(),
             is_singular: self.are_singular[branch],
+            branch: names.get(self.branch(branch, joints)).unwrap_or(&""),
         };
         let why = if is_pose {
             NoSolution::OutOfReach
@@ -190,27 +212,34 @@ impl<T: Real, const N: usize> Solutions<T, N> {
     /// [`within`](Solutions::within) whole turns are added that bring it nearest to the seed within the limits; without limits its
     /// angles stay as they are. `None` if there is no solution, or the seed is not finite.
     pub fn nearest(&self, seed: &SVector<T, N>) -> Option<Solution<T, N>> {
-        let mut nearest: Option<(T, Solution<T, N>)> = None;
+        let solution = *self.nearest_one(seed)?;
+        let mut q = solution.q;
+        for i in (0..N).filter(|&i| self.limits[i].is_some()) {
+            q[i] = self.nearest_turn(i, q[i], seed[i]);
+        }
+        Some(Solution { q, ..solution })
+    }
+
+    /// The solution with the least sum of squares of the joints' ways, as it stands.
+    pub(super) fn nearest_one(&self, seed: &SVector<T, N>) -> Option<&Solution<T, N>> {
+        let mut nearest: Option<(T, &Solution<T, N>)> = None;
         for solution in self.iter() {
-            let (mut q, mut distance) = (solution.q, T::from_f64(0.0));
-            for i in 0..N {
-                let near = self.nearest_turn(i, q[i], seed[i]);
-                let way = near - seed[i];
-                distance = distance + way * way;
-                if self.limits[i].is_some() {
-                    q[i] = near;
-                }
-            }
+            let way = |i: usize| self.way(i, solution.q[i], seed[i]);
+            let distance = (0..N).fold(T::from_f64(0.0), |sum, i| sum + way(i) * way(i));
             let is_nearer = match &nearest {
                 None => distance.is_finite(),
                 Some((least, _)) => distance < *least,
             };
             if is_nearer {
-                let solution = Solution { q, ..*solution };
                 nearest = Some((distance, solution));
             }
         }
         nearest.map(|(_, solution)| solution)
+    }
+
+    /// The way of joint i from a position to the nearest turn of another one.
+    pub(super) fn way(&self, i: usize, q: T, from: T) -> T {
+        self.nearest_turn(i, q, from) - from
     }
 
     /// The position of joint i that is whole turns away and nearest to another one, within its range if it has one.
@@ -226,7 +255,7 @@ impl<T: Real, const N: usize> Solutions<T, N> {
 /// None of any arm: a place for those of a batch.
 impl<T: Real, const N: usize> Default for Solutions<T, N> {
     fn default() -> Self {
-        let none = Branches::default().solutions([true; N], true);
+        let none = Branches::default().solutions([true; N], true, (&[], &[]));
         Solutions {
             reason: None,
             ..none
@@ -342,7 +371,7 @@ mod tests {
             branches.push([joint(0.0, 1.0), joint(sine, 0.0)], false);
         }
         // A displacement of 1 is one.
-        let found = branches.solutions([true, false], true);
+        let found = branches.solutions([true, false], true, (&[], &[]));
         assert_eq!(positions(&found), [[0.0, 1.0]]);
     }
 }

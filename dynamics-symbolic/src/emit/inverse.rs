@@ -4,8 +4,9 @@
 use super::body::Writer;
 use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints, shown, variable};
-use crate::function::{Argument, inverse_method};
+use crate::function::{Argument, INVERSE_KINEMATICS, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
+use crate::program::{Program, Proven};
 use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -31,6 +32,12 @@ pub fn inverse_kinematics(
     let joints = robot.joints();
     let turns = joints.map(|row| row.joint_type == JointType::Revolute);
     let reads_rotation = plan.target != Target::Position;
+    let joints = plan
+        .branches
+        .joints
+        .iter()
+        .map(|joint| Literal::usize_unsuffixed(*joint));
+    let names = &plan.branches.names;
     let elbow = (plan.target == Target::PoseAndElbow).then(|| ident("elbow"));
     let is_angle = elbow
         .as_ref()
@@ -52,7 +59,7 @@ pub fn inverse_kinematics(
             #steps
             #search
         }
-        #solutions.solutions([#(#turns),*], #nearest.is_some())
+        #solutions.solutions([#(#turns),*], #nearest.is_some(), (&[#(#joints),*], &[#(#names),*]))
     };
     let searched = plan.has_families().then(|| {
         let (steps, elbow) = (method(true).body(), elbow.map(|elbow| quote!(#elbow: T,)));
@@ -82,7 +89,83 @@ pub fn inverse_kinematics(
         &body,
         path,
     );
-    quote!(#method #searched)
+    let of_elbow = plan.elbow.as_ref().map(|program| {
+        let body = elbow_angle(robot, program, plan.joints, path);
+        elbow_methods(frame, &body, path)
+    });
+    quote!(#method #searched #of_elbow)
+}
+
+/// The body of `elbow_angle`.
+fn elbow_angle(robot: &Robot, program: &Program, joints: usize, path: &TokenStream) -> TokenStream {
+    let proven = Proven::rounding(program.clone());
+    let (writer, q) = (Writer::new(robot, &proven), ident("q"));
+    let constants = constants_like(&quote!(#q.data.0[0][0]), path);
+    let fields = super::inputs::constant_inputs(robot, program, path);
+    let name = |symbol: Symbol| {
+        let place = program.inputs.iter().position(|input| *input == symbol);
+        place.map(|place| writer.inputs[place].clone())
+    };
+    let sines = (0..joints).filter_map(|joint| {
+        let both = [Symbol::Sine(joint), Symbol::Cosine(joint)].map(name);
+        let is_read = both.iter().any(Option::is_some);
+        let [sine, cosine] = both.map(|name| name.map_or(quote!(_), |name| quote!(#name)));
+        let joint = Literal::usize_unsuffixed(joint);
+        is_read
+            .then(|| quote!(let (#sine, #cosine) = #path::Scalar::sin_cos(#q.data.0[0][#joint]);))
+    });
+    let named = (0..writer.names.len()).filter(|&line| writer.names[line].is_some());
+    let lines = writer.lets(&named.collect::<Vec<_>>());
+    let outputs = program.outputs.iter();
+    let outputs: Vec<_> = outputs.map(|output| writer.output(*output)).collect();
+    let vectors = outputs[..9].chunks(3);
+    let vectors = vectors.map(|entries| quote!(#path::nalgebra::Vector3::new(#(#entries),*)));
+    let size = &outputs[9];
+    quote! {
+        #constants
+        #fields
+        #(#sines)*
+        #lines
+        #path::closed_form::elbow_angle(#(#vectors,)* #size)
+    }
+}
+
+/// The methods `elbow_angle`, with this body, and `elbow_ranges` of seven joints.
+fn elbow_methods(frame: Option<&str>, body: &TokenStream, path: &TokenStream) -> TokenStream {
+    let [q, pose, elbow, limits] = ["q", "pose", "elbow", "limits"].map(ident);
+    let method = inverse_method(frame);
+    let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
+    let [angle, ranges] = ELBOW_METHODS.map(|name| named(&elbow_method(name, frame)));
+    let inverse = named(&method);
+    let about_angle =
+        format!(" The angle of the elbow, rad, by which `{method}` finds these joint positions.");
+    let about_ranges = format!(
+        " The angles of the elbow, rad, at which `{method}` has a solution within the limits. About 300 poses are solved for it."
+    );
+    quote! {
+        #[doc = #about_angle]
+        #[allow(unused_variables, clippy::all)]
+        pub fn #angle<T: #path::closed_form::Real>(&self, #q: &#path::nalgebra::SVector<T, 7>) -> T {
+            #body
+        }
+
+        #[doc = #about_ranges]
+        pub fn #ranges<T: #path::closed_form::Real>(
+            &self,
+            #pose: &#path::nalgebra::Matrix4<T>,
+            #limits: &[::core::option::Option<[f64; 2]>; 7],
+        ) -> #path::closed_form::ElbowRanges<T> {
+            #path::closed_form::elbow_ranges(|#elbow| self.#inverse(#pose, #elbow), #limits)
+        }
+    }
+}
+
+/// The methods about the elbow of seven joints.
+const ELBOW_METHODS: [&str; 2] = ["elbow_angle", "elbow_ranges"];
+
+/// The name of a method about the elbow, for a frame of this name or for the tip.
+fn elbow_method(name: &str, frame: Option<&str>) -> String {
+    inverse_method(frame).replacen(INVERSE_KINEMATICS, name, 1)
 }
 
 /// The method that searches through families, if the one that does not has found an equation without a solution which one of
@@ -95,7 +178,10 @@ fn hidden_method(frame: Option<&str>) -> Ident {
 /// A method without a body.
 pub fn stub_of_inverse(frame: Option<&str>, joints: usize, path: &TokenStream) -> TokenStream {
     let body = quote!(::core::unimplemented!());
-    method_of(frame, joints, joints == 7, &[], &body, path)
+    let has_elbow = joints == 7;
+    let method = method_of(frame, joints, has_elbow, &[], &body, path);
+    let of_elbow = has_elbow.then(|| elbow_methods(frame, &body, path));
+    quote!(#method #of_elbow)
 }
 
 fn method_of(
@@ -166,7 +252,7 @@ pub fn description_of_inverse(frame: Option<&str>, plan: &Plan) -> String {
             " Only the pose's position and its angle in the plane of the arm are read."
         }
     };
-    let most = plan.branches();
+    let most = plan.most();
     let none = match plan.target {
         Target::Position => "none if it is out of reach",
         _ => "none if it is out of reach, or no rigid transform",

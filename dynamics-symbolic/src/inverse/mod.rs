@@ -4,6 +4,7 @@
 //! parallel, or are few. Every plan passes a proof before it is used, because its equations are necessary, and need not be
 //! sufficient.
 
+mod branch;
 mod chain;
 mod moves;
 mod plan;
@@ -13,6 +14,7 @@ mod search;
 mod view;
 mod why;
 
+pub use branch::BranchNames;
 pub use plan::{ELBOW, Plan, Rule, Step, Target};
 pub use search::plan;
 pub use why::Unsolved;

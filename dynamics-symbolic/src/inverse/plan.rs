@@ -1,5 +1,6 @@
 //! The way from the pose of a frame to the positions of the joints.
 
+use super::branch::BranchNames;
 use crate::function::Argument;
 use crate::program::{Operand, Program, Proven};
 use crate::robot::Symbol;
@@ -17,6 +18,11 @@ pub struct Plan {
     pub joints: usize,
     /// The part of the pose that is read.
     pub target: Target,
+    /// The names of the branches.
+    pub branches: BranchNames,
+    /// Of seven joints: the line from the shoulder to the wrist, the way from it to the elbow, the direction of axis 4, each as seen
+    /// from the first joint's frame before it moves, and how large they are. It reads sines and cosines of joints.
+    pub elbow: Option<Program>,
 }
 
 /// The part of a pose that an arm reaches.
@@ -122,7 +128,7 @@ impl Plan {
     }
 
     /// The most solutions.
-    pub fn branches(&self) -> usize {
+    pub fn most(&self) -> usize {
         self.steps.iter().map(|step| step.solutions()).product()
     }
 

@@ -27,14 +27,17 @@ type Vector<'g> = Vector3<Expr<'g>>;
 const SHOULDER: core::ops::Range<usize> = 0..3;
 const WRIST: core::ops::Range<usize> = 4..7;
 
-/// Adds the steps that lead to the fourth joint and to the directions of the line and of the elbow. Returns how many links the
-/// chain has up to the third joint, and the way to the frame behind that.
+/// How many links a chain has up to the third joint, and the way to the frame behind that.
+type Part<'g> = (usize, Path<'g>);
+
+/// Adds the steps that lead to the fourth joint and to the directions of the line and of the elbow. Returns the part of the arm that
+/// these determine, and the numbers of `Plan::elbow`.
 pub(super) fn shoulder<'g>(
     symbols: &mut Symbols<'g>,
     chain: &[Link<'g>],
     view: &View<'g>,
     found: &mut Vec<Equation<'g>>,
-) -> Option<(usize, Path<'g>)> {
+) -> Option<(Part<'g>, Vec<Expr<'g>>)> {
     let turns = |joint: &Unknown| joint.axis_motion == AxisMotion::Turns;
     if !view.joints.iter().all(turns) {
         return None;
@@ -47,16 +50,32 @@ pub(super) fn shoulder<'g>(
     let wrist = view.way(4, 6).inverse().point(p);
     let line = view.target.point(wrist) - s;
     let links = chain.iter().enumerate();
-    let mut moving = links.filter(|(_, link)| link.joint.is_some());
-    let [(third, _), (_, fourth)] = [moving.nth(2)?, moving.next()?];
+    let moving = links.filter(|(_, link)| link.joint.is_some());
+    let moving: Vec<_> = moving.collect();
+    let [(_, one), (_, two), (third, three), (_, fourth), ..] = moving[..] else {
+        return None;
+    };
     let link = Link3::new(view, fourth.motion, s, p)?;
+    let [first, second] = [&view.links[0], &view.links[1]];
+    let turn = |link: &Link<'g>| Path(vec![link.motion]);
+    let to_third = turn(one)
+        .then(first)
+        .then(&turn(two))
+        .then(second)
+        .then(&turn(three));
+    let seen = [link.line, link.elbow, link.axis].map(|v| to_third.direction(v).0);
+    let seen = seen
+        .into_iter()
+        .flatten()
+        .chain([link.elbow.dot(link.elbow)])
+        .collect();
     let rotation = rotation(symbols, view, line, &link, found);
     // The first two directions, in the world, read no joint.
     found.insert(2, elbow);
     let origin = s - rotation.apply(link.shoulder);
     let first = &between(chain, &BTreeSet::new())[0];
     let behind_third = first.then(&Path(vec![Move { rotation, origin }]));
-    Some((third + 1, behind_third))
+    Some(((third + 1, behind_third), seen))
 }
 
 /// The third link, in its own frame behind the third joint.

@@ -1,12 +1,13 @@
 //! The search for a plan: depth first, equations with one solution before those with two.
 
+use super::branch::BranchNames;
 use super::chain::{Link, between, chain, joints};
 use super::moves::{Move, Path};
 use super::plan::{Plan, Step, Target};
-use super::redundant;
 use super::rules::{Equation, equations};
 use super::view::{Unknown, View};
-use super::why::{Unsolved, class};
+use super::why::{Unsolved, class, is_waist};
+use super::{branch, redundant};
 use crate::derive::symbols::Symbols;
 use crate::expr::{Edge, Expr, Graph, NodeId};
 use crate::linear::{Matrix3, Vector3};
@@ -18,6 +19,13 @@ use std::collections::BTreeSet;
 /// More solutions than this have no room among the results.
 const MOST_BRANCHES: usize = 8;
 
+/// A part of the pose that is compared at the end.
+#[derive(Clone, Copy)]
+enum Condition {
+    Position,
+    Pose,
+}
+
 /// A search, with all that it reads.
 struct Search<'g, 'a> {
     graph: &'g Graph,
@@ -25,11 +33,11 @@ struct Search<'g, 'a> {
     pose: Path<'g>,
     /// The symbols of the rotation, if it is not to be read.
     forbidden: BTreeSet<NodeId>,
-    /// The condition at the end, of arms that reach a part of all positions.
-    is_conditional: bool,
-    /// The shoulder of seven joints: how many links of the chain there are up to the third joint, and where the frame
-    /// behind it is.
-    shoulder: Option<(usize, Path<'g>)>,
+    /// The condition at the end, of arms that reach a part of all poses.
+    condition: Option<Condition>,
+    /// The part of the arm that is solved first, if there is one: how many links of the chain there are up to its last joint, and
+    /// where the frame behind that is.
+    part: Option<(usize, Path<'g>)>,
     /// The plan of these steps, if it is right.
     accept: &'a dyn Fn(&[Equation<'g>]) -> Option<Plan>,
 }
@@ -58,12 +66,15 @@ pub fn plan(
     let all = views(&graph, &chain, &pose, &BTreeSet::new(), &BTreeSet::new());
     let [view, _] = all.ok_or(Unsolved::Undetermined)?;
     let (target, why) = class(&view)?;
-    let shoulder = match target {
+    let mut elbow = None;
+    let part = match target {
         Target::PoseAndElbow => {
-            let found = redundant::shoulder(&mut symbols, &chain, &view, &mut found);
-            Some(found.ok_or(why.clone())?)
+            let shoulder = redundant::shoulder(&mut symbols, &chain, &view, &mut found);
+            let (part, outputs) = shoulder.ok_or(why.clone())?;
+            elbow = Some(outputs);
+            Some(part)
         }
-        _ => None,
+        Target::Pose | Target::Position | Target::PositionAndAngle => None,
     };
     let forbidden = match target {
         Target::Position => rotation.iter().flatten().map(|x| x.edge().node()).collect(),
@@ -71,28 +82,42 @@ pub fn plan(
     };
     let joints = view.joints.len();
     let meanings = symbols.meanings().to_vec();
-    let accept = |found: &[Equation<'_>]| {
-        let outputs = found.iter().flat_map(|found| &found.coefficients);
+    let program = |outputs: &mut dyn Iterator<Item = Expr<'_>>| {
         let outputs: Vec<Edge> = outputs.map(|x| x.edge()).collect();
-        let definition = |id| graph.operation(id);
+        Program::new(&graph, &meanings, &outputs, &|id| graph.operation(id))
+    };
+    let elbow = elbow.map(|outputs| program(&mut outputs.into_iter()));
+    let accept = |found: &[Equation<'_>]| {
+        let mut outputs = found.iter().flat_map(|found| found.coefficients.clone());
         let plan = Plan {
             steps: found.iter().map(|found| found.step).collect(),
-            program: Program::new(&graph, &meanings, &outputs, &definition),
+            program: program(&mut outputs),
             joints,
             target,
+            branches: BranchNames::default(),
+            elbow: elbow.clone(),
         };
         is_right(&plan).then_some(plan)
     };
     let search = Search {
         graph: &graph,
         pose,
-        is_conditional: target == Target::PositionAndAngle || joints < 3,
+        condition: match (target, joints) {
+            (Target::PositionAndAngle, _) | (Target::Position, ..3) => Some(Condition::Position),
+            (Target::Pose, _) if is_waist(&view) => Some(Condition::Pose),
+            _ => None,
+        },
         chain,
         forbidden,
-        shoulder,
+        part,
         accept: &accept,
     };
-    search.solve(&mut found).ok_or(why)
+    let plan = search.solve(&mut found).ok_or(why)?;
+    let names = branch::names(&graph, &meanings, &search.chain, arm.fields, &plan);
+    Ok(Plan {
+        branches: names,
+        ..plan
+    })
 }
 
 /// The equation of those joints of a chain that are not known, and its inverse; `None` if all are.
@@ -178,38 +203,46 @@ impl<'g> Search<'g, '_> {
     /// The equation of the joints that are not known, and its inverse; `None` if all are.
     fn views(&self, known: &BTreeSet<usize>) -> Option<[View<'g>; 2]> {
         let whole = (&self.chain[..], &self.pose);
-        let shoulder = self.shoulder.iter();
-        let shoulder = shoulder.map(|(links, pose)| (&self.chain[..*links], pose));
-        let mut parts = shoulder.chain([whole]);
+        let part = self.part.iter();
+        let part = part.map(|(links, pose)| (&self.chain[..*links], pose));
+        let mut parts = part.chain([whole]);
         parts.find_map(|(chain, pose)| views(self.graph, chain, pose, known, &self.forbidden))
     }
 
     /// The plan, with the condition of arms that do not reach all positions.
     fn ends(&self, found: &mut Vec<Equation<'g>>) -> Option<Plan> {
         let steps = found.len();
-        found.extend(self.is_conditional.then(|| self.condition()));
+        found.extend(self.conditions());
         let plan = (self.accept)(found);
         found.truncate(steps);
         plan
     }
 
-    /// The position that is reached is the one that was requested.
-    fn condition(&self) -> Equation<'g> {
+    /// The position that is reached is the one that was requested, and so are the x and z axes where they are compared.
+    fn conditions(&self) -> Vec<Equation<'g>> {
+        let Some(condition) = self.condition else {
+            return Vec::new();
+        };
         let all: BTreeSet<usize> = joints(&self.chain).map(|joint| joint.number).collect();
         let way = &between(&self.chain, &all)[0];
-        let origin = Vector3::splat(self.graph.zero());
-        let reached = way.point(origin);
-        let asked = self.pose.point(origin);
-        let [x, y, z] = (reached - asked).0;
+        let (zero, one) = (self.graph.zero(), self.graph.one());
+        let origin = Vector3::splat(zero);
+        let [reached, asked] = [way, &self.pose].map(|way| way.point(origin));
+        let size = reached.dot(reached) + asked.dot(asked) + span(self.graph, &self.chain);
+        let mut conditions = vec![Self::is_reached(reached - asked, size)];
+        if let Condition::Pose = condition {
+            let axes = [[one, zero, zero], [zero, zero, one]].map(Vector3);
+            let misses = axes.map(|axis| way.direction(axis) - self.pose.direction(axis));
+            conditions.extend(misses.map(|miss| Self::is_reached(miss, one)));
+        }
+        conditions
+    }
+
+    fn is_reached(miss: Vector3<Expr<'g>>, size: Expr<'g>) -> Equation<'g> {
         Equation {
             step: Step::Condition,
             loses_digits: false,
-            coefficients: vec![
-                x,
-                y,
-                z,
-                reached.dot(reached) + asked.dot(asked) + span(self.graph, &self.chain),
-            ],
+            coefficients: [&miss.0[..], &[size]].concat(),
         }
     }
 }

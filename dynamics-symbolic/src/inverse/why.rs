@@ -20,8 +20,10 @@ pub enum Unsolved {
     NotSpherical(Range<usize>),
     /// So many joints, for which no class is known.
     Joints(usize),
-    /// Four joints whose axes are not all parallel, or of which not three turn.
+    /// Four joints that are no SCARA, and no waist in front of three parallel axes.
     NotScara,
+    /// Five joints that are no waist, three parallel axes and a roll.
+    NotWaist,
     /// Six joints of which no three axes meet in a point at either end, and no three are parallel.
     NoThreeAxes,
     /// Three axes meet, and the position of that point leads to an equation of the fourth degree.
@@ -52,7 +54,9 @@ pub(super) fn class(view: &View<'_>) -> Result<(Target, Unsolved), Unsolved> {
         3 => (Target::Position, why_not_three(view)),
         1 | 2 => (Target::Position, Unsolved::Undetermined),
         4 if three_parallel => (Target::Pose, Unsolved::NotScara),
+        4 | 5 if is_waist(view) => (Target::Pose, Unsolved::Undetermined),
         4 => return Err(Unsolved::NotScara),
+        5 => return Err(Unsolved::NotWaist),
         6 => {
             let meeting = [0..3, 3..6].into_iter().find(meet);
             let why = meeting.map_or(Unsolved::NoThreeAxes, Unsolved::Quartic);
@@ -65,6 +69,19 @@ pub(super) fn class(view: &View<'_>) -> Result<(Target, Unsolved), Unsolved> {
         }
         _ => return Err(Unsolved::Joints(count)),
     })
+}
+
+/// Whether the joints are a waist, three parallel axes behind it, and a roll about an axis at right angles to these or none.
+pub(super) fn is_waist(view: &View<'_>) -> bool {
+    let (count, z) = (view.joints.len(), view.z());
+    let turns = |joint: &Unknown| joint.axis_motion == AxisMotion::Turns;
+    if !(4..=5).contains(&count) || !view.joints.iter().all(turns) {
+        return false;
+    }
+    let axis = |from: usize, to: usize| view.way(from, to).direction(z);
+    let are_three = (2..4).all(|i| are_parallel(axis(1, i), z));
+    let is_roll = count == 4 || axis(3, 4)[2].is_zero();
+    are_three && is_roll && !are_parallel(axis(0, 1), z)
 }
 
 /// Three joints of which the last moves the origin of the frame need two axes that meet or are parallel.
@@ -88,7 +105,7 @@ impl fmt::Display for Unsolved {
             Unsolved::Follower(name) => write!(f, "joint `{name}` follows another one"),
             Unsolved::Joints(count) => write!(
                 f,
-                "it has {count} joints that move: closed forms are known of up to three, of four with parallel axes, of six and of seven"
+                "it has {count} joints that move: closed forms are known of up to seven"
             ),
             Unsolved::NotSpherical(joints) if joints.len() == 1 => write!(
                 f,
@@ -103,7 +120,12 @@ impl fmt::Display for Unsolved {
             ),
             Unsolved::NotScara => write!(
                 f,
-                "four joints need axes that are all parallel, three of joints that turn and one of a joint that slides"
+                "four joints need axes that are all parallel, three of joints that turn and one of a joint that slides, or a waist \
+                 and three parallel axes behind it"
+            ),
+            Unsolved::NotWaist => write!(
+                f,
+                "five joints need a waist, three parallel axes behind it, and a roll about an axis at right angles to these"
             ),
             Unsolved::NoThreeAxes => write!(
                 f,

@@ -123,8 +123,8 @@ pub struct Proven {
 }
 
 impl Proven {
-    /// A proven program with its constants rounded.
-    pub(crate) fn rounding(program: Program) -> Self {
+    /// A program that was proven, with its constants rounded.
+    pub fn rounding(program: Program) -> Self {
         let constants = program.rounded_constants();
         Proven { program, constants }
     }

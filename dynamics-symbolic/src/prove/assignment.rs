@@ -138,6 +138,14 @@ impl Assignment {
         (joint.sin_cos, joint.q) = (sin_cos, q);
     }
 
+    /// Sine, cosine and position of a joint.
+    pub(super) fn position(&self, i: usize) -> (Number, Number, Number) {
+        let JointPoint {
+            sin_cos: (s, c), q, ..
+        } = self.joints[i];
+        (s, c, q)
+    }
+
     /// Sets the pose that is to be reached: rotation by rows, position.
     pub(super) fn set_pose(&mut self, pose: [Number; 12]) {
         self.pose = pose.to_vec();

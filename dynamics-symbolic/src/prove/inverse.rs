@@ -2,17 +2,24 @@
 //!
 //! The pose is that of the textbook definition at random joints in the prime field. Roots are those of the field, each with both
 //! signs; a branch whose roots are not all in the field is tried at other joints. At the end of a branch the
-//! definition gives the pose at the joints that were found.
+//! definition gives the pose at the joints that were found. One branch is that of the joints from which the pose was made. Each of
+//! the others, told apart by the roots in which it differs from that one, has to be seen at some joints.
 
 use super::assignment::{Assignment, Number};
 use super::definition::Definition;
 use crate::exact::{SplitMix64, circle_point};
+use crate::function::Argument;
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
+use crate::linear::Vector3;
 use crate::robot::Robot;
 
 /// At so many joints the branches are tried. The root of a random number is in the field for every second one, and a branch
 /// has six at most.
-const MOST_DRAWS: u64 = 2_000;
+const MOST_DRAWS: u64 = 4_000;
+
+/// A branch of seven joints has to be right so often: which root of the field is which is random, so that a wrong one is missed with
+/// a probability of 2^-16 at most.
+const OFTEN: usize = 16;
 
 /// A solution of one step.
 #[derive(Clone, Copy)]
@@ -28,8 +35,11 @@ struct Branches<'p> {
     frame: Option<usize>,
     pose: [Number; 12],
     constants: Vec<Option<Number>>,
-    /// Whether each branch has been seen to lead to its pose.
-    are_right: Vec<bool>,
+    /// The positions from which the pose was made, and the number of the branch on which they were found.
+    drawn: Vec<(Number, Number, Number)>,
+    own: Option<usize>,
+    /// The branches that led to the pose.
+    right: Vec<usize>,
     is_wrong: bool,
 }
 
@@ -39,7 +49,10 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
     Definition::read(&mut fixed, robot);
     fixed.note_program(&plan.program);
     let digest = fixed.digest();
-    let mut are_right = vec![false; plan.branches()];
+    // How often each branch has been seen to lead to its pose: those of other roots than the pose was made of, by which roots differ.
+    // Without a branch of its own a pose has roots of either sign on all branches.
+    let has_own = plan.target != Target::PoseAndElbow;
+    let mut seen = vec![0; plan.most()];
     for draw in 0..MOST_DRAWS {
         let mut point = Assignment::new(robot, SplitMix64::number(digest, draw));
         let definition = Definition::new(&mut point, robot);
@@ -58,17 +71,26 @@ pub fn prove_inverse(robot: &Robot, frame: Option<usize>, plan: &Plan) -> bool {
             frame,
             pose,
             constants: plan.program.constants.evaluate(&mut point),
-            are_right,
+            drawn: (0..plan.joints).map(|i| point.position(i)).collect(),
+            own: None,
+            right: Vec::new(),
             is_wrong: false,
         };
         branches.follow(&mut point, 0, 0);
         if branches.is_wrong {
             return false;
         }
-        are_right = branches.are_right;
+        let own = match (has_own, branches.own) {
+            (true, None) => continue,
+            (_, own) => own.unwrap_or(0),
+        };
+        for branch in branches.right {
+            seen[branch ^ own] += 1;
+        }
+        let often = if has_own { 1 } else { OFTEN };
         // The joints from which the pose was made meet a condition; other branches of such an arm need not.
         let has_condition = plan.steps.contains(&Step::Condition);
-        if !are_right.contains(&false) || has_condition && are_right.contains(&true) {
+        if has_condition && seen[0] > 0 || seen.iter().all(|count| *count >= often) {
             return true;
         }
     }
@@ -106,7 +128,8 @@ impl Branches<'_> {
                 let solutions = solutions(rule, &coefficients).into_iter().flatten();
                 for (k, Solution { sin_cos: (s, c), q }) in solutions.enumerate() {
                     if s * s + c * c != Number::ONE {
-                        self.is_wrong = true;
+                        // A pose that is out of reach on this branch, which the condition finds.
+                        self.is_wrong |= !plan.steps.contains(&Step::Condition);
                         return;
                     }
                     point.move_joint(joint, (s, c), q);
@@ -124,9 +147,41 @@ impl Branches<'_> {
             Target::Pose | Target::PoseAndElbow | Target::PositionAndAngle => 0,
         };
         let reached = definition.pose_of(self.frame);
-        let is_right = reached.is_some_and(|reached| reached[from..] == self.pose[from..]);
-        self.are_right[branch] |= is_right;
+        let is_right = reached.is_some_and(|reached| reached[from..] == self.pose[from..])
+            && self.has_elbow(point);
+        // An angle by its sine and cosine, a displacement by itself.
+        let is_drawn = |(i, (s, c, q)): (usize, &(Number, Number, Number))| {
+            let found = point.position(i);
+            (found.0, found.1) == (*s, *c) || found.2 == *q
+        };
+        if self.drawn.iter().enumerate().all(is_drawn) {
+            self.own = Some(branch);
+        }
+        self.right.push(branch);
         self.is_wrong |= !is_right;
+    }
+}
+
+impl Branches<'_> {
+    /// Whether the numbers of `Plan::elbow` are along the line of the pose, and across it along the direction of the elbow's angle:
+    /// w x line = 0 and (w x elbow) x (w x (cos start + sin w x start)) = 0. The direction of axis 4 is at right angles to the elbow's.
+    fn has_elbow(&self, point: &mut Assignment) -> bool {
+        let Some(program) = &self.plan.elbow else {
+            return true;
+        };
+        let outputs = program.evaluate(point);
+        let vector = |k: usize| [outputs[k], outputs[k + 1], outputs[k + 2]];
+        let known = |[x, y, z]: [Option<Number>; 3]| Some(Vector3([x?, y?, z?]));
+        let [Some(line), Some(elbow), Some(axis)] = [0, 3, 6].map(|k| known(vector(k))) else {
+            return false;
+        };
+        let [sine, cosine, x, y, z, i, j, k] =
+            core::array::from_fn(|place| point.entry(Argument::Pose, ELBOW + place));
+        let (w, start) = (Vector3([x, y, z]), Vector3([i, j, k]));
+        let asked = start * cosine + w.cross(start) * sine;
+        let vanishes = |v: Vector3<Number>| v.0.iter().all(|x| x.is_zero());
+        let is_axis = axis.dot(elbow).is_zero() && axis.dot(axis) == Number::ONE;
+        is_axis && vanishes(w.cross(line)) && vanishes(w.cross(elbow).cross(w.cross(asked)))
     }
 }
 

@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use dynamics_symbolic::inverse::{Plan, Step, plan};
+use dynamics_symbolic::inverse::{Plan, Step, Target, plan};
 use dynamics_symbolic::program::{Instruction, Program};
 use dynamics_symbolic::prove::prove_inverse;
-use dynamics_symbolic::robot::{JointType, Robot, Value};
+use dynamics_symbolic::robot::{Convention, JointType, Robot, Value};
 use dynamics_symbolic::{inverse::Unsolved, proven_plan};
 use expect_test::expect_file;
 
@@ -14,7 +14,7 @@ fn shown(plan: &Plan) -> String {
     let operations = plan.program.operations();
     let mut text = format!(
         "{} solutions, {} operations, {:?}\n",
-        plan.branches(),
+        plan.most(),
         operations.total(),
         plan.target
     );
@@ -25,6 +25,10 @@ fn shown(plan: &Plan) -> String {
             Step::Condition => writeln!(text, "    nothing: Condition"),
         }
         .expect("memory");
+    }
+    let names = &plan.branches.names;
+    if let [first, .., last] = &names[..] {
+        writeln!(text, "    {first}; ...; {last}").expect("memory");
     }
     text
 }
@@ -94,6 +98,62 @@ fn every_damage_is_found() {
             let plan = with_program(&right, damaged);
             assert_eq!(is_proven(&robot, &plan), sizes, "{name}: operation {index}");
         }
+    }
+}
+
+/// A waist and three parallel axes, and the same with a step between the tip and the last axis.
+#[test]
+fn waists_have_a_closed_form() {
+    let mut robot = arms::robot("elbow_3r");
+    let mut last = robot.rows[2].clone();
+    last.name = "pitch".to_owned();
+    robot.rows.push(last);
+    let plan = proven_plan(&robot, None).expect("a waist");
+    assert_eq!(plan.target, Target::Pose);
+    assert_eq!(plan.branches.names, ["elbow up", "elbow down"]);
+    robot.rows[0].a = arms::decimal(0.012);
+    robot.rows[1].theta = arms::decimal(1.3854);
+    proven_plan(&robot, None).expect("a waist with a step");
+}
+
+/// The geometry of a KUKA LBR iiwa 14.
+fn seven_axes() -> Robot {
+    let mut robot = arms::robot("panda");
+    let rows = [
+        (0.36, -1),
+        (0.0, 1),
+        (0.42, 1),
+        (0.0, -1),
+        (0.4, -1),
+        (0.0, 1),
+        (0.126, 0),
+    ];
+    robot.convention = Convention::Standard;
+    for (row, (d, quarters)) in robot.rows.iter_mut().zip(rows) {
+        (row.a, row.d) = (Value::zero(), arms::decimal(d));
+        row.alpha = arms::decimal(0.5 * f64::from(quarters)) * Value::Pi;
+    }
+    robot
+}
+
+/// Another operation in the numbers of the elbow's angle.
+#[test]
+fn damaged_elbows_are_refused() {
+    let robot = seven_axes();
+    let right = proven_plan(&robot, None).expect("seven axes");
+    let program = right.elbow.clone().expect("an elbow");
+    for index in 0..program.instructions.len() {
+        let mut damaged = program.clone();
+        damaged.instructions[index] = match damaged.instructions[index] {
+            Instruction::Add(a, b) => Instruction::Sub(a, b),
+            Instruction::Sub(a, b) => Instruction::Add(a, b),
+            Instruction::Mul(a, b) | Instruction::Div(a, b) => Instruction::Add(a, b),
+        };
+        let plan = Plan {
+            elbow: Some(damaged),
+            ..right.clone()
+        };
+        assert!(!is_proven(&robot, &plan), "operation {index}");
     }
 }
 
