@@ -16,6 +16,8 @@ pub enum BuildError {
     Repeated(String),
     /// No program was found for a function, with the reason.
     Failure(String),
+    /// The arm has no inverse kinematics in closed form, with the reason.
+    NoClosedForm(String),
     /// The program of this function has more than 65,536 numbers of one kind, which have no room in its tape.
     TooLong(String),
 }
@@ -37,6 +39,10 @@ impl fmt::Display for BuildError {
             }
             BuildError::Repeated(name) => write!(f, "`{name}` is requested twice"),
             BuildError::Failure(reason) => f.write_str(reason),
+            BuildError::NoClosedForm(why) => write!(
+                f,
+                "there is no `inverse_kinematics` in closed form, because {why}; numeric inverse kinematics serves every arm"
+            ),
             BuildError::TooLong(name) => write!(
                 f,
                 "the program of `{name}` is too long to be evaluated: let the macro `robot_dynamics!` generate it"

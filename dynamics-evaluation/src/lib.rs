@@ -9,6 +9,7 @@ mod at;
 mod block;
 mod bounds;
 mod checked;
+mod closed_form;
 mod compiled;
 mod error;
 mod file;
@@ -31,6 +32,7 @@ pub use dynamics_numeric;
 pub use dynamics_runtime;
 pub use dynamics_simulation;
 
+pub use closed_form::{ClosedForm, ClosedSolution};
 pub use error::{BuildError, EvaluationError, UnknownField};
 pub use file::{FileError, FileMistake, ReadOptions};
 #[doc(hidden)]

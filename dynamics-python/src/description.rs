@@ -51,24 +51,11 @@ impl Description {
         let Model {
             robot,
             requests,
-            inverses,
             warnings,
             ..
         } = read_source(path, text, options)?;
-        let mut warnings: Vec<_> = warnings.into_iter().map(|found| found.message).collect();
+        let warnings: Vec<_> = warnings.into_iter().map(|found| found.message).collect();
         let requests: Vec<_> = requests.into_iter().map(|(request, _)| request).collect();
-        if !inverses.is_empty() {
-            let left_out = "`inverse_kinematics` in closed form is written by `generate --lang rust`, `c` and `js` and by the \
-                            macro, and is left out: `reach` finds joint positions by search";
-            if requests.is_empty() {
-                let message = format!("{left_out}. Nothing else is requested");
-                return Err(FileError::Build(
-                    path.to_owned(),
-                    BuildError::Failure(message),
-                ));
-            }
-            warnings.push(left_out.to_owned());
-        }
         if !robot.freedoms().has_base() && robot.freedoms().joints == 0 {
             return Err(FileError::Build(path.to_owned(), BuildError::NoJoints));
         }

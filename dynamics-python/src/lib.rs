@@ -5,6 +5,7 @@
 
 mod arguments;
 mod call;
+mod closed_form;
 mod description;
 mod documentation;
 mod errors;
@@ -25,6 +26,8 @@ use pyo3::prelude::*;
 /// The native module that the Python modules of the package build on.
 #[pymodule(gil_used = false)]
 mod _native {
+    #[pymodule_export]
+    use super::closed_form::ClosedForm;
     #[pymodule_export]
     use super::function::Function;
     #[pymodule_export]

@@ -270,20 +270,9 @@ def test_words_that_are_no_functions_are_not_advised_as_such() -> None:
         ("Mass_Matrix", "did you mean `mass_matrix`"),
         ("regressor", 'functions=\\["default", "regressor"\\]'),
         ("jacobian_FL_foot", 'functions=\\["default", "jacobian\\(FL_foot\\)"\\]; .* small'),
-        ("inverse_kinematics", "`reach` finds"),
     ]:
         with pytest.raises(AttributeError, match=told):
             getattr(arm, word)
-
-
-def test_closed_forms_are_told_to_be_elsewhere() -> None:
-    path, chain = DATA / "urdf/ur5_robot.urdf", ["base_link", "tool0"]
-    with pytest.raises(rd.TableError, match="`inverse_kinematics` in closed form .*`reach` .* Nothing else"):
-        rd.Robot.from_file(path, gravity=GRAVITY, functions=["inverse_kinematics"], chain=chain)
-    with pytest.warns(UserWarning, match="`inverse_kinematics` in closed form"):
-        functions = ["gravity_vector", "inverse_kinematics"]
-        arm = rd.Robot.from_file(path, gravity=GRAVITY, functions=functions, chain=chain)
-    assert arm.gravity_vector(np.zeros(6)).shape == (6,)
 
 
 def test_positions_in_degrees_are_told() -> None:

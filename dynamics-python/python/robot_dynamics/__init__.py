@@ -8,6 +8,7 @@
 The last axis of an array has the joints, and the axes before it are broadcast as numpy does. SI units, radians.
 """
 
+from ._closed_form import BranchEnds, Solutions
 from ._errors import Mistake, SingularMassMatrix, TableError
 from ._motion import Law, SimulationError, Trajectory, Work
 from ._native import Function
@@ -16,6 +17,7 @@ from ._reach import NotReached
 from ._robot import Robot
 
 __all__ = [
+    "BranchEnds",
     "Compared",
     "Formulas",
     "Function",
@@ -27,6 +29,7 @@ __all__ = [
     "Robot",
     "SimulationError",
     "SingularMassMatrix",
+    "Solutions",
     "TableError",
     "Trajectory",
     "Work",

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native, _toml
+from ._closed_form import ClosedForms
 from ._keywords import require_known
 from ._motion import Law, Trajectory, numbers, simulate
 from ._native import Function
@@ -95,6 +96,7 @@ class Robot:
 
     def _set(self, arm: _native.Arm) -> None:
         self._arm = arm
+        self._closed_forms = ClosedForms(arm)
         self._functions = dict(arm.functions)
         # Attributes of the instance: a call finds its function without a search by name.
         self.__dict__.update(self._functions)
@@ -265,6 +267,29 @@ class Robot:
         }
         return simulate(self._arm, q, qd, base, {**given, **settings})
 
+    def inverse_kinematics(
+        self,
+        poses: ArrayLike,
+        elbow: ArrayLike | None = None,
+        start: ArrayLike | None = None,
+        *,
+        frame: str | None = None,
+    ) -> Any:
+        """All joint positions that lead the tip, or a frame, to a pose, in closed form: `Solutions`, an array `(k, n)`.
+
+        Of `poses` `(..., 4, 4)` a list of these for each pose. Of seven joints `elbow` is the angle of the elbow about the line from
+        shoulder to wrist, rad, one or one for each pose. With `start` the nearest solution comes first, and the elbow has the angle
+        that it has there if `elbow` is not given. `ValueError` says why an arm has no closed form; `reach` serves every arm.
+        """
+        return self._closed_forms.solutions(poses, elbow, start, frame)
+
+    def elbow_angle(self, q: ArrayLike, *, frame: str | None = None) -> float:
+        """The angle of seven joints' elbow, rad, by which `inverse_kinematics` finds these joint positions."""
+        angle = self._closed_forms.of(frame).elbow_angle(numbers("q", q).ravel().tolist())
+        if angle is None:
+            raise ValueError("an angle of the elbow is of seven joints")
+        return angle
+
     def reach(
         self,
         target: ArrayLike | Sequence[ArrayLike],
@@ -331,11 +356,6 @@ class Robot:
             raise AttributeError(name)
         if name == "taylor_series":
             raise AttributeError("`taylor_series` is a function of compiled robots: the macro of Rust has it")
-        if name == "inverse_kinematics":
-            raise AttributeError(
-                "`inverse_kinematics` in closed form is written by `generate --lang rust`, `c` and `js` and by the macro: "
-                "`reach` finds joint positions by search"
-            )
         # Only a slip of one letter or two: names of functions resemble each other.
         public = [word for word in (*self._functions, *dir(self)) if not word.startswith("_")]
         meant = difflib.get_close_matches(name.lower(), public, 1, 0.9)
