@@ -1,4 +1,4 @@
-//! What the numeric algorithms and the simulation share with this crate, and no user needs.
+//! Items that the numeric algorithms and the simulation share with this crate, and no user needs.
 
 pub use crate::closed_form::{is_homogeneous, is_rotation, nearest_turn};
 #[cfg(feature = "std")]

@@ -8,8 +8,8 @@ use robot_dynamics::nalgebra::{Isometry3, Matrix4, SVector, UnitQuaternion, Vect
 use crate::arms::*;
 use crate::{Inverse, Random, apart};
 
-/// Words as they follow from the places of the joints: whether the arm passes axis 1 on the left, and whether its elbow is above the
-/// line from the second axis to the point `end`, behind whether it reaches forwards; `None` near to being neither.
+/// Whether an arm reaches forwards, and words for it. It is left if it passes axis 1 on the left. Its elbow is up if it is above
+/// the line from the second axis to the point `end`. `None` if it is near to being neither.
 fn seen(links: &[Matrix4<f64>], wrist: usize, end: usize) -> Option<(bool, [&'static str; 2])> {
     let origin = |i: usize| links[i].fixed_view::<3, 1>(0, 3).into_owned();
     let beside: Vector3<f64> = links[0].fixed_view::<3, 1>(0, 2).into_owned();

@@ -29,14 +29,14 @@ robot_dynamics! {
 }
 
 robot_dynamics! {
-    pub struct FourAndFive;
+    pub struct Five;
     convention: modified,
     gravity: [0, 0, -9.81],
     joints: [
         q1: revolute {},
         q2: revolute { alpha: PI/2 },
         q3: revolute { a: 0.4 },
-        q4: revolute { a: 0.4 },
+        q4: revolute { a: 0.4, alpha: PI/4 },
         q5: revolute { alpha: PI/2 },
     ],
     functions: [inverse_kinematics],

@@ -37,7 +37,7 @@ impl Inertia {
         }
     }
 
-    /// That of frame i in frame i-1, about that frame's origin p:
+    /// The inertia of frame i in frame i-1, about that frame's origin p:
     /// `h' = R h + m p`, `S' = R S R^T + p (R h)^T + (R h) p^T + m p p^T`.
     #[inline(always)]
     pub(super) fn inward(&self, joint: &Joint) -> Self {

@@ -43,8 +43,8 @@ fn cross<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
     Vector3::new(entry(1, 2), entry(2, 0), entry(0, 1))
 }
 
-/// Ranges have room for so many. Each of six joints meets each of its two limits at two angles of the elbow at most, in each of
-/// the two positions of the fourth joint; a range lies between two of these, and one may be cut at half a turn.
+/// Ranges have room for so many. Each of six joints meets each of its two limits at two angles of the elbow at most, for both
+/// positions of the fourth joint. A range lies between two of these, and one may be cut at half a turn.
 const MOST: usize = 25;
 
 /// Ranges of elbow angles, a slice of `[lower, upper]`, rad, from -pi to pi in rising order. One that goes on beyond half a turn is

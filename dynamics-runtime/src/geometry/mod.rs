@@ -1,6 +1,6 @@
 //! The geometry of a table: sines of constant angles, frames one in the other, joints at a position, inertia tensors.
 //!
-//! What rows are joined by when joints are locked, and what the numeric algorithms are made of.
+//! Motions and bodies of links: rows are joined by them when joints are locked, and numeric algorithms are made of them.
 
 mod angle;
 mod joint;

@@ -16,7 +16,7 @@ pub struct Arm<'t> {
     pub floating: Option<&'t FloatingBase>,
     /// The rows of joints that move by themselves.
     pub rows: &'t [Row],
-    /// Those of joints that follow others.
+    /// The rows of joints that follow others.
     pub followers: &'t [Follower],
     /// The frames and their bodies.
     pub frames: &'t [FixedFrame],

@@ -1,4 +1,4 @@
-//! What a simulation does with the friction and the limits of the table.
+//! Friction and limits of the table, as a simulation takes them.
 
 use dynamics_runtime::table::AsArm as _;
 

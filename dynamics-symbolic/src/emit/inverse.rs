@@ -132,7 +132,8 @@ fn elbow_angle(robot: &Robot, program: &Program, joints: usize, path: &TokenStre
 
 /// The methods `elbow_angle`, with this body, and `elbow_ranges` of seven joints.
 fn elbow_methods(frame: Option<&str>, body: &TokenStream, path: &TokenStream) -> TokenStream {
-    let [q, pose, elbow, limits] = ["q", "pose", "elbow", "limits"].map(ident);
+    let [q, pose, elbow] = ["q", "pose", "elbow"].map(ident);
+    let limits = variable("limits");
     let method = inverse_method(frame);
     let named = |name: &str| Ident::new(name, proc_macro2::Span::call_site());
     let [angle, ranges] = ELBOW_METHODS.map(|name| named(&elbow_method(name, frame)));

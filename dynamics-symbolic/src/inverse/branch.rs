@@ -8,7 +8,7 @@
 //!   to the left.
 //! - The elbow is up if it is above the line from axis 2 to the wrist, axis 1 pointing upwards.
 //!
-//! Of other arms the first root is called left, up, and not flipped.
+//! The first root of other arms is called left, up, and not flipped.
 
 use super::chain::{Link, joints};
 use super::moves::Path;
@@ -208,7 +208,7 @@ fn axes(graph: &Graph, meanings: &[Symbol], chain: &[Link<'_>]) -> Program {
     Program::new(graph, meanings, &outputs, &|id| graph.operation(id))
 }
 
-/// What is seen of an arm.
+/// The sides of an arm at a position.
 struct Seen {
     is_ahead: bool,
     is_left: bool,

@@ -20,8 +20,8 @@ pub struct Plan {
     pub target: Target,
     /// The names of the branches.
     pub branches: BranchNames,
-    /// Of seven joints: the line from the shoulder to the wrist, the way from it to the elbow, the direction of axis 4, each as seen
-    /// from the first joint's frame before it moves, and how large they are. It reads sines and cosines of joints.
+    /// The elbow of seven joints: the line from the shoulder to the wrist, the way from it to the elbow, and the direction of
+    /// axis 4. All are in the frame of the first joint before it moves, and their size stands behind them.
     pub elbow: Option<Program>,
 }
 

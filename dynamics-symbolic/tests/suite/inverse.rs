@@ -110,7 +110,7 @@ fn waists_have_a_closed_form() {
     robot.rows.push(last);
     let plan = proven_plan(&robot, None).expect("a waist");
     assert_eq!(plan.target, Target::Pose);
-    assert_eq!(plan.branches.names, ["elbow up", "elbow down"]);
+    assert_eq!(plan.branches.names, ["elbow down", "elbow up"]);
     robot.rows[0].a = arms::decimal(0.012);
     robot.rows[1].theta = arms::decimal(1.3854);
     proven_plan(&robot, None).expect("a waist with a step");
