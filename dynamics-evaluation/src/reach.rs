@@ -46,7 +46,8 @@ impl RuntimeRobot {
     ///
     /// ```
     /// # mod robot_dynamics {
-    /// # pub use dynamics_runtime::*;
+    /// # pub use dynamics_numeric::*;
+    /// # pub use dynamics_runtime::nalgebra;
     /// # pub use dynamics_evaluation as evaluation;
     /// # }
     /// use robot_dynamics::InverseKinematics;

@@ -46,7 +46,7 @@ impl RuntimeRobot {
     ///
     /// ```
     /// # mod robot_dynamics {
-    /// # pub use dynamics_runtime::*;
+    /// # pub use dynamics_simulation::*;
     /// # pub use dynamics_evaluation as evaluation;
     /// # }
     /// # fn simulated() -> Result<(), Box<dyn std::error::Error>> {
