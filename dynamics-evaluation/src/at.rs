@@ -65,7 +65,7 @@ impl Tape {
 impl Operation {
     /// Its value, where operands have the values that `at` gives them: by the operations that are
     /// generated for the line.
-    fn value<T: Scalar>(&self, at: &impl Fn(Place) -> T) -> T {
+    pub(crate) fn value<T: Scalar>(&self, at: &impl Fn(Place) -> T) -> T {
         match *self {
             Operation::Add(a, b) => at(a) + at(b),
             Operation::Sub(a, b) => at(a) - at(b),

@@ -1,19 +1,22 @@
 //! Inverse kinematics in closed form of a robot at run time: the plan of the generated method, step by step.
 
+use core::ops::Range;
+
 use dynamics_runtime::Scalar;
 use dynamics_runtime::closed_form::{
-    Branches, Family, Found, NoSolution, Roots, direction, elbow_angle, is_reached, nearest_pose,
-    slide, slides, turn, turns,
+    Branches, Family, Found, NoSolution, Roots, Solution, direction, elbow_angle, is_reached,
+    nearest_pose, slide, slides, turn, turns,
 };
 use dynamics_runtime::nalgebra::{Matrix4, Vector3};
-use dynamics_symbolic::function::Argument;
+use dynamics_symbolic::function::{Argument, INVERSE_KINEMATICS};
 use dynamics_symbolic::inverse::{ELBOW, Plan, Rule, Step, Target};
-use dynamics_symbolic::program::{Instruction, Line, Operand, Output, Program, Proven, Rest};
 use dynamics_symbolic::proven_plan;
 use dynamics_symbolic::robot::{JointType, Symbol};
 
+use crate::compiled::check_length;
 use crate::error::BuildError;
 use crate::read::parameter;
+use crate::tape::{Staged, Tape, is_shared_symbol};
 use crate::{EvaluationError, RuntimeRobot};
 
 /// All joint positions that lead the tip of a [`RuntimeRobot`], or one of its frames, to a pose: bit for bit those of the generated
@@ -21,19 +24,24 @@ use crate::{EvaluationError, RuntimeRobot};
 #[derive(Clone, Debug)]
 pub struct ClosedForm {
     plan: Plan,
-    equations: Evaluator,
+    equations: Staged,
+    /// Its numbers before a call: those of fields are known.
+    numbers: Vec<f64>,
     /// The steps, and behind them the lines that read all joints.
     stages: Vec<Stage>,
     has_families: bool,
-    elbow: Option<Evaluator>,
+    /// The numbers of the elbow's angle, and those of them that all positions share.
+    elbow: Option<(Tape, Vec<f64>)>,
     turns: Vec<bool>,
 }
 
 /// All that a step reads of the plan.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Stage {
-    /// The lines that read no later joint.
-    lines: Vec<usize>,
+    /// The instructions that read no later joint.
+    instructions: Vec<usize>,
+    /// The places of the coefficients among the outputs.
+    coefficients: Range<usize>,
     /// The joints whose families ask how far the equation is from having a solution.
     families_before: Vec<usize>,
     has_family: bool,
@@ -43,6 +51,7 @@ struct Stage {
 
 /// A solution.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ClosedSolution {
     /// The positions, rad or m; angles above -pi and up to pi.
     pub q: Vec<f64>,
@@ -92,35 +101,58 @@ impl RuntimeRobot {
             place.ok_or_else(|| error(format!("there is no frame `{name}`")))
         });
         let plan = proven_plan(robot, place.transpose()?).map_err(|why| error(why.to_string()))?;
-        let fields = self.fields();
-        let stages = plan.stages();
-        let equations = Evaluator::new(&plan.program, fields);
-        let of_stage = |stage: usize| {
-            let lines = stages.iter().enumerate();
-            let lines = lines.filter(|&(line, of)| *of == stage && equations.lines[line].is_some());
-            let step = plan.steps.get(stage);
-            Stage {
-                lines: lines.map(|(line, _)| line).collect(),
-                families_before: step.map_or_else(Vec::new, |_| plan.families_before(stage)),
-                has_family: step.is_some() && plan.has_family(stage),
-                parts: step.map_or_else(Vec::new, |step| plan.inputs_of(*step).collect()),
+        let too_long = |_| BuildError::TooLong(INVERSE_KINEMATICS.to_owned());
+        let equations = Staged::new(&plan.proven()).map_err(too_long)?;
+        let mut numbers = equations.unknown();
+        for (number, symbol) in numbers.iter_mut().zip(&equations.inputs) {
+            if is_shared_symbol(symbol) {
+                *number = parameter(symbol, self.fields(), &|x| x);
             }
-        };
-        let joints = robot.joints();
+        }
+        let elbow = plan.proven_elbow().map(|proven| {
+            let tape = Tape::new(&proven).map_err(too_long)?;
+            let shared = tape.shared(self.fields(), &|x| x);
+            Ok((tape, shared))
+        });
+        let turns = robot
+            .joints()
+            .map(|row| row.joint_type == JointType::Revolute);
         Ok(ClosedForm {
-            stages: (0..=plan.steps.len()).map(of_stage).collect(),
-            elbow: plan
-                .elbow
-                .as_ref()
-                .map(|program| Evaluator::new(program, fields)),
+            stages: stages(&plan),
             has_families: plan.has_families(),
-            turns: joints
-                .map(|row| row.joint_type == JointType::Revolute)
-                .collect(),
+            turns: turns.collect(),
+            elbow: elbow.transpose()?,
             equations,
+            numbers,
             plan,
         })
     }
+}
+
+/// The steps of a plan, and behind them the instructions that read all joints.
+fn stages(plan: &Plan) -> Vec<Stage> {
+    let stages = plan.stages();
+    let of_step = |step: usize| {
+        let instructions = stages
+            .iter()
+            .enumerate()
+            .filter(|(_, stage)| **stage == step);
+        let instructions = instructions.map(|(instruction, _)| instruction).collect();
+        let Some(&taken) = plan.steps.get(step) else {
+            return Stage {
+                instructions,
+                ..Stage::default()
+            };
+        };
+        Stage {
+            instructions,
+            coefficients: plan.outputs_of(step),
+            families_before: plan.families_before(step),
+            has_family: plan.has_family(step),
+            parts: plan.inputs_of(taken).collect(),
+        }
+    };
+    (0..=plan.steps.len()).map(of_step).collect()
 }
 
 impl ClosedForm {
@@ -166,30 +198,17 @@ impl ClosedForm {
     ///
     /// [`EvaluationError::Length`] if `q` has not an entry for each joint.
     pub fn elbow_angle(&self, q: &[f64]) -> Result<Option<f64>, EvaluationError> {
-        if q.len() != self.plan.joints {
-            return Err(EvaluationError::Length {
-                argument: "q",
-                found: q.len(),
-                expected: self.plan.joints,
-            });
-        }
-        let Some(elbow) = &self.elbow else {
+        check_length("q", q.len(), self.plan.joints)?;
+        let Some((tape, shared)) = &self.elbow else {
             return Ok(None);
         };
-        let mut state = elbow.state();
-        for (place, symbol) in elbow.inputs.iter().enumerate() {
-            match symbol {
-                Symbol::Sine(joint) => state.inputs[place] = Scalar::sin_cos(q[*joint]).0,
-                Symbol::Cosine(joint) => state.inputs[place] = Scalar::sin_cos(q[*joint]).1,
-                _ => {}
-            }
-        }
-        let lines = (0..elbow.lines.len()).filter(|&line| elbow.lines[line].is_some());
-        elbow.compute(&mut state, lines);
-        let number = |k: usize| elbow.output(&state, elbow.outputs[k]);
-        let [line, across, axis] =
-            [0, 3, 6].map(|k| Vector3::new(number(k), number(k + 1), number(k + 2)));
-        Ok(Some(elbow_angle(line, across, axis, number(9))))
+        let read = |symbol: &Symbol| match symbol {
+            Symbol::Position(joint) => q[*joint],
+            _ => f64::NAN,
+        };
+        let found = tape.at(shared, &read);
+        let [line, across, axis] = [0, 3, 6].map(|k| Vector3::from_column_slice(&found[k..k + 3]));
+        Ok(Some(elbow_angle(line, across, axis, found[9])))
     }
 
     fn solve<const N: usize>(
@@ -213,12 +232,11 @@ impl ClosedForm {
             return Err(why);
         }
         let names = &self.plan.branches;
-        let solution =
-            |(k, one): (usize, &dynamics_runtime::closed_form::Solution<f64, N>)| ClosedSolution {
-                q: one.q.as_slice().to_vec(),
-                is_singular: one.is_singular,
-                branch: names.names[branches.branch(k, &names.joints)].clone(),
-            };
+        let solution = |(k, one): (usize, &Solution<f64, N>)| ClosedSolution {
+            q: one.q.as_slice().to_vec(),
+            is_singular: one.is_singular,
+            branch: names.names[branches.branch(k, &names.joints)].clone(),
+        };
         Ok(solutions.iter().enumerate().map(solution).collect())
     }
 
@@ -228,10 +246,10 @@ impl ClosedForm {
         elbow: f64,
         searches: bool,
     ) -> Branches<f64, N> {
-        let mut state = self.equations.state();
+        let mut numbers = self.numbers.clone();
         let (sine, cosine) = Scalar::sin_cos(elbow);
         for (place, symbol) in self.equations.inputs.iter().enumerate() {
-            state.inputs[place] = match symbol {
+            numbers[place] = match symbol {
                 Symbol::Entry(Argument::Pose, k) if *k < ELBOW => pose[Plan::place_in_pose(*k)],
                 Symbol::Entry(Argument::Pose, ELBOW) if self.has_elbow() => sine,
                 Symbol::Entry(Argument::Pose, k) if *k == ELBOW + 1 && self.has_elbow() => cosine,
@@ -240,7 +258,7 @@ impl ClosedForm {
         }
         let mut search = Search {
             form: self,
-            state,
+            numbers,
             found: [slide(0.0); N],
             branches: Branches::default(),
             searches,
@@ -250,10 +268,13 @@ impl ClosedForm {
     }
 }
 
+/// A step has so many coefficients: a direction.
+const MOST_COEFFICIENTS: usize = 7;
+
 /// A search through the steps of a plan.
 struct Search<'f, const N: usize> {
     form: &'f ClosedForm,
-    state: State,
+    numbers: Vec<f64>,
     found: [Found<f64>; N],
     branches: Branches<f64, N>,
     /// Whether positions that a pose leaves free are searched, or it is only noted that they should be.
@@ -263,15 +284,16 @@ struct Search<'f, const N: usize> {
 impl<const N: usize> Search<'_, N> {
     /// Takes a step and all behind it.
     fn take(&mut self, step: usize, is_singular: bool) {
-        let (form, plan) = (self.form, &self.form.plan);
+        let (form, stage) = (self.form, &self.form.stages[step]);
         form.equations
-            .compute(&mut self.state, form.stages[step].lines.iter().copied());
-        let Some(&current) = plan.steps.get(step) else {
+            .compute(&mut self.numbers, &stage.instructions);
+        let Some(&current) = form.plan.steps.get(step) else {
             return self.branches.push(self.found, is_singular);
         };
-        let outputs = &form.equations.outputs[plan.outputs_of(step)];
-        let number = |output: &Output| form.equations.output(&self.state, *output);
-        let c: Vec<f64> = outputs.iter().map(number).collect();
+        let mut c = [0.0; MOST_COEFFICIENTS];
+        for (coefficient, output) in c.iter_mut().zip(stage.coefficients.clone()) {
+            *coefficient = form.equations.output(&self.numbers, output);
+        }
         let (joint, roots) = match current {
             Step::Condition => {
                 if is_reached(c[0], c[1], c[2], c[3]) {
@@ -340,95 +362,7 @@ impl<const N: usize> Search<'_, N> {
     /// Gives the inputs of the program that are parts of a step's solution their values.
     fn bind(&mut self, step: usize, value: impl Fn(&str) -> f64) {
         for (place, part) in &self.form.stages[step].parts {
-            self.state.inputs[*place] = value(part);
+            self.numbers[*place] = value(part);
         }
-    }
-}
-
-/// A program whose lines are carried out some at a time.
-#[derive(Clone, Debug)]
-struct Evaluator {
-    lines: Vec<Option<Line>>,
-    constants: Vec<f64>,
-    inputs: Vec<Symbol>,
-    /// The values of fields, and of functions of them, among the inputs.
-    known: Vec<f64>,
-    outputs: Vec<Output>,
-}
-
-/// The inputs and the results so far.
-struct State {
-    inputs: Vec<f64>,
-    results: Vec<f64>,
-}
-
-impl Evaluator {
-    fn new(program: &Program, fields: &[f64]) -> Self {
-        let Proven { program, constants } = Proven::rounding(program.clone());
-        let known = program.inputs.iter().map(|symbol| match symbol {
-            Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_) | Symbol::Pi => {
-                parameter(symbol, fields, &|x: f64| x)
-            }
-            _ => f64::NAN,
-        });
-        Evaluator {
-            lines: program.lines(),
-            known: known.collect(),
-            constants,
-            inputs: program.inputs,
-            outputs: program.outputs,
-        }
-    }
-
-    fn state(&self) -> State {
-        State {
-            inputs: self.known.clone(),
-            results: vec![f64::NAN; self.lines.len()],
-        }
-    }
-
-    /// Carries out lines, in their order.
-    fn compute(&self, state: &mut State, lines: impl IntoIterator<Item = usize>) {
-        for index in lines {
-            if let Some(line) = &self.lines[index] {
-                state.results[index] = self.value(state, line);
-            }
-        }
-    }
-
-    fn value(&self, state: &State, line: &Line) -> f64 {
-        let at = |operand| self.operand(state, operand);
-        match *line {
-            Line::Single(Instruction::Add(a, b)) => at(a) + at(b),
-            Line::Single(Instruction::Sub(a, b)) => at(a) - at(b),
-            Line::Single(Instruction::Mul(a, b)) => at(a) * at(b),
-            Line::Single(Instruction::Div(a, b)) => at(a) / at(b),
-            Line::Fused {
-                product: (x, y),
-                is_subtracted,
-                rest,
-            } => {
-                let factor = if is_subtracted { -at(x) } else { at(x) };
-                let rest = match rest {
-                    Rest::Plus(a) => at(a),
-                    Rest::Minus(a) => -at(a),
-                    Rest::Product(a, b) => at(a) * at(b),
-                };
-                Scalar::mul_add(factor, at(y), rest)
-            }
-        }
-    }
-
-    fn operand(&self, state: &State, operand: Operand) -> f64 {
-        match operand {
-            Operand::Constant(id) => self.constants[id.index()],
-            Operand::Input(index) => state.inputs[index as usize],
-            Operand::Result(index) => state.results[index as usize],
-        }
-    }
-
-    fn output(&self, state: &State, output: Output) -> f64 {
-        let value = self.operand(state, output.operand);
-        if output.negative { -value } else { value }
     }
 }

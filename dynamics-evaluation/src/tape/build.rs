@@ -41,7 +41,7 @@ struct Builder<'p> {
     slots: Slots,
 }
 
-fn index(count: usize) -> Result<u16, TooLong> {
+pub(super) fn index(count: usize) -> Result<u16, TooLong> {
     u16::try_from(count).map_err(|_| TooLong)
 }
 
@@ -228,7 +228,7 @@ impl<'p> Builder<'p> {
 }
 
 /// The operation of a line whose operands are at these places.
-fn operation(line: &Line, places: &[Place]) -> Operation {
+pub(super) fn operation(line: &Line, places: &[Place]) -> Operation {
     let sorted = |a: Place, b: Place| if b < a { (b, a) } else { (a, b) };
     match (line, places) {
         (Line::Single(instruction), &[a, b]) => {

@@ -13,7 +13,7 @@ pub(super) struct Lines<'p> {
 }
 
 /// Whether a symbol has the same value at all states.
-pub(super) fn is_shared_symbol(symbol: &Symbol) -> bool {
+pub(crate) fn is_shared_symbol(symbol: &Symbol) -> bool {
     matches!(
         symbol,
         Symbol::Pi | Symbol::Field(_) | Symbol::AngleSine(_) | Symbol::AngleCosine(_)

@@ -11,6 +11,10 @@ mod build;
 mod lines;
 mod order;
 mod places;
+mod staged;
+
+pub(crate) use lines::is_shared_symbol;
+pub(crate) use staged::Staged;
 
 use dynamics_symbolic::robot::Symbol;
 

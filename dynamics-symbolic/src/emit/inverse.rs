@@ -6,7 +6,7 @@ use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints, shown, variable};
 use crate::function::{Argument, INVERSE_KINEMATICS, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
-use crate::program::{Program, Proven};
+use crate::program::Proven;
 use crate::robot::{JointType, Robot, Symbol};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
@@ -89,17 +89,17 @@ pub fn inverse_kinematics(
         &body,
         path,
     );
-    let of_elbow = plan.elbow.as_ref().map(|program| {
-        let body = elbow_angle(robot, program, plan.joints, path);
+    let of_elbow = plan.proven_elbow().map(|proven| {
+        let body = elbow_angle(robot, &proven, plan.joints, path);
         elbow_methods(frame, &body, path)
     });
     quote!(#method #searched #of_elbow)
 }
 
 /// The body of `elbow_angle`.
-fn elbow_angle(robot: &Robot, program: &Program, joints: usize, path: &TokenStream) -> TokenStream {
-    let proven = Proven::rounding(program.clone());
-    let (writer, q) = (Writer::new(robot, &proven), ident("q"));
+fn elbow_angle(robot: &Robot, proven: &Proven, joints: usize, path: &TokenStream) -> TokenStream {
+    let program = &proven.program;
+    let (writer, q) = (Writer::new(robot, proven), ident("q"));
     let constants = constants_like(&quote!(#q.data.0[0][0]), path);
     let fields = super::inputs::constant_inputs(robot, program, path);
     let name = |symbol: Symbol| {

@@ -12,7 +12,7 @@
 
 use super::chain::{Link, joints};
 use super::moves::Path;
-use super::plan::{ELBOW, Plan, Rule, Step, Target};
+use super::plan::{BranchNames, Plan, Rule, Step, Target};
 use super::view::Unknown;
 use crate::exact::{Rational, SplitMix64, sin_cos};
 use crate::expr::{Edge, Graph};
@@ -23,16 +23,7 @@ use crate::robot::Symbol;
 use crate::spatial::AxisMotion;
 
 /// Positions at which it is seen what is left and up.
-const SAMPLES: u64 = 64;
-
-/// The branches of a plan.
-#[derive(Clone, Debug, Default)]
-pub struct BranchNames {
-    /// The joints with two roots, by their numbers.
-    pub joints: Vec<usize>,
-    /// A name for each choice of roots: a joint's second root adds one bit to the index, the first joint's the least.
-    pub names: Vec<String>,
-}
+const SAMPLES: u64 = 16;
 
 /// A part of an arm, and what its two roots are called.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -156,11 +147,18 @@ impl Sides {
         let place = |part| parts.iter().position(|(_, one)| *one == part);
         let [shoulder, elbow] = [Part::Shoulder, Part::Elbow].map(place);
         let [mut left, mut up, mut mirrored] = [const { Votes(0) }; 3];
+        let mut any = Sample::new(fields, moving, 0);
+        let axes = Numeric::new(axes, &mut any);
+        let branches = Branches {
+            plan,
+            parts,
+            equations: Numeric::new(&plan.program, &mut any),
+        };
         for sample in 0..SAMPLES {
             let mut point = Sample::new(fields, moving, sample);
-            point.reach(axes);
+            point.reach(&axes);
             let mut follow = |point: &mut Sample, index: usize| {
-                let places = axes.evaluate(point);
+                let places = axes.at(point);
                 let Some(seen) = Seen::new(&places, moving.len()) else {
                     return;
                 };
@@ -175,7 +173,7 @@ impl Sides {
                     mirrored.add(seen.is_up != (bit(place) != is_right));
                 }
             };
-            point.branches(plan, parts, 0, 0, &mut follow);
+            branches.follow(&mut point, 0, 0, &mut follow);
         }
         let mirrors_elbow = mirrored.0.abs() > up.0.abs();
         let up = if mirrors_elbow { mirrored } else { up };
@@ -259,6 +257,30 @@ struct Sample {
     pose: Vec<f64>,
 }
 
+/// A program in doubles, whose constants are evaluated once.
+struct Numeric<'p> {
+    program: &'p Program,
+    constants: Vec<f64>,
+}
+
+impl<'p> Numeric<'p> {
+    fn new(program: &'p Program, point: &mut Sample) -> Self {
+        let constants = program.constants.evaluate(point);
+        Numeric { program, constants }
+    }
+
+    fn at(&self, point: &mut Sample) -> Vec<f64> {
+        self.program.evaluate_with(self.constants.clone(), point)
+    }
+}
+
+/// A plan whose branches are followed.
+struct Branches<'p> {
+    plan: &'p Plan,
+    parts: &'p [(usize, Part)],
+    equations: Numeric<'p>,
+}
+
 impl Arithmetic for Sample {
     type Number = f64;
 
@@ -300,42 +322,40 @@ impl Sample {
     }
 
     /// The pose that is to be reached becomes that of the positions.
-    fn reach(&mut self, axes: &Program) {
-        let places = axes.evaluate(self);
+    fn reach(&mut self, axes: &Numeric<'_>) {
+        let places = axes.at(self);
         let pose = &places[places.len() - 12..];
-        self.pose = [pose, &[0.0; 2 * ELBOW]].concat();
+        self.pose = pose.to_vec();
     }
+}
 
-    /// Takes the steps of a plan from one on, and hands each solution to `then` with the number of its branch.
-    fn branches(
-        &mut self,
-        plan: &Plan,
-        parts: &[(usize, Part)],
+impl Branches<'_> {
+    /// Takes the steps from one on, and hands each solution to `then` with the number of its branch.
+    fn follow(
+        &self,
+        point: &mut Sample,
         step: usize,
         index: usize,
-        then: &mut dyn FnMut(&mut Self, usize),
+        then: &mut dyn FnMut(&mut Sample, usize),
     ) {
-        let Some(&current) = plan.steps.get(step) else {
-            return then(self, index);
+        let Some(&current) = self.plan.steps.get(step) else {
+            return then(point, index);
         };
-        let outputs = plan.program.evaluate(self);
-        let coefficients = &outputs[plan.outputs_of(step)];
-        let (joint, roots) = match (current, coefficients) {
-            (Step::Direction(place), &[x, y, z, ..]) => {
-                let length = (x * x + y * y + z * z).sqrt();
-                let unit = [x, y, z].map(|number| number / length);
-                self.pose[place..place + 3].copy_from_slice(&unit);
-                return self.branches(plan, parts, step + 1, index, then);
+        let outputs = self.equations.at(point);
+        let coefficients = &outputs[self.plan.outputs_of(step)];
+        // Seven joints, which alone have directions, are not sampled.
+        let (joint, roots) = match current {
+            Step::Joint(joint, rule) => (joint, roots(rule, coefficients)),
+            Step::Direction(_) | Step::Condition => {
+                return self.follow(point, step + 1, index, then);
             }
-            (Step::Joint(joint, rule), _) => (joint, roots(rule, coefficients)),
-            _ => return self.branches(plan, parts, step + 1, index, then),
         };
-        let place = parts.iter().position(|(one, _)| *one == joint);
+        let place = self.parts.iter().position(|(one, _)| *one == joint);
         for (k, root) in roots.into_iter().enumerate() {
             if root.iter().all(|number| number.is_finite()) {
-                self.joints[joint] = root;
+                point.joints[joint] = root;
                 let bit = place.map_or(0, |place| k << place);
-                self.branches(plan, parts, step + 1, index | bit, then);
+                self.follow(point, step + 1, index | bit, then);
             }
         }
     }

@@ -14,7 +14,6 @@ mod search;
 mod view;
 mod why;
 
-pub use branch::BranchNames;
-pub use plan::{ELBOW, Plan, Rule, Step, Target};
+pub use plan::{BranchNames, ELBOW, Plan, Rule, Step, Target};
 pub use search::plan;
 pub use why::Unsolved;

@@ -1,6 +1,5 @@
 //! The way from the pose of a frame to the positions of the joints.
 
-use super::branch::BranchNames;
 use crate::function::Argument;
 use crate::program::{Operand, Program, Proven};
 use crate::robot::Symbol;
@@ -23,6 +22,15 @@ pub struct Plan {
     /// The elbow of seven joints: the line from the shoulder to the wrist, the way from it to the elbow, and the direction of
     /// axis 4. All are in the frame of the first joint before it moves, and their size stands behind them.
     pub elbow: Option<Program>,
+}
+
+/// The branches of a plan.
+#[derive(Clone, Debug, Default)]
+pub struct BranchNames {
+    /// The joints with two roots, by their numbers.
+    pub joints: Vec<usize>,
+    /// A name for each choice of roots: a joint's second root adds one bit to the index, the first joint's the least.
+    pub names: Vec<String>,
 }
 
 /// The part of a pose that an arm reaches.
@@ -116,6 +124,11 @@ impl Plan {
     /// The program of a plan that was proven, with rounded constants.
     pub fn proven(&self) -> Proven {
         Proven::rounding(self.program.clone())
+    }
+
+    /// The program of seven joints' elbow, with rounded constants.
+    pub fn proven_elbow(&self) -> Option<Proven> {
+        self.elbow.clone().map(Proven::rounding)
     }
 
     /// The place of an entry of the pose, one of the first twelve: its row and its column.

@@ -1,9 +1,8 @@
 //! The search for a plan: depth first, equations with one solution before those with two.
 
-use super::branch::BranchNames;
 use super::chain::{Link, between, chain, joints};
 use super::moves::{Move, Path};
-use super::plan::{Plan, Step, Target};
+use super::plan::{BranchNames, Plan, Step, Target};
 use super::rules::{Equation, equations};
 use super::view::{Unknown, View};
 use super::why::{Unsolved, class, is_waist};

@@ -124,7 +124,7 @@ pub struct Proven {
 
 impl Proven {
     /// A program that was proven, with its constants rounded.
-    pub fn rounding(program: Program) -> Self {
+    pub(crate) fn rounding(program: Program) -> Self {
         let constants = program.rounded_constants();
         Proven { program, constants }
     }
