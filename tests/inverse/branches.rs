@@ -263,4 +263,14 @@ fn elbow_ranges_are_complete() {
         }
     }
     assert!(inside.iter().all(|count| *count > 10_000), "{inside:?}");
+    // Ranges that are none, and some that leave a joint free.
+    let pose = Iiwa14.forward_kinematics(&SVector::from([0.4; 7]));
+    let ranges = |range| Iiwa14.elbow_ranges(&pose, &[range; 7]).to_vec();
+    assert!(ranges(Some([f64::NAN; 2])).is_empty() && ranges(Some([1.0, -1.0])).is_empty());
+    let free = Some([f64::NEG_INFINITY, f64::INFINITY]);
+    assert!(
+        [ranges(None), ranges(free)]
+            .iter()
+            .all(|all| *all == [[-PI, PI]])
+    );
 }

@@ -6,6 +6,7 @@ use core::ops::Deref;
 use nalgebra::Vector3;
 
 use super::angle::angle;
+use super::pose::{cross, dot};
 use super::roots::direction;
 use super::{Real, Solutions};
 
@@ -16,31 +17,21 @@ use super::{Real, Solutions};
 #[doc(hidden)]
 pub fn elbow_angle<T: Real>(line: Vector3<T>, elbow: Vector3<T>, axis: Vector3<T>, size: T) -> T {
     let (zero, one) = (T::from_f64(0.0), T::from_f64(1.0));
-    let (x, z) = (Vector3::new(one, zero, zero), Vector3::new(zero, zero, one));
-    let along = |v: &Vector3<T>, other: &Vector3<T>, size: T| {
-        direction(v[0], v[1], v[2], other[0], other[1], other[2], size).0
+    let (x, z) = ([one, zero, zero], [zero, zero, one]);
+    let [line, elbow, axis] = [line, elbow, axis].map(|v| v.data.0[0]);
+    let along = |[x, y, z]: [T; 3], [u, v, w]: [T; 3], size: T| {
+        direction(x, y, z, u, v, w, size).0.data.0[0]
     };
-    let across = |v: &Vector3<T>, line: &Vector3<T>| {
-        let by = v[0] * line[0] + v[1] * line[1] + v[2] * line[2];
-        Vector3::new(
-            v[0] - line[0] * by,
-            v[1] - line[1] * by,
-            v[2] - line[2] * by,
-        )
+    let across = |v: [T; 3], line: &[T; 3]| {
+        let by = dot(&v, line);
+        core::array::from_fn(|i| v[i] - line[i] * by)
     };
-    let line = along(&line, &z, size);
-    let start = across(&along(&across(&z, &line), &across(&x, &line), one), &line);
+    let line = along(line, z, size);
+    let start = across(along(across(z, &line), across(x, &line), one), &line);
     let beside = cross(&axis, &line);
-    let elbow = across(&along(&across(&elbow, &line), &beside, size), &line);
-    let cosine = start[0] * elbow[0] + start[1] * elbow[1] + start[2] * elbow[2];
-    let normal = cross(&start, &elbow);
-    let sine = line[0] * normal[0] + line[1] * normal[1] + line[2] * normal[2];
+    let elbow = across(along(across(elbow, &line), beside, size), &line);
+    let (cosine, sine) = (dot(&start, &elbow), dot(&line, &cross(&start, &elbow)));
     T::from_f64(angle(sine.into(), cosine.into()))
-}
-
-fn cross<T: Real>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
-    let entry = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
-    Vector3::new(entry(1, 2), entry(2, 0), entry(0, 1))
 }
 
 /// Ranges have room for so many. Each of six joints meets each of its two limits at two angles of the elbow at most, for both
@@ -108,6 +99,8 @@ fn margin<T: Real, const N: usize>(
             let way = way - TAU * libm::rint(way / TAU);
             (upper - lower) / 2.0 - way.abs()
         }
+        // No position is within a range that is none.
+        Some([lower, upper]) if (upper - lower).is_nan() => f64::NEG_INFINITY,
         _ => TAU,
     };
     let of_solution = |q: &[T; N]| limits.iter().zip(q).map(of_joint).fold(TAU, f64::min);

@@ -50,7 +50,7 @@ impl<T: Real, const N: usize> Solutions<T, N> {
     ///
     /// # Errors
     ///
-    /// The joint that moves farthest, if it moves by more; it is 2 pi or less from the position before.
+    /// [`BranchEnds`] with the joint that moves farthest, if it moves by more than `most`, or if there is no solution.
     pub fn follow(&self, last: &SVector<T, N>, most: T) -> Result<&Solution<T, N>, BranchEnds> {
         let ends = |joint, way: T| BranchEnds {
             joint,

@@ -104,12 +104,12 @@ fn misses<T: Real>(columns: &[[T; 3]; 3]) -> [[T; 3]; 3] {
 }
 
 #[inline]
-fn dot<T: Real>(a: &[T; 3], b: &[T; 3]) -> T {
+pub(super) fn dot<T: Real>(a: &[T; 3], b: &[T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[inline]
-fn cross<T: Real>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+pub(super) fn cross<T: Real>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     let of = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
     [of(1, 2), of(2, 0), of(0, 1)]
 }
