@@ -1,11 +1,13 @@
 //! Inverse kinematics in closed form.
 
 use dynamics_evaluation::dynamics_runtime::closed_form::NoSolution;
+use dynamics_evaluation::dynamics_runtime::internal;
 use dynamics_evaluation::dynamics_runtime::nalgebra::Matrix4;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::ready::require_values;
 use crate::robot::Arm;
 
 /// The closed form of a robot, for its tip or a frame.
@@ -43,8 +45,11 @@ impl ClosedForm {
     ) -> PyResult<Vec<Solved<'py>>> {
         let (poses, elbows) = (poses.as_slice()?, elbows.as_slice()?);
         let (form, joints) = (&self.0, self.0.joints());
-        let solved = poses.chunks_exact(16).zip(elbows).map(|(pose, elbow)| {
-            let found = form.solutions(&Matrix4::from_row_slice(pose), Some(*elbow));
+        let solve = |(pose, elbow): (&[f64], &f64)| {
+            form.solutions(&Matrix4::from_row_slice(pose), Some(*elbow))
+        };
+        let all: Vec<_> = py.detach(|| poses.chunks_exact(16).zip(elbows).map(solve).collect());
+        let solved = all.into_iter().map(|found| {
             let (found, reason) = match found {
                 Ok(found) => (found, None),
                 Err(NoSolution::OutOfReach) => (Vec::new(), Some("out of reach")),
@@ -77,8 +82,16 @@ impl Arm {
     #[pyo3(signature = (frame=None))]
     fn closed_form(&self, py: Python<'_>, frame: Option<&str>) -> PyResult<ClosedForm> {
         let robot = self.with_functions(py, Vec::new())?;
+        require_values(robot.field_names(), robot.fields())?;
         let form = py.detach(|| robot.closed_form(frame));
         form.map(ClosedForm)
             .map_err(|error| PyValueError::new_err(error.to_string()))
     }
+}
+
+/// The position that is whole turns away from q and nearest to another one, in a range if one of them is.
+#[pyfunction]
+#[pyo3(signature = (q, near, range=None))]
+pub(crate) fn nearest_turn(q: f64, near: f64, range: Option<[f64; 2]>) -> f64 {
+    internal::nearest_turn(q, near, range)
 }

@@ -27,7 +27,7 @@ use pyo3::prelude::*;
 #[pymodule(gil_used = false)]
 mod _native {
     #[pymodule_export]
-    use super::closed_form::ClosedForm;
+    use super::closed_form::{ClosedForm, nearest_turn};
     #[pymodule_export]
     use super::function::Function;
     #[pymodule_export]

@@ -137,6 +137,16 @@ def test_lines_are_followed(iiwa: rd.Robot) -> None:
     assert 0.01 < np.abs(last - q).max() < 1
 
 
+def test_fields_need_values() -> None:
+    table = PUMA.replace("a = 0.4318", 'a = "reach"')
+    arm = rd.Robot.from_toml(table, functions=["forward_kinematics"])
+    with pytest.raises(ValueError, match="field `reach` has no value"):
+        arm.inverse_kinematics(np.eye(4))
+    long = arm.with_fields(reach=0.5)
+    found = long.inverse_kinematics(long.forward_kinematics(Q))
+    assert np.abs(found - Q).max(axis=1).min() < 1e-12
+
+
 def test_arms_without_a_closed_form_say_why(puma: rd.Robot) -> None:
     # A step between two axes of the wrist.
     table = PUMA.replace('alpha = "-PI/2" },\n    { name = "q6"', 'a = 0.01, alpha = "-PI/2" },\n    { name = "q6"')

@@ -13,7 +13,6 @@ from . import _native
 from ._motion import numbers, vector
 
 Floats = NDArray[np.float64]
-_TURN = 2.0 * math.pi
 
 
 class BranchEnds(ValueError):
@@ -152,16 +151,7 @@ class Solutions(np.ndarray[Any, np.dtype[np.float64]]):
 
 def _turned(turns: bool, q: float, near: float, pair: tuple[float, float] | None) -> float:
     """The position that is whole turns away from q and nearest to another one, in the range if one of them is."""
-    if not turns:
-        return q
-    if not math.isfinite(near):
-        return math.nan
-    turned = q + float(round((near - q) / _TURN)) * _TURN
-    if pair and turned < pair[0]:
-        return turned + math.ceil((pair[0] - turned) / _TURN) * _TURN
-    if pair and turned > pair[1]:
-        return turned - math.ceil((turned - pair[1]) / _TURN) * _TURN
-    return turned
+    return _native.nearest_turn(q, near, pair) if turns else q
 
 
 class ClosedForms:

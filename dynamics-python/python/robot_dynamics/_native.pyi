@@ -6,7 +6,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Arm", "ClosedForm", "Function", "require_unmasked", "text_of"]
+__all__ = ["Arm", "ClosedForm", "Function", "nearest_turn", "require_unmasked", "text_of"]
 
 def text_of(path: str | PathLike[str]) -> str: ...
 def require_unmasked(name: str, given: object, axes: int) -> None: ...
@@ -37,6 +37,7 @@ class Function:
     @property
     def __signature__(self) -> Signature: ...
 
+def nearest_turn(q: float, near: float, range: tuple[float, float] | None = None) -> float: ...
 @final
 class ClosedForm:
     @property
