@@ -1,24 +1,54 @@
 //! Arguments: arrays of any shape, strides and kind of numbers, read as rows of doubles.
 
+use std::borrow::Cow;
+
 use dynamics_simulation::simulation::InvalidSetting;
 use numpy::{
-    PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods,
+    Element, PyArray1, PyArray2, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods,
+    PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyFloat, PyInt, PyList};
 
 use crate::mask::require_unmasked;
 use crate::pose::pose_of;
 
-/// An argument of a function.
+/// An argument of a function, or a field that a call has a value of.
+#[derive(Clone)]
 pub(crate) struct Argument {
-    pub(crate) name: &'static str,
+    pub(crate) name: Cow<'static, str>,
     /// How many numbers a state has.
     pub(crate) entries: usize,
     /// The axes of a state: one, or two of a pose.
     axes: Vec<usize>,
 }
+
+/// The numbers of an argument, as far as a call of one state has to know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Double,
+    Single,
+    /// Integers, and numbers in lists.
+    Written,
+}
+
+/// A number of an array, which is read as a double.
+trait Number: Element + Copy {
+    fn double(self) -> f64;
+}
+
+macro_rules! numbers {
+    ($($kind:ty)*) => {
+        $(impl Number for $kind {
+            #[inline(always)]
+            fn double(self) -> f64 {
+                self as f64
+            }
+        })*
+    };
+}
+numbers!(f64 f32 i64 i32);
 
 /// The name of the pose of a base that moves.
 const BASE: &str = "base";
@@ -41,14 +71,37 @@ impl Argument {
             _ => vec![entries],
         };
         Argument {
-            name: name_of(name, moves),
+            name: name_of(name, moves).into(),
             entries,
             axes,
         }
     }
 
-    pub(crate) fn is_pose(&self) -> bool {
+    /// A field of that name.
+    pub(crate) fn field(name: &str) -> Self {
+        Argument {
+            name: name.to_owned().into(),
+            entries: 1,
+            axes: Vec::new(),
+        }
+    }
+
+    fn is_pose(&self) -> bool {
         self.name == BASE
+    }
+
+    /// Reads one state, of an array of numpy or a list of numbers; `None` of what numpy has to convert.
+    #[inline]
+    pub(crate) fn read(&self, given: &Bound<'_, PyAny>, to: &mut [f64]) -> PyResult<Option<Kind>> {
+        if !self.is_pose() {
+            return Ok(vector(given, to));
+        }
+        let mut matrix = [0.0; 16];
+        let kind = matrix_of(given, &mut matrix);
+        if kind.is_some() {
+            to.copy_from_slice(&entries_of_pose(&matrix)?);
+        }
+        Ok(kind)
     }
 
     pub(crate) fn shape(&self) -> String {
@@ -71,7 +124,7 @@ impl<'a, 'py> Given<'a, 'py> {
             Ok(array) => array.clone(),
             Err(_) => as_array(argument, given)?,
         };
-        require_unmasked(argument.name, given, array.ndim())?;
+        require_unmasked(&argument.name, given, array.ndim())?;
         let kind = array.dtype();
         let is_real = match kind.kind() {
             b'i' | b'u' => true,
@@ -100,14 +153,14 @@ impl<'a, 'py> Given<'a, 'py> {
         })
     }
 
-    pub(crate) fn name(&self) -> &'static str {
-        self.argument.name
+    pub(crate) fn name(&self) -> &'a str {
+        &self.argument.name
     }
 
-    /// Whether the numbers are doubles.
-    pub(crate) fn is_double(&self) -> bool {
+    /// Whether the numbers are floating-point ones of so many bytes.
+    pub(crate) fn is_float(&self, bytes: usize) -> bool {
         let kind = self.array.dtype();
-        kind.kind() == b'f' && kind.itemsize() == 8
+        kind.kind() == b'f' && kind.itemsize() == bytes
     }
 
     pub(crate) fn array(&self) -> &Bound<'py, PyUntypedArray> {
@@ -115,42 +168,172 @@ impl<'a, 'py> Given<'a, 'py> {
     }
 
     /// The numbers of all states, one state after the other in memory.
-    pub(crate) fn rows(&self, lead: &[usize]) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        if !self.argument.is_pose()
-            && self.lead == lead
-            && let Ok(array) = self.array.cast::<PyArrayDyn<f64>>()
-            && array.is_c_contiguous()
-            && array.is_aligned()
-        {
-            return Ok(array.clone());
-        }
-        let py = self.array.py();
-        let numpy = py.import("numpy")?;
-        let numbers = numpy.call_method1("asarray", (&self.array, "float64"))?;
-        let numbers = match self.argument.is_pose() {
-            true => entries_of_poses(&numpy, &numbers, &self.lead)?,
-            false => numbers,
+    pub(crate) fn rows(&self, lead: &[usize]) -> PyResult<Rows<'py>> {
+        let own = self.numbers()?;
+        let own = match self.argument.is_pose() {
+            true => {
+                let (poses, _) = own.as_slice()?.as_chunks();
+                let entries = poses.iter().map(entries_of_pose);
+                Rows::Own(entries.collect::<PyResult<Vec<_>>>()?.concat())
+            }
+            false => own,
         };
-        let mut shape = lead.to_vec();
-        shape.push(self.argument.entries);
-        let shape = PyTuple::new(py, shape)?;
-        let all = numpy.call_method1("broadcast_to", (numbers, shape))?;
-        slice_of(&numpy, &all)
+        if self.lead == lead {
+            return Ok(own);
+        }
+        let states: usize = lead.iter().product();
+        let mut all = Vec::with_capacity(states * self.argument.entries);
+        let axes = [&vec![1; lead.len() - self.lead.len()], &self.lead[..]].concat();
+        repeat(own.as_slice()?, &axes, lead, &mut all);
+        Ok(Rows::Own(all))
+    }
+
+    /// The numbers of the argument's own states.
+    fn numbers(&self) -> PyResult<Rows<'py>> {
+        if let Some(rows) = in_order(&self.array)? {
+            return Ok(rows);
+        }
+        let numpy = self.array.py().import("numpy")?;
+        let array = numpy.call_method1("ascontiguousarray", (&self.array, "float64"))?;
+        // Doubles that are not aligned are those that were given. A copy is aligned.
+        let array = numpy.call_method1("array", (array,))?.cast_into()?;
+        in_order(&array)?.ok_or_else(|| PyTypeError::new_err("numpy made no array of float64"))
     }
 }
 
-/// The doubles of an array as a slice of Rust has them: one after the other, and aligned.
-fn slice_of<'py>(
-    numpy: &Bound<'py, PyModule>,
-    array: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-    // An array of no axes but one stays one: `ascontiguousarray` is of one axis at least.
-    let array = numpy.call_method1("ascontiguousarray", (array,))?;
-    let array: Bound<'py, PyArrayDyn<f64>> = array.cast_into()?;
-    match array.is_aligned() {
-        true => Ok(array),
-        // A copy is.
-        false => Ok(array.call_method0("copy")?.cast_into()?),
+/// The numbers of an argument, one state after the other in memory.
+pub(crate) enum Rows<'py> {
+    /// Those of the caller's array.
+    Given(PyReadonlyArrayDyn<'py, f64>),
+    Own(Vec<f64>),
+}
+
+impl Rows<'_> {
+    pub(crate) fn as_slice(&self) -> PyResult<&[f64]> {
+        match self {
+            Rows::Given(array) => Ok(array.as_slice()?),
+            Rows::Own(numbers) => Ok(numbers),
+        }
+    }
+
+    /// Whether they share memory with an array of numbers one after the other, whatever objects own it: addresses decide.
+    pub(crate) fn overlap(&self, other: &Bound<'_, PyArrayDyn<f64>>) -> bool {
+        let Rows::Given(array) = self else {
+            return false;
+        };
+        let [(a, a_end), (b, b_end)] = [array, other].map(|array| {
+            let first = array.data().addr();
+            (first, first + size_of::<f64>() * array.len())
+        });
+        a < b_end && b < a_end
+    }
+}
+
+/// The numbers of an array that lie one after the other; `None` of another array, or of other numbers than are read here.
+fn in_order<'py>(array: &Bound<'py, PyUntypedArray>) -> PyResult<Option<Rows<'py>>> {
+    if !(array.is_c_contiguous() && array.is_aligned()) {
+        return Ok(None);
+    }
+    if let Ok(doubles) = array.cast::<PyArrayDyn<f64>>() {
+        return Ok(Some(Rows::Given(doubles.try_readonly()?)));
+    }
+    fn converted<T: Number>(array: &Bound<'_, PyUntypedArray>) -> PyResult<Option<Vec<f64>>> {
+        let Ok(array) = array.cast::<PyArrayDyn<T>>() else {
+            return Ok(None);
+        };
+        let numbers = array.try_readonly()?;
+        let numbers = numbers.as_slice()?.iter();
+        Ok(Some(numbers.map(|x| x.double()).collect()))
+    }
+    let mut found = converted::<f32>(array)?;
+    for convert in [converted::<i64>, converted::<i32>] {
+        if found.is_none() {
+            found = convert(array)?;
+        }
+    }
+    Ok(found.map(Rows::Own))
+}
+
+/// Writes the rows of states, whose leading axes are as many as all have, once for each of all.
+fn repeat(rows: &[f64], own: &[usize], lead: &[usize], to: &mut Vec<f64>) {
+    match (own, lead) {
+        ([axis, own @ ..], [count, lead @ ..]) if !rows.is_empty() => {
+            let part = rows.len() / axis;
+            for k in 0..*count {
+                let first = if *axis == 1 { 0 } else { k * part };
+                repeat(&rows[first..first + part], own, lead, to);
+            }
+        }
+        _ => to.extend_from_slice(rows),
+    }
+}
+
+/// Whether numpy need not be asked about an array: it is no other class, and its numbers are aligned.
+fn is_plain(array: &Bound<'_, PyUntypedArray>) -> bool {
+    array.is_exact_instance_of::<PyUntypedArray>() && array.is_aligned()
+}
+
+/// Reads a vector, of an array of numpy or a list.
+#[inline]
+fn vector(given: &Bound<'_, PyAny>, to: &mut [f64]) -> Option<Kind> {
+    #[inline]
+    fn array<T: Number>(given: &Bound<'_, PyAny>, to: &mut [f64]) -> Option<()> {
+        let array = given.cast::<PyArray1<T>>().ok()?;
+        if array.len() != to.len() || !is_plain(array.as_untyped()) {
+            return None;
+        }
+        for (k, x) in to.iter_mut().enumerate() {
+            *x = array.get_owned([k])?.double();
+        }
+        Some(())
+    }
+    if array::<f64>(given, to).is_some() {
+        return Some(Kind::Double);
+    }
+    if array::<f32>(given, to).is_some() {
+        return Some(Kind::Single);
+    }
+    let whole = array::<i64>(given, to).or_else(|| array::<i32>(given, to));
+    whole.or_else(|| listed(given, to)).map(|()| Kind::Written)
+}
+
+/// Reads a list of numbers of Python.
+fn listed(given: &Bound<'_, PyAny>, to: &mut [f64]) -> Option<()> {
+    let list = given.cast_exact::<PyList>().ok()?;
+    if list.len() != to.len() {
+        return None;
+    }
+    for (x, one) in to.iter_mut().zip(list) {
+        *x = match one.cast::<PyFloat>() {
+            Ok(number) => number.value(),
+            Err(_) => one
+                .cast_exact::<PyInt>()
+                .ok()?
+                .extract::<i64>()
+                .ok()?
+                .double(),
+        };
+    }
+    Some(())
+}
+
+/// Reads a matrix by rows, of an array of numpy.
+#[inline]
+fn matrix_of(given: &Bound<'_, PyAny>, to: &mut [f64; 16]) -> Option<Kind> {
+    #[inline]
+    fn array<T: Number>(given: &Bound<'_, PyAny>, to: &mut [f64; 16]) -> Option<()> {
+        let array = given.cast::<PyArray2<T>>().ok()?;
+        if array.shape() != [4, 4] || !is_plain(array.as_untyped()) {
+            return None;
+        }
+        for (k, x) in to.iter_mut().enumerate() {
+            *x = array.get_owned([k / 4, k % 4])?.double();
+        }
+        Some(())
+    }
+    match array::<f64>(given, to) {
+        Some(()) => Some(Kind::Double),
+        None => array::<f32>(given, to).map(|()| Kind::Single),
     }
 }
 
@@ -186,36 +369,16 @@ pub(crate) fn require_transform(name: &str, matrix: &[f64]) -> PyResult<()> {
     )))
 }
 
-/// Refuses a pose whose rotation is none, as a simulation does. NaN may stand for a pose that is unknown.
-fn require_rotation(matrix: &[f64]) -> PyResult<()> {
-    let is_unknown = matrix.iter().any(|x| x.is_nan());
-    if is_unknown || pose_of(matrix).has_rotation() {
-        return Ok(());
+/// A homogeneous matrix as twelve numbers: the rotation by rows, then the position. Refuses a rotation that is none, as a
+/// simulation does. NaN may stand for a pose that is unknown.
+fn entries_of_pose(matrix: &[f64; 16]) -> PyResult<[f64; 12]> {
+    require_transform(BASE, matrix)?;
+    let pose = pose_of(matrix);
+    if !pose.has_rotation() && !matrix.iter().any(|x| x.is_nan()) {
+        let message = InvalidSetting::Rotation.to_string();
+        return Err(PyValueError::new_err(message));
     }
-    let message = InvalidSetting::Rotation.to_string();
-    Err(PyValueError::new_err(message))
-}
-
-/// Homogeneous matrices as twelve numbers each: the rotation by rows, then the position.
-fn entries_of_poses<'py>(
-    numpy: &Bound<'py, PyModule>,
-    poses: &Bound<'py, PyAny>,
-    lead: &[usize],
-) -> PyResult<Bound<'py, PyAny>> {
-    let py = poses.py();
-    let shape = |entries: usize| {
-        let mut shape = lead.to_vec();
-        shape.push(entries);
-        PyTuple::new(py, shape)
-    };
-    let flat = poses.call_method1("reshape", (shape(16)?,))?;
-    let numbers = slice_of(numpy, &flat)?;
-    for pose in numbers.try_readonly()?.as_slice()?.chunks_exact(16) {
-        require_transform(BASE, pose)?;
-        require_rotation(pose)?;
-    }
-    let places = [0, 1, 2, 4, 5, 6, 8, 9, 10, 3, 7, 11];
-    numpy.call_method1("take", (flat, places.to_vec(), -1))
+    Ok(pose.entries().into())
 }
 
 /// The axes that all leading axes are broadcast to, as numpy does.

@@ -1,20 +1,18 @@
 //! A call: of one state without detours, of many with all that numpy allows.
 
 use std::iter;
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use std::thread;
 
 use dynamics_evaluation::EvaluationError;
-use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::arguments::{Given, broadcast};
+use crate::arguments::{Argument, Given, Kind, Rows, broadcast};
 use crate::errors;
-use crate::ready::{MOST_ARGUMENTS, Ready, SHORT};
-use crate::results::{Out, Results, array};
-use dynamics_evaluation::Arrangement;
+use crate::ready::{MOST_ARGUMENTS, Ready, SHORT, require_values};
+use crate::results::{Out, Results, value};
 
 /// From so many states on other threads of Python run meanwhile.
 const DETACHED: usize = 16;
@@ -23,44 +21,44 @@ const DETACHED: usize = 16;
 static PROCESSORS: LazyLock<usize> =
     LazyLock::new(|| thread::available_parallelism().map_or(1, usize::from));
 
-/// The value at one state, whose arguments are plain vectors of aligned doubles; `None` of others.
+/// The value at one state, whose arguments are plain vectors, lists or poses; `None` of others.
 pub(crate) fn of_one_state<'py>(
     py: Python<'py>,
     ready: &Ready,
     arguments: &Bound<'py, PyTuple>,
 ) -> PyResult<Option<Bound<'py, PyAny>>> {
-    let Arrangement::Array(axes) = &ready.arrangement else {
-        return Ok(None);
-    };
-    if arguments.len() != ready.arguments.len() || !ready.is_short {
+    let count = ready.arguments.len();
+    if arguments.len() != count || count > MOST_ARGUMENTS || !ready.is_complete {
         return Ok(None);
     }
-    let mut numbers = [0.0; SHORT];
-    let mut rest = numbers.as_mut_slice();
+    let (mut few, mut many) = ([0.0; SHORT], Vec::new());
+    let (numbers, results) = ready.room(&mut few, &mut many);
+    let mut rest = numbers;
     let mut slices: [&[f64]; MOST_ARGUMENTS] = [&[]; MOST_ARGUMENTS];
+    let (mut kinds, mut positions) = ([Kind::Single; MOST_ARGUMENTS], None);
     for (i, argument) in ready.arguments.iter().enumerate() {
+        let (own, others) = rest.split_at_mut(argument.entries);
         let given = arguments.get_borrowed_item(i)?;
-        let Ok(given) = given.cast::<PyArray1<f64>>() else {
+        let Some(kind) = argument.read(&given, own)? else {
             return Ok(None);
         };
-        let is_plain = given.is_exact_instance_of::<PyUntypedArray>() && given.is_aligned();
-        if given.len() != argument.entries || argument.is_pose() || !is_plain {
-            return Ok(None);
+        (kinds[i], slices[i], rest) = (kind, own, others);
+        if kind != Kind::Double && argument.name == "q" {
+            positions = Some(i);
         }
-        let (own, others) = rest.split_at_mut(argument.entries);
-        for (k, number) in own.iter_mut().enumerate() {
-            *number = given.get_owned([k]).unwrap_or(f64::NAN);
-        }
-        (slices[i], rest) = (own, others);
     }
-    let mut room = [0.0; SHORT];
-    let results = &mut room[..ready.entries];
-    let evaluated =
-        ready
-            .arm
-            .evaluate_by_rows(&ready.name, &slices[..ready.arguments.len()], results);
+    if let Some(q) = positions {
+        errors::warn_of_degrees(py, ready.arm.robot(), slices[q], 1)?;
+    }
+    let evaluated = ready
+        .arm
+        .evaluate_by_rows(&ready.name, &slices[..count], results);
     evaluated.map_err(|error| raised(py, &error, &[]))?;
-    array(py, axes, results).map(Some)
+    if count > 0 && kinds == [Kind::Single; MOST_ARGUMENTS] {
+        let singles: Vec<f32> = results.iter().map(|x| *x as f32).collect();
+        return value(py, &ready.arrangement, &mut &singles[..]).map(Some);
+    }
+    value(py, &ready.arrangement, &mut &*results).map(Some)
 }
 
 /// The exception of an error at a state, by its index along the leading axes.
@@ -86,6 +84,8 @@ pub(crate) fn raised(py: Python<'_>, error: &EvaluationError, lead: &[usize]) ->
 
 /// Settings of a call.
 struct Settings<'py> {
+    /// Fields by their places, with values.
+    fields: Vec<(usize, Bound<'py, PyAny>)>,
     out: Option<Bound<'py, PyAny>>,
     threads: usize,
     nan: bool,
@@ -104,50 +104,40 @@ pub(crate) fn of_many<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let (values, settings) = sorted(ready, arguments, keywords)?;
     let pairs = ready.arguments.iter().zip(&values);
+    let fields = settings.fields.iter();
+    let fields = fields.map(|(place, value)| (&ready.fields[*place], value));
     let given: Vec<Given<'_, 'py>> = pairs
+        .chain(fields)
         .map(|(argument, value)| Given::new(argument, value))
         .collect::<PyResult<_>>()?;
     let lead = broadcast(&given)?;
-    if lead.is_empty() {
-        warn_of_degrees(py, ready, &given)?;
-    }
     let rows = given.iter().map(|one| one.rows(&lead));
     let rows: Vec<_> = rows.collect::<PyResult<_>>()?;
-    let locks: Vec<_> = rows
-        .iter()
-        .map(|rows| rows.try_readonly())
-        .collect::<Result<_, _>>()?;
-    let slices: Vec<&[f64]> = locks
-        .iter()
-        .map(|lock| lock.as_slice())
-        .collect::<Result<_, _>>()?;
+    let slices: Vec<&[f64]> = rows.iter().map(Rows::as_slice).collect::<PyResult<_>>()?;
+    let q = ready.arguments.iter().position(|of| of.name == "q");
+    if let (Some(q), true) = (q, lead.is_empty()) {
+        errors::warn_of_degrees(py, ready.arm.robot(), slices[q], 1)?;
+    }
     let is_single = is_single(py, &given)?;
+    let places: Vec<usize> = settings.fields.iter().map(|(place, _)| *place).collect();
+    let (slices, fields) = slices.split_at(ready.arguments.len());
+    let evaluate = WithFields::new(ready, places, fields, evaluate)?;
     let out = Out::new(ready, &lead, is_single, settings.out)?;
     let mut results = Results::new(py, ready, &lead, out, &rows)?;
     let (threads, states) = (settings.threads, lead.iter().product());
     let failed = results.fill(|numbers| {
         if states < DETACHED {
-            return evaluate(ready, &slices, numbers, states, 1);
+            return evaluate.at(slices, numbers, states, 1);
         }
-        py.detach(|| evaluate(ready, &slices, numbers, states, threads))
+        py.detach(|| evaluate.at(slices, numbers, states, threads))
     })?;
     match failed {
         Err(EvaluationError::Singular { .. }) if settings.nan => {}
         Err(error) => return Err(raised(py, &error, &lead)),
         Ok(()) => {}
     }
-    drop(locks);
+    drop(rows);
     results.finish(py, ready, &lead, is_single)
-}
-
-/// A `UserWarning` if positions of joints were perhaps meant in degrees.
-fn warn_of_degrees(py: Python<'_>, ready: &Ready, given: &[Given<'_, '_>]) -> PyResult<()> {
-    let mut pairs = ready.arguments.iter().zip(given);
-    let Some((_, q)) = pairs.find(|(argument, _)| argument.name == "q") else {
-        return Ok(());
-    };
-    let positions = q.array().call_method0("ravel")?.extract::<Vec<f64>>()?;
-    errors::warn_of_degrees(py, ready.arm.robot(), &positions, 1)
 }
 
 /// The arguments in their order, and the settings.
@@ -167,6 +157,7 @@ fn sorted<'py>(
     }
     places.resize(count, None);
     let mut settings = Settings {
+        fields: Vec::new(),
         out: None,
         threads: 1,
         nan: false,
@@ -178,14 +169,16 @@ fn sorted<'py>(
             "threads" => settings.threads = threads(&value)?,
             "on_singular" => settings.nan = is_nan(&value)?,
             name => {
-                let place = ready.arguments.iter().position(|of| of.name == name);
-                match place {
-                    Some(place) if places[place].is_none() => places[place] = Some(value),
-                    Some(_) => {
+                let of_name = |of: &Argument| of.name == name;
+                let place = ready.arguments.iter().position(of_name);
+                match (place, ready.fields.iter().position(of_name)) {
+                    (Some(place), _) if places[place].is_none() => places[place] = Some(value),
+                    (Some(_), _) => {
                         let message = format!("{}: `{name}` is given twice", ready.signature());
                         return Err(PyTypeError::new_err(message));
                     }
-                    None => {
+                    (None, Some(field)) => settings.fields.push((field, value)),
+                    (None, None) => {
                         let message = format!("{} has no argument `{name}`", ready.signature());
                         return Err(PyTypeError::new_err(message));
                     }
@@ -223,10 +216,70 @@ fn is_nan(value: &Bound<'_, PyAny>) -> PyResult<bool> {
     }
 }
 
+/// An evaluation with values of fields that a call gives, each for all states.
+struct WithFields<'a> {
+    ready: &'a Ready,
+    places: Vec<usize>,
+    values: &'a [&'a [f64]],
+    evaluate: Evaluation,
+}
+
+impl<'a> WithFields<'a> {
+    /// `ValueError` of fields without a value.
+    fn new(
+        ready: &'a Ready,
+        places: Vec<usize>,
+        values: &'a [&'a [f64]],
+        evaluate: Evaluation,
+    ) -> PyResult<Self> {
+        let mut known = ready.arm.fields().to_vec();
+        places.iter().for_each(|place| known[*place] = 0.0);
+        require_values(ready.arm.field_names(), &known)?;
+        Ok(WithFields {
+            ready,
+            places,
+            values,
+            evaluate,
+        })
+    }
+
+    /// The values at all states. States one after the other that have the same fields are evaluated together.
+    fn at(
+        &self,
+        arguments: &[&[f64]],
+        results: &mut [f64],
+        states: usize,
+        threads: usize,
+    ) -> Result<(), EvaluationError> {
+        if self.places.is_empty() {
+            return (self.evaluate)(self.ready, arguments, results, states, threads);
+        }
+        let mut ready = self.ready.clone();
+        let mut fields = ready.arm.fields().to_vec();
+        let (mut first, mut ended) = (0, Ok(()));
+        let same = |one: usize, other: usize| self.values.iter().all(|of| of[one] == of[other]);
+        while first < states {
+            let alike = (first + 1..states).take_while(|state| same(first, *state));
+            let count = 1 + alike.count();
+            for (place, values) in self.places.iter().zip(self.values) {
+                fields[*place] = values[first];
+            }
+            Arc::make_mut(&mut ready.arm).set_fields(&fields)?;
+            let parts = rows_of(&ready, arguments, first, count);
+            let results = &mut results[first * ready.entries..(first + count) * ready.entries];
+            let found = (self.evaluate)(&ready, &parts, results, count, threads);
+            ended = ended.and(found.map_err(|error| later(error, first)));
+            first += count;
+        }
+        ended
+    }
+}
+
 /// Whether numpy would have the result in single precision.
 fn is_single(py: Python<'_>, given: &[Given<'_, '_>]) -> PyResult<bool> {
-    if given.is_empty() || given.iter().any(Given::is_double) {
-        return Ok(false);
+    let singles = given.iter().filter(|one| one.is_float(4)).count();
+    if singles == 0 || singles == given.len() || given.iter().any(|one| one.is_float(8)) {
+        return Ok(singles > 0 && singles == given.len());
     }
     let arrays = PyTuple::new(py, given.iter().map(Given::array))?;
     let kind = py.import("numpy")?.getattr("result_type")?.call1(arrays)?;
@@ -348,7 +401,7 @@ fn later(error: EvaluationError, before: usize) -> EvaluationError {
             joint,
             error,
         } => EvaluationError::Singular {
-            state: state.map(|state| state + before),
+            state: Some(state.unwrap_or(0) + before),
             joint,
             error,
         },

@@ -14,12 +14,13 @@ use crate::arguments::{Argument, UNKNOWN, shape};
 const SETTINGS: &str = "\
 out: an array of numpy, which takes the value; it may be an argument, or share its memory
 threads: how many threads share the states, at most as many as there are processors, 1 where nothing is said
-on_singular: \"raise\" raises `SingularMassMatrix` where M(q) is singular, \"nan\" gives NaN at these states";
+on_singular: \"raise\" raises `SingularMassMatrix` where M(q) is singular, \"nan\" gives NaN at these states
+a field, by its name: a value, or an array with a value for each state, in place of the robot's own";
 
 /// The text that `help` shows of a function. Nothing is derived for it.
 pub(crate) fn documentation(robot: &Robot, request: &Request) -> String {
     let arguments = arguments(robot, request);
-    let names = arguments.iter().map(|of| of.name);
+    let names = arguments.iter().map(|of| &*of.name);
     let settings = "*, out=None, threads=None, on_singular=\"raise\"";
     let call: Vec<_> = names.chain([settings]).collect();
     let mut lines = vec![
@@ -64,7 +65,7 @@ pub(crate) fn signature<'py>(
     let parameter = inspect.getattr("Parameter")?;
     let arguments = arguments(robot, request).into_iter().map(|argument| {
         let kind = parameter.getattr("POSITIONAL_OR_KEYWORD")?;
-        parameter.call1((argument.name, kind))
+        parameter.call1((&*argument.name, kind))
     });
     let settings = [
         ("out", None),

@@ -98,9 +98,9 @@ impl Function {
 
     /// The names of the arguments.
     #[getter]
-    fn arguments(&self) -> Vec<&'static str> {
+    fn arguments(&self) -> Vec<String> {
         let arguments = documentation::arguments(&self.description.robot, &self.request());
-        arguments.iter().map(|of| of.name).collect()
+        arguments.iter().map(|of| of.name.to_string()).collect()
     }
 
     fn __repr__(&self) -> String {

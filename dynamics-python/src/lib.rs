@@ -26,6 +26,11 @@ use pyo3::prelude::*;
 /// The native module that the Python modules of the package build on.
 #[pymodule(gil_used = false)]
 mod _native {
+    /// The version of the package.
+    #[allow(non_upper_case_globals)] // It is the name that Python's packages have for it.
+    #[pymodule_export]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+
     #[pymodule_export]
     use super::closed_form::{ClosedForm, nearest_turn};
     #[pymodule_export]

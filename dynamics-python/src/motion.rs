@@ -263,7 +263,7 @@ impl Motion {
     }
 }
 
-/// The calls of the package from this one out to the user's of `Robot.simulate` and `Robot.reach`.
+/// The calls of the package from this one out to the user's of `Robot.simulate`; one more to that of `Robot.reach`.
 pub(crate) const CALLS_TO_MOVE: i32 = 3;
 
 #[pymethods]

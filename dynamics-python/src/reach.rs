@@ -16,9 +16,8 @@ use crate::robot::Arm;
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Asked {
-    /// Frames by their names, none for the tip, each with the numbers of its target: a position, an axis and its direction, a
-    /// rotation or a pose, by rows.
-    targets: Vec<(Option<String>, Vec<f64>)>,
+    /// Frames by their names, none for the tip, each with its target.
+    targets: Vec<(Option<String>, Vec<f64>, Option<[f64; 3]>, [f64; 2])>,
     start: Vec<f64>,
     posture: Option<Vec<f64>>,
     tolerance: [f64; 2],
@@ -35,21 +34,31 @@ type Found = (Vec<f64>, f64, f64);
 /// Why there are none, and whether something else was requested than targets can be.
 type Failed = (String, bool);
 
-/// The target that so many numbers say.
-fn target(numbers: &[f64]) -> PyResult<Target> {
+/// The target that so many numbers say: a position, an axis and its direction, a rotation or a pose, by rows; with a
+/// position besides, and with weights.
+fn target(
+    numbers: &[f64],
+    position: Option<[f64; 3]>,
+    [of_position, of_rotation]: [f64; 2],
+) -> PyResult<Target> {
     let vector = |first: usize| Vector3::from_column_slice(&numbers[first..first + 3]);
     let rotation = |width: usize| Matrix3::from_fn(|i, j| numbers[width * i + j]);
-    match numbers.len() {
-        3 => Ok(Target::position(vector(0))),
-        6 => Ok(Target::pointing(vector(0), vector(3))),
-        9 => Ok(Target::rotation(rotation(3))),
+    let target = match numbers.len() {
+        3 => Target::position(vector(0)),
+        6 => Target::pointing(vector(0), vector(3)),
+        9 => Target::rotation(rotation(3)),
         16 => {
             require_transform("target", numbers)?;
             let origin = Vector3::new(numbers[3], numbers[7], numbers[11]);
-            Ok(Target::rotation(rotation(4)).at(origin))
+            Target::rotation(rotation(4)).at(origin)
         }
-        _ => Err(PyValueError::new_err("a target of other numbers")),
-    }
+        _ => return Err(PyValueError::new_err("a target of other numbers")),
+    };
+    let target = match position {
+        Some(position) => target.at(position.into()),
+        None => target,
+    };
+    Ok(target.weights(of_position, of_rotation))
 }
 
 /// The joint positions that are found, or those that came nearest with the reason.
@@ -107,11 +116,11 @@ impl Arm {
             let message = "`reach` is of a robot whose base stands: this one moves";
             return Err(PyValueError::new_err(message));
         }
-        warn_of_degrees(py, &self.description.robot, &asked.start, CALLS_TO_MOVE)?;
+        warn_of_degrees(py, &self.description.robot, &asked.start, CALLS_TO_MOVE + 1)?;
         let mut functions = Vec::new();
         let mut targets = Vec::new();
-        for (frame, numbers) in &asked.targets {
-            targets.push(target(numbers)?);
+        for (frame, numbers, position, weights) in &asked.targets {
+            targets.push(target(numbers, *position, *weights)?);
             functions.extend(self.description.kinematics(frame.as_deref())?);
         }
         // A frame may have several targets.
@@ -121,7 +130,7 @@ impl Arm {
         let places = asked
             .targets
             .iter()
-            .map(|(frame, _)| robot.place(frame.as_deref()));
+            .map(|(frame, ..)| robot.place(frame.as_deref()));
         let places = places.collect::<Result<Vec<_>, _>>();
         let places = places.map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok(py.detach(|| match &places[..] {

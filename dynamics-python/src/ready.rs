@@ -13,18 +13,23 @@ use crate::description::Derived;
 /// The most arguments of a call without detours.
 pub(crate) const MOST_ARGUMENTS: usize = 5;
 
-/// The most numbers of all its arguments, and of its value.
-pub(crate) const SHORT: usize = 64;
+/// The most numbers of all its arguments and of its value for which it has room without asking for memory.
+pub(crate) const SHORT: usize = 128;
 
 /// A function that is ready to be called.
+#[derive(Clone)]
 pub(crate) struct Ready {
     pub(crate) arm: Arc<RuntimeRobot>,
     pub(crate) name: String,
     pub(crate) arguments: Vec<Argument>,
     pub(crate) arrangement: Arrangement,
     pub(crate) entries: usize,
-    /// Whether a call of one state has room for all its numbers.
-    pub(crate) is_short: bool,
+    /// The fields, each as an argument that a call may have besides.
+    pub(crate) fields: Vec<Argument>,
+    /// Whether all of them have values.
+    pub(crate) is_complete: bool,
+    /// How many numbers all arguments of a state have.
+    read: usize,
 }
 
 impl Ready {
@@ -34,7 +39,6 @@ impl Ready {
         if !fields.is_empty() {
             let mut with_fields = (*arm).clone();
             with_fields.set_fields(fields).map_err(error)?;
-            require_values(with_fields.field_names(), fields)?;
             arm = Arc::new(with_fields);
         }
         let name = derived.request.name();
@@ -42,21 +46,42 @@ impl Ready {
         let arguments = arm.arguments(name).map_err(error)?;
         let arguments = arguments.map(|(name, entries)| Argument::new(name, entries, moves));
         let arguments: Vec<_> = arguments.collect();
-        let read: usize = arguments.iter().map(|of| of.entries).sum();
-        let entries = arm.entries(name).map_err(error)?;
         Ok(Ready {
-            is_short: arguments.len() <= MOST_ARGUMENTS && read.max(entries) <= SHORT,
+            fields: arm
+                .field_names()
+                .iter()
+                .map(|name| Argument::field(plain(name)))
+                .collect(),
+            is_complete: !fields.iter().any(|x| x.is_nan()),
+            read: arguments.iter().map(|of| of.entries).sum(),
             arguments,
             arrangement: arm.arrangement(name).map_err(error)?,
-            entries,
+            entries: arm.entries(name).map_err(error)?,
             name: name.to_owned(),
             arm,
         })
     }
 
+    /// Room for the arguments and for the value of one state.
+    pub(crate) fn room<'a>(
+        &self,
+        few: &'a mut [f64; SHORT],
+        many: &'a mut Vec<f64>,
+    ) -> (&'a mut [f64], &'a mut [f64]) {
+        let count = self.read + self.entries;
+        let room = match few.get_mut(..count) {
+            Some(room) => room,
+            None => {
+                many.resize(count, 0.0);
+                many
+            }
+        };
+        room.split_at_mut(self.read)
+    }
+
     /// The function with its arguments.
     pub(crate) fn signature(&self) -> String {
-        let names: Vec<_> = self.arguments.iter().map(|of| of.name).collect();
+        let names: Vec<_> = self.arguments.iter().map(|of| &*of.name).collect();
         format!("{}({})", self.name, names.join(", "))
     }
 }

@@ -3,22 +3,22 @@
 use dynamics_evaluation::Arrangement;
 use numpy::ndarray::{ArrayView, IxDyn};
 use numpy::{
-    PyArray, PyArray1, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray,
+    Element, PyArray, PyArray1, PyArrayDescrMethods, PyArrayDyn, PyArrayMethods, PyUntypedArray,
     PyUntypedArrayMethods, ToPyArray,
 };
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PySlice, PyTuple};
 
-use crate::arguments::tuple;
+use crate::arguments::{Rows, tuple};
 use crate::mask::require_unmasked;
 use crate::ready::Ready;
 
 /// Numbers as an array of these axes, or as a number of numpy where there are none.
-pub(crate) fn array<'py>(
+pub(crate) fn array<'py, T: Element>(
     py: Python<'py>,
     axes: &[usize],
-    numbers: &[f64],
+    numbers: &[T],
 ) -> PyResult<Bound<'py, PyAny>> {
     let wrong = |error: numpy::ndarray::ShapeError| PyValueError::new_err(error.to_string());
     let array = match *axes {
@@ -31,6 +31,26 @@ pub(crate) fn array<'py>(
         _ => ArrayView::from_shape(IxDyn(axes), numbers).map_err(wrong)?,
     };
     plain(array.to_pyarray(py).into_any(), axes)
+}
+
+/// The value of a function at a state, from the first of some numbers, which leaves the others.
+pub(crate) fn value<'py, T: Element>(
+    py: Python<'py>,
+    arrangement: &Arrangement,
+    numbers: &mut &[T],
+) -> PyResult<Bound<'py, PyAny>> {
+    match arrangement {
+        Arrangement::Array(axes) => {
+            let (own, others) = numbers.split_at(axes.iter().product());
+            *numbers = others;
+            array(py, axes, own)
+        }
+        Arrangement::Tuple(all) => {
+            let values = all.iter().map(|one| value(py, one, numbers));
+            let values: Vec<_> = values.collect::<PyResult<_>>()?;
+            Ok(PyTuple::new(py, values)?.into_any())
+        }
+    }
 }
 
 /// An array without axes as a number, which is what functions of numpy return.
@@ -97,7 +117,7 @@ impl<'py> Results<'py> {
         ready: &Ready,
         lead: &[usize],
         Out(out): Out<'py>,
-        arguments: &[Bound<'py, PyArrayDyn<f64>>],
+        arguments: &[Rows<'py>],
     ) -> PyResult<Self> {
         let axes = match &ready.arrangement {
             Arrangement::Array(axes) => [lead, axes].concat(),
@@ -108,7 +128,7 @@ impl<'py> Results<'py> {
             && let Ok(doubles) = array.cast::<PyArrayDyn<f64>>()
             && doubles.is_c_contiguous()
             && doubles.is_aligned()
-            && !arguments.iter().any(|rows| overlap(rows, doubles))
+            && !arguments.iter().any(|rows| rows.overlap(doubles))
             && doubles.try_readwrite().is_ok()
         {
             let rows = doubles.clone();
@@ -149,15 +169,6 @@ impl<'py> Results<'py> {
             tuple => parts(py, tuple, lead, &rows, &mut 0),
         }
     }
-}
-
-/// Whether two arrays, each of numbers one after the other, share memory, whatever objects own it: ranges of addresses decide.
-fn overlap(one: &Bound<'_, PyArrayDyn<f64>>, other: &Bound<'_, PyArrayDyn<f64>>) -> bool {
-    let [(a, a_end), (b, b_end)] = [one, other].map(|array| {
-        let first = array.data().addr();
-        (first, first + size_of::<f64>() * array.len())
-    });
-    a < b_end && b < a_end
 }
 
 /// The values of an arrangement: arrays are copied out of the rows of tuples.

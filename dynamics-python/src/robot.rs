@@ -1,11 +1,14 @@
 //! The robot that Python holds.
 
 use std::collections::HashMap;
+use std::iter;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use dynamics_evaluation::{JointFriction, ReadOptions, RuntimeRobot, read_text};
+use dynamics_symbolic::emit::{BaseParameters, base_parameter_names};
 use dynamics_symbolic::function::plain;
+use dynamics_symbolic::robot::{JointType, Row, Value};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
@@ -29,6 +32,13 @@ impl Arm {
             fields,
             robots: Mutex::default(),
         }
+    }
+
+    /// A limit of each joint that moves; infinite where there is none.
+    fn greatest(&self, limit: impl Fn(&Row) -> Option<&Value>) -> Vec<f64> {
+        let joints = self.description.robot.joints();
+        let limits = joints.map(|row| limit(row).map(|limit| limit.to_f64(&self.fields)));
+        limits.map(|limit| limit.unwrap_or(f64::INFINITY)).collect()
     }
 
     /// A function, derived.
@@ -209,6 +219,46 @@ impl Arm {
             None => [f64::NEG_INFINITY, f64::INFINITY],
         });
         limits.collect()
+    }
+
+    /// The unit of the position of each joint that moves.
+    #[getter]
+    fn joint_units(&self) -> Vec<&'static str> {
+        let joints = self.description.robot.joints();
+        let units = joints.map(|row| match row.joint_type {
+            JointType::Revolute => "rad",
+            JointType::Prismatic => "m",
+        });
+        units.collect()
+    }
+
+    /// Greatest torque or force of each joint that moves, N m or N; infinite where there is no limit.
+    #[getter]
+    fn torque_limits(&self) -> Vec<f64> {
+        self.greatest(|row| row.torque_limit.as_ref())
+    }
+
+    /// Greatest velocity of each joint that moves, rad/s or m/s; infinite where there is no limit.
+    #[getter]
+    fn velocity_limits(&self) -> Vec<f64> {
+        self.greatest(|row| row.velocity_limit.as_ref())
+    }
+
+    /// The first term of each base parameter.
+    #[getter]
+    fn base_parameter_names(&self) -> Vec<String> {
+        base_parameter_names(&self.description.robot)
+    }
+
+    /// The base parameters as formulas in the links' own parameters, and the lines that say what the names mean.
+    #[getter]
+    fn base_parameter_formulas(&self) -> (Vec<String>, Vec<String>) {
+        let found = BaseParameters::new(&self.description.robot);
+        let legend = iter::once(found.legend);
+        (
+            found.formulas,
+            found.steps.into_iter().chain(legend).collect(),
+        )
     }
 
     /// Names of the fields.

@@ -83,6 +83,27 @@ def test_kinds_of_numbers(arm: rd.Robot) -> None:
     whole = np.ones(7, dtype=np.int32)
     np.testing.assert_array_equal(arm.gravity_vector(whole), arm.gravity_vector(whole * 1.0))
     np.testing.assert_array_equal(arm.gravity_vector([1] * 7), arm.gravity_vector(whole * 1.0))
+    # One state is read without numpy, and has the same digits and kinds.
+    one = [x[0] for x in (q, qd, qdd)]
+    tau = arm.inverse_dynamics(*one)
+    for given in (x.tolist() for x in one), (list(x) for x in one), (x[::1] for x in one), (tuple(x) for x in one):
+        found = arm.inverse_dynamics(*given)
+        np.testing.assert_array_equal(found, tau)
+        assert found.dtype == np.float64
+    found = arm.inverse_dynamics(*(x.astype(np.float32) for x in one))
+    assert found.dtype == np.float32
+    rounded = arm.inverse_dynamics(*(x.astype(np.float32).astype(float) for x in one))
+    np.testing.assert_array_equal(found, rounded.astype(np.float32))
+    assert arm.inverse_dynamics(one[0].astype(np.float32), whole, one[2].tolist()).dtype == np.float64
+    for kind in ("i1", "i2", "i4", "i8", "u1", "u4", "u8"):
+        np.testing.assert_array_equal(arm.gravity_vector(whole.astype(kind)), arm.gravity_vector(whole * 1.0))
+        assert arm.gravity_vector(whole.astype(kind)).dtype == np.float64
+    mixed = [x.astype(np.float32) for x in one[:2]]
+    assert arm.inverse_dynamics(*mixed, whole.astype("i2")).dtype == np.float32
+    assert arm.inverse_dynamics(*mixed, whole).dtype == np.float64
+    for refused in ([True] * 7, [1j] * 7, ["1"] * 7):
+        with pytest.raises(TypeError, match="`q` is an array of"):
+            arm.gravity_vector(refused)
     swapped = q.astype(">f8")
     np.testing.assert_array_equal(arm.inverse_dynamics(swapped, qd, qdd), double)
     for kind in ("complex128", "bool", "float16", "longdouble", "object", "U3", "datetime64[s]"):
@@ -225,3 +246,86 @@ def test_a_body_without_joints_has_arrays() -> None:
     assert body.mass_matrix(np.zeros((3, 0))).shape == (3, 6, 6)
     assert body.link_poses(np.eye(4), []).shape == (0, 4, 4)
     assert body.bound("link_poses", np.eye(4), []).shape == (0, 4, 4)
+
+
+def test_unaligned_numbers(arm: rd.Robot) -> None:
+    q = RANDOM.uniform(-1, 1, (5, 7))
+    for kind in ("f8", "f4"):
+        packed = np.zeros((5, 7), dtype=[("flag", "i1"), ("q", kind)])
+        packed["q"] = q
+        assert not packed["q"].flags.aligned
+        expected = arm.gravity_vector(q.astype(kind))
+        np.testing.assert_array_equal(arm.gravity_vector(packed["q"]), expected)
+        np.testing.assert_array_equal(arm.gravity_vector(packed["q"][0]), arm.gravity_vector(q[0].astype(kind)))
+
+
+def test_tuples_of_one_state_and_of_many() -> None:
+    from conftest import panda
+
+    arm = panda(functions=["inverse_dynamics_derivatives"])
+    given = states(3)
+    many = arm.inverse_dynamics_derivatives(*given)
+    assert [part.shape for part in many] == [(3, 7, 7)] * 2
+    for k in range(3):
+        one = arm.inverse_dynamics_derivatives(*(x[k] for x in given))
+        for part, parts in zip(one, many, strict=True):
+            assert part.flags.c_contiguous and part.flags.owndata
+            np.testing.assert_allclose(part, parts[k], atol=1e-13)
+    one = arm.inverse_dynamics_derivatives(*(x[0].astype("f4") for x in given))
+    assert [part.dtype for part in one] == [np.float32] * 2
+
+
+def test_fields_by_state() -> None:
+    """A call has values of fields, one for all states or one for each."""
+    from conftest import DATA
+
+    arm = rd.Robot.from_file(DATA / "files" / "two_link.toml", fields={"m1": 1.0, "l1": 0.5, "l2": 0.4, "g": 9.81, "m2": 2.0})
+    q, qd, qdd = (RANDOM.uniform(-1, 1, (4, 2)) for _ in range(3))
+    loads = np.array([0.5, 0.5, 3.0, 1.0])
+    found = arm.inverse_dynamics(q, qd, qdd, m2=loads)
+    each = [arm.with_fields(m2=m).inverse_dynamics(*x) for m, *x in zip(loads, q, qd, qdd)]
+    np.testing.assert_allclose(found, each, atol=1e-13)
+    np.testing.assert_array_equal(arm.inverse_dynamics(q, qd, qdd, m2=loads, threads=2), found)
+    # They are broadcast with the arguments, and several of them with each other.
+    grid = arm.mass_matrix(q[0], m2=loads[:, None], l1=[0.3, 0.4, 0.7])
+    assert grid.shape == (4, 3, 2, 2)
+    same = arm.with_fields(m2=3.0, l1=0.7).mass_matrix(q[0])
+    np.testing.assert_allclose(grid[2, 2], same, atol=1e-14)
+    np.testing.assert_array_equal(arm.mass_matrix(q[0], m2=3), arm.with_fields(m2=3.0).mass_matrix(q[0]))
+    bounds = arm.mass_matrix.bound(q[0], m2=loads)
+    np.testing.assert_array_equal(bounds[2], arm.with_fields(m2=3.0).mass_matrix.bound(q[0]))
+    single = arm.gravity_vector(q.astype("f4"), m2=loads.astype("f4"))
+    assert single.dtype == np.float32
+    # The robot keeps its own.
+    assert arm.fields["m2"] == 2.0
+    np.testing.assert_array_equal(arm.mass_matrix(q, m2=2.0), arm.mass_matrix(q))
+    with pytest.raises(ValueError, match=r"`m2` has the leading axes \(3,\), .* \(4,\)"):
+        arm.mass_matrix(q, m2=[1, 2, 3])
+    with pytest.raises(TypeError, match="`m2` is an array of"):
+        arm.mass_matrix(q, m2="heavy")
+    with pytest.raises(TypeError, match="has no argument `m3`"):
+        arm.mass_matrix(q, m3=1)
+
+
+def test_a_call_may_give_what_a_robot_has_not() -> None:
+    from conftest import DATA
+
+    arm = rd.Robot.from_file(DATA / "files" / "two_link.toml")
+    q = np.array([0.3, 0.4])
+    values = {"m1": 1.0, "l1": 0.5, "l2": 0.4, "g": 9.81, "m2": 2.0}
+    np.testing.assert_array_equal(arm.mass_matrix(q, **values), arm.with_fields(**values).mass_matrix(q))
+    with pytest.raises(ValueError, match="field `m2` has no value"):
+        arm.mass_matrix(q, **{name: x for name, x in values.items() if name != "m2"})
+    with pytest.raises(ValueError, match="have no values"):
+        arm.mass_matrix(q)
+
+
+def test_singular_states_of_fields_are_told() -> None:
+    point = {"name": "pivot", "type": "revolute", "mass": "m", "com": [1, 0, 0]}
+    arm = rd.Robot.from_table(convention="modified", gravity=[0, 0, 0], joint=[point], functions=["forward_dynamics"])
+    masses = np.array([[1.0, 2.0, 0.0], [1.0, 0.0, 1.0]])
+    with pytest.raises(rd.SingularMassMatrix) as raised:
+        arm.forward_dynamics([0], [0], [1], m=masses)
+    assert raised.value.index == (0, 2)
+    found = arm.forward_dynamics([0], [0], [1], m=masses, on_singular="nan")
+    np.testing.assert_array_equal(found[..., 0], [[1, 0.5, np.nan], [1, np.nan, 1]])

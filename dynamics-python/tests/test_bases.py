@@ -61,6 +61,30 @@ def test_a_base_has_a_rotation(body: rd.Robot, turn: np.ndarray) -> None:
                 call(np.stack([np.eye(4), posed(turn)]), *arguments[1:])
 
 
+def test_poses_are_those_of_single_calls(body: rd.Robot) -> None:
+    """However they lie in memory, and whatever numbers they are; one pose may be that of many states."""
+    random = np.random.default_rng(2)
+    poses = np.stack([posed(np.linalg.qr(random.normal(size=(3, 3)))[0]) for _ in range(6)])
+    poses[np.linalg.det(poses[:, :3, :3]) < 0, :3, :3] *= -1
+    poses[:, :3, 3] = random.normal(size=(6, 3))
+    q, v, a = random.normal(size=(3, 6, 7))
+    expected = np.stack([body.inverse_dynamics(*state) for state in zip(poses, q[:, :1], v, a)])
+    for given in (poses, np.asfortranarray(poses), poses.tolist(), np.repeat(poses, 2, axis=0)[::2]):
+        np.testing.assert_allclose(body.inverse_dynamics(given, q[:, :1], v, a), expected, atol=1e-13)
+    for given in (poses[3], poses[3].tolist(), np.asfortranarray(poses[3]), poses[3, None]):
+        found = body.inverse_dynamics(given, q[:, None, :1], v, a)
+        assert found.shape == (6, 6, 7)
+        np.testing.assert_allclose(found[3, 3], expected[3], atol=1e-13)
+        np.testing.assert_allclose(found[1, 2], body.inverse_dynamics(poses[3], q[1, :1], v[2], a[2]), atol=1e-13)
+    whole = np.eye(4, dtype=int)
+    np.testing.assert_array_equal(body.gravity_vector(whole, [0.3]), body.gravity_vector(np.eye(4), [0.3]))
+    single = [x.astype(np.float32) for x in (poses[0], q[0, :1], v[0], a[0])]
+    found = body.inverse_dynamics(*single)
+    assert found.dtype == np.float32
+    # The rotation is rounded, too.
+    np.testing.assert_allclose(found, expected[0], atol=1e-4)
+
+
 def test_a_rotation_may_be_rounded(body: rd.Robot) -> None:
     pose = posed(rotation(*UNIT))
     exact = body.gravity_vector(pose, [0.3])

@@ -365,5 +365,16 @@ def test_a_motion_is_plotted(pendulum: rd.Robot) -> None:
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     figure = pendulum.simulate([1.0]).plot()
-    assert [axis.get_ylabel() for axis in figure.axes] == ["q", "qd", "tau"]
+    assert [axis.get_ylabel() for axis in figure.axes] == ["q in rad", "qd in rad/s", "tau in N m"]
+    assert [axis.get_title() for axis in figure.axes] == ["Positions", "Velocities", "Torques and forces"]
     np.testing.assert_allclose(figure.axes[0].lines[0].get_xdata(), np.linspace(0, 1, 101))
+
+
+def test_a_plot_has_the_units_of_slides(cart: rd.Robot) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    motion = cart.simulate([0.0], duration=0.1, samples=3)
+    assert [axis.get_ylabel() for axis in motion.plot().axes] == ["q in m", "qd in m/s", "tau in N"]
+    motion.joint_units = ["rad", "m", "rad"]
+    labels = [axis.get_ylabel() for axis in motion.plot().axes]
+    assert labels == ["q in rad or m", "qd in rad/s or m/s", "tau in N m or N"]

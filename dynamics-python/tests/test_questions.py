@@ -1,6 +1,7 @@
 """Formulas, operations, source code and checks."""
 
 import html
+from importlib import metadata
 
 import numpy as np
 import pytest
@@ -126,3 +127,24 @@ def test_identified_robots() -> None:
     assert not free.friction_vector(qd).any()
     with pytest.raises(ValueError, match="base_parameters"):
         arm.identified(b[:-1])
+
+
+def test_base_parameters_have_names_and_formulas() -> None:
+    arm = panda(functions=["regressor", "base_parameters"])
+    names = arm.base_parameter_names
+    assert len(names) == len(arm.base_parameters()) and names[0].startswith("J1")
+    formulas = arm.base_parameter_formulas
+    assert len(formulas.equations) == len(names)
+    for name, formula in zip(names, formulas.equations):
+        assert name in formula
+    assert "first moments mass * com" in formulas.legend[-1]
+    # Two rods in a plane: what the torques show of them.
+    rod = {"type": "revolute", "a": 1, "mass": 1, "com": [-0.5, 0, 0], "inertia": "rod(1)"}
+    joint = [{**rod, "name": "shoulder"}, {**rod, "name": "elbow"}]
+    rods = rd.Robot.from_table(convention="standard", gravity=[0, -9.81, 0], joint=joint, functions=["base_parameters"])
+    assert rods.base_parameter_names == ["J1zz", "h1x", "h1y", "J2zz", "h2x", "h2y"]
+    assert "m2" in rods.base_parameter_formulas.equations[0] and "a1" in rods.base_parameter_formulas.equations[0]
+
+
+def test_a_version() -> None:
+    assert rd.__version__ == metadata.version("robot-dynamics")

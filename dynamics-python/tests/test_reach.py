@@ -142,3 +142,68 @@ def test_one_function_may_stand_alone() -> None:
     tree = rd.Robot.from_file(DATA / "files" / "kinds" / "tree.toml", functions="mass_matrix")
     assert tree.functions == ["mass_matrix"]
     assert "tree.py" in tree.source("python", "mass_matrix")
+
+
+def test_many_poses(reaching: rd.Robot) -> None:
+    low, high = reaching.joint_limits.T
+    middle = (low + high) / 2
+    q = np.random.default_rng(4).uniform(0.8 * low + 0.2 * middle, 0.8 * high + 0.2 * middle, (3, 2, 7))
+    poses = reaching.forward_kinematics(q)
+    found = reaching.reach(poses, middle)
+    assert found.shape == (3, 2, 7)
+    np.testing.assert_allclose(reaching.forward_kinematics(found), poses, atol=3e-9)
+    np.testing.assert_array_equal(found[2, 1], reaching.reach(poses[2, 1], middle))
+    # Starts are broadcast with poses.
+    near = reaching.reach(poses, q)
+    np.testing.assert_allclose(near, q, atol=1e-6)
+    assert reaching.reach(poses[0, 0], q[:, 0]).shape == (3, 7)
+    assert reaching.reach(np.zeros((0, 4, 4)), middle).shape == (0, 7)
+    poses[1, 0, :3, 3] = 5, 0, 0
+    with pytest.raises(rd.NotReached, match=r"^pose \[1, 0\]: ") as raised:
+        reaching.reach(poses, middle)
+    assert raised.value.index == (1, 0)
+    found = reaching.reach(poses, middle, on_missed="nan")
+    missed = np.isnan(found).all(axis=-1)
+    assert missed[1, 0] and missed.sum() == 1
+    with pytest.raises(ValueError, match="`on_missed` is 'zero'"):
+        reaching.reach(poses, middle, on_missed="zero")
+    with pytest.raises(ValueError, match=r"has the leading axes \(3, 2\): expected one pose"):
+        reaching.reach_all(poses)
+    again = pickle.loads(pickle.dumps(raised.value))
+    assert again.index == (1, 0) and again.reason == raised.value.reason
+
+
+def test_a_position_with_a_direction(reaching: rd.Robot) -> None:
+    q = reaching.joint_limits.mean(axis=1) + 0.2
+    target = rd.Target(position=[0.4, 0.1, 0.3], axis=[0, 0, 2], direction=[0, 0.3, -1])
+    pose = reaching.forward_kinematics(reaching.reach(target, q))
+    np.testing.assert_allclose(pose[:3, 3], target.position, atol=2e-9)
+    np.testing.assert_allclose(pose[:3, 2], np.array([0, 0.3, -1]) / 1.09**0.5, atol=2e-9)
+    assert len(reaching.reach_all(target, q, most=3)) >= 2
+    goal = reaching.forward_kinematics(q + 0.1)
+    found = reaching.reach(rd.Target(position=goal[:3, 3], rotation=goal[:3, :3]), q)
+    np.testing.assert_array_equal(found, reaching.reach(goal, q))
+    np.testing.assert_array_equal(reaching.reach(rd.Target(position=goal[:3, 3]), q), reaching.reach(goal[:3, 3], q))
+    for wrong in (
+        rd.Target(),
+        rd.Target(position=[0, 0, 1], axis=[0, 0, 1]),
+        rd.Target(rotation=np.eye(3), axis=[0, 0, 1], direction=[0, 0, 1]),
+    ):
+        with pytest.raises(ValueError, match="a target has"):
+            reaching.reach(wrong, q)
+
+
+def test_weights_say_what_counts_where_not_all_is_reached(reaching: rd.Robot) -> None:
+    far = np.diag([1.0, -1.0, -1.0, 1.0])
+    far[:3, 3] = 0.8, 0, 0.5
+
+    def missing(*weights: float) -> tuple[float, float]:
+        target = rd.Target(position=far[:3, 3], rotation=far[:3, :3], weights=weights)
+        with pytest.raises(rd.NotReached) as raised:
+            reaching.reach(target, attempts=20)
+        return raised.value.position, raised.value.rotation
+
+    place, turn = missing(100.0, 1.0), missing(1.0, 100.0)
+    assert place[0] < turn[0] and turn[1] < place[1]
+    with pytest.raises(ValueError, match="target 1"):
+        reaching.reach(rd.Target(position=[0.5, 0, 0.5], weights=(0.0, 1.0)))

@@ -289,3 +289,11 @@ def test_positions_in_degrees_are_told() -> None:
             with contextlib.suppress(ValueError):
                 call()
         assert {one.filename for one in caught} == {__file__}
+
+
+def test_limits_of_torques_and_velocities() -> None:
+    arm = panda()
+    np.testing.assert_array_equal(arm.torque_limits, [87] * 4 + [12] * 3)
+    assert arm.velocity_limits.shape == (7,) and (arm.velocity_limits > 2).all()
+    bare = rd.Robot.from_table(**TWO_LINK, gravity=(0, -9.81, 0), fields={"load": 0.7})
+    assert np.isinf(bare.torque_limits).all() and np.isinf(bare.velocity_limits).all()

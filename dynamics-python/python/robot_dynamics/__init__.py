@@ -8,12 +8,13 @@
 The last axis of an array has the joints, and the axes before it are broadcast as numpy does. SI units, radians.
 """
 
+from . import layouts
 from ._closed_form import BranchEnds, Solutions
 from ._errors import Mistake, SingularMassMatrix, TableError
 from ._motion import Law, SimulationError, Trajectory, Work
-from ._native import Function
+from ._native import Function, __version__
 from ._questions import Compared, Formulas, Operations, Report
-from ._reach import NotReached
+from ._reach import NotReached, Target
 from ._robot import Robot
 
 __all__ = [
@@ -31,6 +32,9 @@ __all__ = [
     "SingularMassMatrix",
     "Solutions",
     "TableError",
+    "Target",
     "Trajectory",
     "Work",
+    "__version__",
+    "layouts",
 ]

@@ -69,6 +69,8 @@ class Trajectory:
     base: Floats | None = None
     """Poses of a base that moves, `(k, 4, 4)`."""
     joint_names: list[str] = field(default_factory=list)
+    joint_units: list[str] = field(default_factory=list)
+    """The unit of each joint's position, `"rad"` or `"m"`."""
     creeping: list[str] = field(default_factory=list)
     """Joints that dry friction should have held, and that crept by steps of fixed length."""
 
@@ -90,11 +92,16 @@ class Trajectory:
 
         figure, axes = plt.subplots(3, 1, sharex=True, layout="constrained")
         moving = len(self.joint_names)
-        for axis, values, label in zip(
-            axes, (self.q, self.qd, self.tau), ("q", "qd", "tau"), strict=True
-        ):
+        units = list(dict.fromkeys(self.joint_units)) or ["rad", "m"]
+        quantities = (
+            ("Positions", "q", self.q, units),
+            ("Velocities", "qd", self.qd, [f"{unit}/s" for unit in units]),
+            ("Torques and forces", "tau", self.tau, [{"rad": "N m", "m": "N"}[unit] for unit in units]),
+        )
+        for axis, (title, name, values, units) in zip(axes, quantities, strict=True):
             axis.plot(self.t, values[:, values.shape[1] - moving :], label=self.joint_names)
-            axis.set_ylabel(label)
+            axis.set_title(title)
+            axis.set_ylabel(f"{name} in {' or '.join(units)}")
         axes[0].legend()
         axes[-1].set_xlabel("t in s")
         return figure
@@ -155,7 +162,7 @@ def simulate(
     except TypeError as error:
         require_kinds(error, plan)
         raise
-    motion = _trajectory(arrays, arm.joint_names)
+    motion = _trajectory(arrays, arm)
     if motion.creeping:
         warnings.warn(
             f"{', '.join(motion.creeping)}: dry friction by its sign cannot hold a joint by steps of fixed length, which "
@@ -205,7 +212,7 @@ def _rows_of_pose(given: ArrayLike) -> list[float]:
     return entries
 
 
-def _trajectory(arrays: dict[str, Any], joint_names: list[str]) -> Trajectory:
+def _trajectory(arrays: dict[str, Any], arm: _native.Arm) -> Trajectory:
     energies = arrays["energies"]
     return Trajectory(
         t=arrays["t"],
@@ -217,6 +224,7 @@ def _trajectory(arrays: dict[str, Any], joint_names: list[str]) -> Trajectory:
         potential_energy=energies[:, 1],
         work=Work(*arrays["work"]),
         base=arrays.get("base"),
-        joint_names=joint_names,
-        creeping=[joint_names[i] for i in arrays["creeping"]],
+        joint_names=arm.joint_names,
+        joint_units=arm.joint_units,
+        creeping=[arm.joint_names[i] for i in arrays["creeping"]],
     )

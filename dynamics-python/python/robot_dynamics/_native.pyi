@@ -6,7 +6,9 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Arm", "ClosedForm", "Function", "nearest_turn", "require_unmasked", "text_of"]
+__all__ = ["Arm", "ClosedForm", "Function", "__version__", "nearest_turn", "require_unmasked", "text_of"]
+
+__version__: str
 
 def text_of(path: str | PathLike[str]) -> str: ...
 def require_unmasked(name: str, given: object, axes: int) -> None: ...
@@ -19,6 +21,7 @@ class Function:
     out: an array of numpy, which takes the value; it may be an argument, or share its memory
     threads: how many threads share the states, at most as many as there are processors, 1 where nothing is said
     on_singular: "raise" raises `SingularMassMatrix` where M(q) is singular, "nan" gives NaN at these states
+    a field, by its name: a value, or an array with a value for each state, in place of the robot's own
     """
 
     def __call__(
@@ -94,6 +97,16 @@ class Arm:
     def joint_names(self) -> list[str]: ...
     @property
     def joint_limits(self) -> list[list[float]]: ...
+    @property
+    def joint_units(self) -> list[str]: ...
+    @property
+    def torque_limits(self) -> list[float]: ...
+    @property
+    def velocity_limits(self) -> list[float]: ...
+    @property
+    def base_parameter_names(self) -> list[str]: ...
+    @property
+    def base_parameter_formulas(self) -> tuple[list[str], list[str]]: ...
     @property
     def field_names(self) -> list[str]: ...
     @property

@@ -18,7 +18,7 @@ from ._keywords import require_known
 from ._motion import Law, Trajectory, numbers, simulate
 from ._native import Function
 from ._questions import Formulas, Operations, Report
-from ._reach import reach
+from ._reach import Target, reach, reach_each
 
 _OPTIONS = ("functions", "chain", "ignore", "round_angles", "fields")
 """Keywords that are no entries of a table."""
@@ -148,6 +148,26 @@ class Robot:
     def joint_limits(self) -> NDArray[np.float64]:
         """Least and greatest position of each joint, rad or m, `(n, 2)`; infinite where there is no limit."""
         return np.array(self._arm.joint_limits, dtype=np.float64).reshape(-1, 2)
+
+    @property
+    def torque_limits(self) -> NDArray[np.float64]:
+        """Greatest torque or force of each joint in either direction, N m or N, `(n,)`; infinite where there is no limit."""
+        return np.array(self._arm.torque_limits, dtype=np.float64)
+
+    @property
+    def velocity_limits(self) -> NDArray[np.float64]:
+        """Greatest velocity of each joint in either direction, rad/s or m/s, `(n,)`; infinite where there is no limit."""
+        return np.array(self._arm.velocity_limits, dtype=np.float64)
+
+    @property
+    def base_parameter_names(self) -> list[str]:
+        """The first term of each base parameter, in the order of the regressor's columns: `J2xx`, `h2x`, `m2`, `I2`."""
+        return self._arm.base_parameter_names
+
+    @property
+    def base_parameter_formulas(self) -> Formulas:
+        """The base parameters as combinations of the links' own parameters, a line for each; the legend has their names."""
+        return Formulas(*self._arm.base_parameter_formulas)
 
     @property
     def fields(self) -> dict[str, float]:
@@ -292,7 +312,7 @@ class Robot:
 
     def reach(
         self,
-        target: ArrayLike | Sequence[ArrayLike],
+        target: ArrayLike | Target | Sequence[ArrayLike | Target],
         start: ArrayLike | None = None,
         *,
         frame: str | Sequence[str] | None = None,
@@ -300,23 +320,26 @@ class Robot:
         tolerance: tuple[float, float] = (1e-9, 1e-9),
         attempts: int = 100,
         seed: int = 1,
+        on_missed: str = "raise",
     ) -> NDArray[np.float64]:
         """Joint positions at which the tip, or a frame, reaches a target, within the limits: numeric inverse kinematics.
 
         A target is a pose `(4, 4)`, a position `(3,)`, a rotation `(3, 3)`, or `(2, 3)`: an axis of the frame and the direction
-        in the world along which it is to point. Several frames, `frame=["left", "right"]`, have a target each. The
-        functions `forward_kinematics` and `jacobian` of these frames are needed.
+        in the world along which it is to point. `Target` has a position with a direction, and weights. Several frames,
+        `frame=["left", "right"]`, have a target each. The functions `forward_kinematics` and `jacobian` of these frames are
+        needed. Many poses `(..., 4, 4)` and starts `(..., n)` are broadcast, and the positions are an array `(..., n)`. With
+        `on_missed="nan"` those of poses that are missed are NaN.
 
         The search begins at `start`, zeros where it is left out, and at random positions after it, the same for one `seed`. Where
         the targets leave a freedom, the joints go towards `posture`. `tolerance` is in m and rad. `NotReached`, a
         `ValueError`, says why nothing was found, and what came nearest.
         """
         asked = {"start": start, "posture": posture, "tolerance": tolerance, "attempts": attempts, "seed": seed}
-        return reach(self._arm, target, frame, {**asked, "most": 1})[0]
+        return reach_each(self._arm, target, frame, {**asked, "most": 1}, on_missed)
 
     def reach_all(
         self,
-        target: ArrayLike | Sequence[ArrayLike],
+        target: ArrayLike | Target | Sequence[ArrayLike | Target],
         start: ArrayLike | None = None,
         *,
         frame: str | Sequence[str] | None = None,

@@ -22,6 +22,7 @@ pub use documentation::{
 pub use inputs::{in_order, input_names};
 pub use inverse::{description_of_inverse, inverse_kinematics, stub_of_inverse};
 pub use names::{field, line_names, shown, visible};
+pub use parameters::{BaseParameters, base_parameter_names};
 pub use pivots::pivots;
 pub use signature::{
     Stubbed, base_parameter_constants, function_type, handed_on, method_name, stub,

@@ -1,7 +1,7 @@
 //! The base parameters as formulas in the standard parameters of the links.
 
 use super::polynomial::{Polynomial, Polynomials};
-use crate::derive::base::{Geometry, LinkGeometry, Observed, dependent, geometry, group};
+use crate::derive::base::{Geometry, LinkGeometry, Observed, dependent, geometry, group, observed};
 use crate::derive::symbols::Symbols;
 use crate::exact::{bit_length, negate_if};
 use crate::expr::{Expr, Graph};
@@ -18,25 +18,67 @@ const LONGEST: usize = 250;
 /// Bits of the longest fraction that a formula shows, 40 digits: other coefficients are shown as decimals.
 const MOST_BITS_READ: usize = 128;
 
+/// The base parameters of a robot, in the order of the regressor's columns.
+pub struct BaseParameters {
+    /// Each as a formula in the standard parameters of the links.
+    pub formulas: Vec<String>,
+    /// What stands in the formulas besides, as `name = formula`: sums, and numbers of couplings.
+    pub steps: Vec<String>,
+    /// The meaning of the names.
+    pub legend: String,
+}
+
+impl BaseParameters {
+    /// Those of a robot.
+    pub fn new(robot: &Robot) -> Self {
+        let observed = Observed::of(&robot.into());
+        let expanded = Formulas::new(robot, &observed, false);
+        let in_steps = || Formulas::new(robot, &observed, true).expect("steps are never too long");
+        let Formulas {
+            columns,
+            steps,
+            coefficients,
+        } = expanded.unwrap_or_else(in_steps);
+        let steps = steps.into_iter().chain(coefficients);
+        BaseParameters {
+            formulas: columns,
+            steps: steps
+                .map(|(name, formula)| format!("{name} = {formula}"))
+                .collect(),
+            legend: legend(robot),
+        }
+    }
+}
+
+/// The first term of each base parameter.
+pub fn base_parameter_names(robot: &Robot) -> Vec<String> {
+    // The links of a base that moves come first: its body has the number 0.
+    let of_base = robot.freedoms().base;
+    let columns = observed(robot).into_iter();
+    columns
+        .map(|(i, parameter)| parameter.name(i + 1 - of_base))
+        .collect()
+}
+
 /// The formulas of the base parameters, and what the names in them mean: lines of documentation.
 pub(super) fn lines(robot: &Robot) -> Vec<String> {
-    let observed = Observed::of(&robot.into());
-    let expanded = Formulas::new(robot, &observed, false);
-    let in_steps = || Formulas::new(robot, &observed, true).expect("steps are never too long");
-    let formulas = expanded.unwrap_or_else(in_steps);
+    let BaseParameters {
+        formulas,
+        steps,
+        legend,
+    } = BaseParameters::new(robot);
     let mut lines = [" The base parameters:", "", " ```text"]
         .map(str::to_owned)
         .to_vec();
-    let columns = formulas.columns.iter().enumerate();
+    let columns = formulas.iter().enumerate();
     lines.extend(columns.map(|(k, formula)| format!(" {:3}  {formula}", k + 1)));
-    let names = formulas.steps.into_iter().chain(formulas.coefficients);
-    let mut steps = names.map(|(name, formula)| format!("      {name} = {formula}"));
+    let mut steps = steps.iter().map(|step| format!("      {step}"));
     if let Some(first) = steps.next() {
         lines.extend([" where".to_owned(), first]);
         lines.extend(steps);
     }
     lines.extend([" ```".to_owned(), String::new()]);
-    lines.extend([format!(" {}", legend(robot)), String::new()]);
+    lines.extend([format!(" {legend}"), String::new()]);
     lines
 }
 

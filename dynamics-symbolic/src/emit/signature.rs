@@ -1,7 +1,7 @@
 //! The signatures of the generated methods.
 
 use super::names::{field, ident, in_tuple, number_of_joints};
-use crate::derive::base::observed;
+use super::parameters::base_parameter_names;
 use crate::function::{Argument, Freedoms, Function, Request, Shape, Size, Sizes};
 use crate::robot::Robot;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -355,13 +355,8 @@ pub fn base_parameter_constants(requests: &[Request], robot: Option<&Robot>) -> 
     if !requests.iter().any(Request::is_about_base_parameters) {
         return TokenStream::new();
     }
-    let columns = robot.map_or(Vec::new(), observed);
-    let count = Literal::usize_unsuffixed(columns.len());
-    // The links of a base that moves come first: its body has the number 0.
-    let of_base = robot.map_or(0, |robot| robot.freedoms().base);
-    let names = columns
-        .iter()
-        .map(|&(i, parameter)| parameter.name(i + 1 - of_base));
+    let names = robot.map_or(Vec::new(), base_parameter_names);
+    let count = Literal::usize_unsuffixed(names.len());
     quote! {
         /// Number of base inertial parameters: columns of the regressor.
         pub const BASE_PARAMETERS: usize = #count;
