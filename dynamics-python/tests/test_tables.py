@@ -265,7 +265,7 @@ def test_a_base_that_moves() -> None:
 def test_words_that_are_no_functions_are_not_advised_as_such() -> None:
     arm = rd.Robot.from_file(DATA / "urdf/ur5_robot.urdf", gravity=GRAVITY)
     for word, told in [
-        ("torque_limits", "a robot has no `torque_limits`: there are .*`?joint_limits"),
+        ("effort_limits", "a robot has no `effort_limits`: there are .*`?joint_limits"),
         ("mass_matrx", "did you mean `mass_matrix`"),
         ("Mass_Matrix", "did you mean `mass_matrix`"),
         ("regressor", 'functions=\\["default", "regressor"\\]'),
