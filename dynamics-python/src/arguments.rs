@@ -203,7 +203,7 @@ impl<'a, 'py> Given<'a, 'py> {
 
 /// The numbers of an argument, one state after the other in memory.
 pub(crate) enum Rows<'py> {
-    /// Those of the caller's array.
+    /// The caller's array.
     Given(PyReadonlyArrayDyn<'py, f64>),
     Own(Vec<f64>),
 }

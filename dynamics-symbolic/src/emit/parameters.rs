@@ -22,14 +22,14 @@ const MOST_BITS_READ: usize = 128;
 pub struct BaseParameters {
     /// Each as a formula in the standard parameters of the links.
     pub formulas: Vec<String>,
-    /// What stands in the formulas besides, as `name = formula`: sums, and numbers of couplings.
+    /// Sums and numbers of couplings that stand in the formulas, as `name = formula`.
     pub steps: Vec<String>,
     /// The meaning of the names.
     pub legend: String,
 }
 
 impl BaseParameters {
-    /// Those of a robot.
+    /// The base parameters of a robot.
     pub fn new(robot: &Robot) -> Self {
         let observed = Observed::of(&robot.into());
         let expanded = Formulas::new(robot, &observed, false);
