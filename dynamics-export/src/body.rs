@@ -72,27 +72,20 @@ impl<'a> Body<'a> {
             let [pivot, diagonal] = outputs.map(|output| self.output(output));
             (self.syntax.test_pivot)(joint, &pivot, &diagonal)
         });
-        let inputs = self.input_statements().into_iter();
+        let inputs = self.inputs_that(|_| true).into_iter();
         inputs.chain(results).chain(tests).collect()
     }
 
-    /// One line for each input, behind those of all angles where the language evaluates these together.
-    fn input_statements(&self) -> Vec<String> {
-        let symbols = in_order(self.program).into_iter();
+    /// One line for each input whose symbol is one of those, behind those of angles where the language evaluates these together.
+    pub(crate) fn inputs_that(&self, is_one: impl Fn(&Symbol) -> bool) -> Vec<String> {
         let is_apart = |symbol: &Symbol| self.syntax.of_angles.is_some() && is_of_angle(symbol);
-        let others = symbols.filter(|(_, symbol)| !is_apart(symbol));
+        let symbols = in_order(self.program).into_iter();
+        let others = symbols.filter(|(_, symbol)| is_one(symbol) && !is_apart(symbol));
         let others = others
             .map(|(index, symbol)| (self.syntax.declare)(&self.inputs[index], &self.input(symbol)));
-        let of_angles = self.syntax.of_angles.map(|write| write(&self.angles()));
+        let of_angles = self.syntax.of_angles;
+        let of_angles = of_angles.map(|write| write(&self.angles_that(&is_one)));
         of_angles.into_iter().flatten().chain(others).collect()
-    }
-
-    /// One line for each input whose symbol is one of those.
-    pub(crate) fn inputs_that(&self, is_one: impl Fn(&Symbol) -> bool) -> Vec<String> {
-        let symbols = in_order(self.program).into_iter();
-        let ones = symbols.filter(|(_, symbol)| is_one(symbol));
-        ones.map(|(index, symbol)| (self.syntax.declare)(&self.inputs[index], &self.input(symbol)))
-            .collect()
     }
 
     /// The variable of an input.
@@ -120,9 +113,14 @@ impl<'a> Body<'a> {
 
     /// The angles whose sines or cosines are read, each once.
     pub(crate) fn angles(&self) -> Vec<Angle> {
+        self.angles_that(&|_| true)
+    }
+
+    /// The same of the symbols that are some of those.
+    fn angles_that(&self, is_one: &dyn Fn(&Symbol) -> bool) -> Vec<Angle> {
         let mut angles: Vec<Angle> = Vec::new();
         for (index, symbol) in in_order(self.program) {
-            if !is_of_angle(symbol) {
+            if !(is_of_angle(symbol) && is_one(symbol)) {
                 continue;
             }
             let value = self.angle(symbol);

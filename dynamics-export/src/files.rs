@@ -60,7 +60,7 @@ pub fn files<E>(
         let file = rust::source(options.of, model, options.struct_name);
         return Ok(vec![file.map_err(Error::Unwritten)?]);
     }
-    let inverses = inverses(language, &mut model).map_err(Error::Unwritten)?;
+    let inverses = inverses(language, &mut model, options).map_err(Error::Unwritten)?;
     if model.requests.is_empty() && !inverses.is_empty() {
         return Ok(inverses);
     }
@@ -111,7 +111,11 @@ fn functions(
 }
 
 /// The files of inverse kinematics in closed form, which the model has no longer then.
-fn inverses(language: Language, model: &mut Model) -> Result<Vec<(String, String)>, String> {
+fn inverses(
+    language: Language,
+    model: &mut Model,
+    options: &Options<'_>,
+) -> Result<Vec<(String, String)>, String> {
     let inverses = mem::take(&mut model.inverses);
     if inverses.is_empty() || !language.has_closed_forms() {
         return Ok(Vec::new());
@@ -128,7 +132,7 @@ fn inverses(language: Language, model: &mut Model) -> Result<Vec<(String, String
         plans.push((frame.map(|frame| robot.frames[frame].name.as_str()), plan));
     }
     Ok(match language {
-        Language::C => inverse_in_c(robot, &plans).to_vec(),
+        Language::C => inverse_in_c(robot, &plans, options.numbers).to_vec(),
         _ => vec![inverse_in_javascript(robot, &plans)],
     })
 }

@@ -6,7 +6,7 @@
 //!
 //! C has the digits of a Rust build for the same processor. In the other languages products and sums are rounded one by
 //! one, and values are those of a Rust build without fused instructions, except for sines and exponentials, which are
-//! those of the language's library.
+//! those of the language's library. Closed forms in JavaScript have sines of their own.
 #![forbid(unsafe_code)]
 
 mod arguments;

@@ -13,6 +13,7 @@ pub(crate) struct Angle {
 pub(crate) type OfAngles = fn(&[Angle]) -> Vec<String>;
 
 /// How a language says what differs between languages.
+#[derive(Clone, Copy)]
 pub(crate) struct Syntax {
     /// The statement that gives a number that is computed its name.
     pub(crate) declare: fn(&str, &str) -> String,
@@ -43,6 +44,19 @@ pub(crate) struct Syntax {
 }
 
 impl Syntax {
+    /// The statements that give the sine and the cosine of an angle their names.
+    pub(crate) fn sine_and_cosine(&self, value: &str, [sine, cosine]: [&str; 2]) -> Vec<String> {
+        let declare = |name, function| (self.declare)(name, &format!("{function}({value})"));
+        match self.of_angles {
+            Some(write) => write(&[Angle {
+                value: value.to_owned(),
+                sine: Some(sine.to_owned()),
+                cosine: Some(cosine.to_owned()),
+            }]),
+            None => vec![declare(sine, self.sine), declare(cosine, self.cosine)],
+        }
+    }
+
     /// The own functions that some text calls.
     pub(crate) fn called(&self, text: &str) -> String {
         let own_functions = self.own_functions.iter();

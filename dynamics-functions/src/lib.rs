@@ -33,6 +33,14 @@ pub fn inverse_method(frame: Option<&str>) -> String {
     }
 }
 
+/// The methods about the elbow of seven joints: its angle, and its ranges within limits.
+pub const ELBOW_METHODS: [&str; 2] = ["elbow_angle", "elbow_ranges"];
+
+/// The name of one of these methods, for a frame of this name or for the tip.
+pub fn elbow_method(name: &str, frame: Option<&str>) -> String {
+    inverse_method(frame).replacen(INVERSE_KINEMATICS, name, 1)
+}
+
 /// The name of a frame in the names of methods: in lower case, with `_` for every character but a-z and 0-9.
 pub fn frame_in_methods(frame: &str) -> String {
     let letter = |letter: char| match letter.to_ascii_lowercase() {

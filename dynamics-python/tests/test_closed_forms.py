@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+import struct
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -155,3 +158,84 @@ def test_arms_without_a_closed_form_say_why(puma: rd.Robot) -> None:
         bent.inverse_kinematics(np.eye(4))
     with pytest.raises(ValueError, match="there is no frame `nowhere`"):
         puma.inverse_kinematics(np.eye(4), frame="nowhere")
+
+
+DIGITS = Path(__file__).parents[2] / "tests" / "data" / "closed_form_digits.txt"
+WORDS = 2**64
+
+
+@cache
+def text_of(branch: str) -> int:
+    word = 0
+    for byte in branch.encode():
+        word = (31 * word + byte) % WORDS
+    return word
+
+
+class Hash:
+    """A hash of numbers, by their bits, and the numbers from -1 to 1 of the poses, as in `tests/inverse/languages.rs`."""
+
+    def __init__(self) -> None:
+        self.word, self.state = 14_695_981_039_346_656_037, 41
+
+    def add(self, word: int) -> None:
+        self.word = ((self.word ^ word) * 1_099_511_628_211) % WORDS
+
+    def add_numbers(self, numbers: list[float]) -> None:
+        for bits in struct.unpack(f"<{len(numbers)}Q", struct.pack(f"<{len(numbers)}d", *numbers)):
+            self.add(bits)
+
+    def add_all(self, solutions: rd.Solutions) -> None:
+        self.add(len(solutions))
+        for q, is_singular, branch in zip(solutions.tolist(), solutions.is_singular, solutions.branches):
+            self.add_numbers(q)
+            self.add(int(is_singular))
+            self.add(text_of(branch))
+
+    def joints(self, n: int) -> list[float]:
+        return [3.1 * self.next() for _ in range(n)]
+
+    def next(self) -> float:
+        self.state = (self.state * 6_364_136_223_846_793_005 + 1_442_695_040_888_963_407) % WORDS
+        return (self.state >> 11) / 2**52 - 1.0
+
+
+@pytest.mark.parametrize("block", DIGITS.read_text().strip().split("\n\n"), ids=lambda block: str(block.split()[1]))
+def test_solutions_have_the_digits_of_rust(block: str) -> None:
+    digits, table = block.split("\n", 1)
+    arm = rd.Robot.from_toml(table, functions=["forward_kinematics"])
+    n, found = len(arm.joint_names), Hash()
+    limits = [[(-math.inf, math.inf), (-7.0, 0.5), (-2.0, 2.5)][i % 3] for i in range(n)]
+    for k in range(2_000):
+        q = found.joints(n)
+        if k % 8 == 4:
+            q = [math.pi / 2 * round(x / (math.pi / 2)) for x in q]
+        if k % 8 == 5:
+            q[n - 2] = 0.0
+        pose = arm.forward_kinematics(np.array(q))
+        if k % 64 == 3:
+            pose[0, 3] = math.nan
+        if k % 64 == 11:
+            pose = pose.T.copy()
+        if k % 8 == 6:
+            pose[:3, 3] *= 3.0
+        if k % 8 == 7:
+            pose = np.floor(pose * 1e4) / 1e4
+        elbow, seed = 3.0 * found.next(), np.array(found.joints(n))
+        solutions = arm.inverse_kinematics(pose, elbow=elbow if n == 7 else None)
+        found.add_all(solutions)
+        found.add({None: 0, "out of reach": 1, "not a pose": 2}[solutions.reason])
+        within = solutions.within(limits)
+        found.add_all(within)
+        nearest = within.nearest(seed)
+        if nearest is not None:
+            found.add_numbers(nearest.tolist())
+        try:
+            found.add_numbers(solutions.follow(seed, 2.5).tolist()[:1])
+        except rd.BranchEnds as ends:
+            found.add(9 if ends.joint is None else ends.joint)
+            if ends.joint is not None:
+                found.add_numbers([ends.way])
+        if n == 7:
+            found.add_numbers([float(arm.elbow_angle(np.array(q)))])
+    assert f"{found.word:016x}" == digits.split()[0]

@@ -4,6 +4,7 @@ mod arms;
 mod branches;
 mod edges;
 mod families;
+mod languages;
 mod long;
 mod poses;
 mod round;

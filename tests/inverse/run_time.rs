@@ -8,7 +8,7 @@ use crate::arms::*;
 use crate::{Inverse, Random};
 
 /// Rows of a call as a table in TOML.
-fn table(rows: &str) -> String {
+pub(crate) fn table(rows: &str) -> String {
     let row = |row: &str| {
         let (head, cells) = row.split_once('{')?;
         let (name, joint_type) = head.split_once(':')?;

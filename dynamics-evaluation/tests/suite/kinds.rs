@@ -164,8 +164,10 @@ impl Kind {
         let plans: Vec<_> = plans.collect();
         if !plans.is_empty() {
             // Beside the header that has the struct of fields.
-            let of_c = inverse_in_c(robot, &plans).into_iter();
-            texts.extend(of_c.map(|(name, text)| (format!("double/{name}"), text)));
+            for (folder, numbers) in NUMBERS {
+                let of_c = inverse_in_c(robot, &plans, numbers).into_iter();
+                texts.extend(of_c.map(|(name, text)| (format!("{folder}/{name}"), text)));
+            }
             texts.push(inverse_in_javascript(robot, &plans));
         }
         texts

@@ -46,6 +46,18 @@ M_1_PI M_2_PI M_2_SQRTPI M_E M_LN10 M_LN2 M_LOG10E M_LOG2E M_PI M_PI_2 M_PI_4 M_
 const REFUSAL: &str = "Returns 0; or, where M(q) is not positive definite to working precision or not finite, the \
                        number of the joint whose pivot failed, counted from 1, and writes nothing.";
 
+/// The specifier of every function.
+pub(crate) const DEVICE: &str = "\
+/* The specifier of every function: device code compiles it for both sides. */
+#ifndef ROBOT_DYNAMICS_DEVICE
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define ROBOT_DYNAMICS_DEVICE __host__ __device__
+#else
+#define ROBOT_DYNAMICS_DEVICE
+#endif
+#endif
+";
+
 /// More lines in a loop take gcc five seconds.
 const LONG: usize = 1_500;
 
@@ -138,11 +150,7 @@ impl<'a> Writer<'a> {
         let declarations: String = functions.iter().map(declaration).collect();
         format!(
             "{title}#ifndef {upper}_H\n#define {upper}_H\n\n\
-             /* The specifier of every function: device code compiles it for both sides. */\n\
-             #ifndef ROBOT_DYNAMICS_DEVICE\n\
-             #if defined(__CUDACC__) || defined(__HIPCC__)\n\
-             #define ROBOT_DYNAMICS_DEVICE __host__ __device__\n\
-             #else\n#define ROBOT_DYNAMICS_DEVICE\n#endif\n#endif\n\n\
+             {DEVICE}\n\
              /* {counted}, and their names from the base outwards. */\n\
              #define {upper}_DOF {}\n\
              #define {upper}_JOINT_NAMES {{{}}}\n\n\
@@ -293,7 +301,7 @@ impl<'a> Writer<'a> {
 
 /// A string literal. `?` is escaped because `??/` is a backslash in C99 (ISO/IEC 9899:1999, 5.2.1.1); letters that do
 /// not show themselves are written as the octal bytes of UTF-8.
-fn string(text: &str) -> String {
+pub(crate) fn string(text: &str) -> String {
     let mut literal = "\"".to_owned();
     for letter in text.chars() {
         match letter {

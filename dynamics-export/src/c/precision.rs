@@ -26,7 +26,7 @@ pub enum CNumbers {
 pub(crate) struct Precision {
     pub(crate) syntax: Syntax,
     /// The type.
-    pub(super) word: &'static str,
+    pub(crate) word: &'static str,
     /// The unsigned integer of as many bytes.
     pub(super) unsigned: &'static str,
     /// The function that multiplies and adds.
@@ -82,6 +82,22 @@ impl Precision {
             + &sines.unwrap_or_default()
             + &own
     }
+
+    /// A text in which numbers are REAL, and literals have a point, in this precision.
+    pub(crate) fn text(&self, text: &str) -> String {
+        let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+        let (mut written, mut rest) = (String::new(), text);
+        while let Some(start) = rest.find(is_part) {
+            let (before, word) = rest.split_at(start);
+            let (word, behind) = word.split_at(word.find(|c| !is_part(c)).unwrap_or(word.len()));
+            let number = word.parse().ok().filter(|_| word.contains('.'));
+            let word = if word == "REAL" { self.word } else { word };
+            written += before;
+            written += &number.map_or(word.to_owned(), self.syntax.number);
+            rest = behind;
+        }
+        written + rest
+    }
 }
 
 const CONTRACTION: &str = include_str!("contraction.c");
@@ -108,6 +124,7 @@ const DOUBLE_WITH_LIBRARY: Precision = Precision {
         ("ROBOT_DYNAMICS_SIN(", SIN),
         ("ROBOT_DYNAMICS_COS(", COS),
         ("ROBOT_DYNAMICS_EXP(", EXP),
+        ("ROBOT_DYNAMICS_SQRT(", SQRT),
     ],
     digits: OTHER_DIGITS,
 };
@@ -132,6 +149,7 @@ const FLOAT_WITH_LIBRARY: Precision = Precision {
         ("ROBOT_DYNAMICS_SINF(", SINF),
         ("ROBOT_DYNAMICS_COSF(", COSF),
         ("ROBOT_DYNAMICS_EXPF(", EXPF),
+        ("ROBOT_DYNAMICS_SQRTF(", SQRTF),
     ],
     digits: OTHER_DIGITS,
 };
@@ -146,7 +164,7 @@ const SAME_DIGITS: &[&str] = &[
 const OTHER_DIGITS: &[&str] =
     &["Sines are those of the C library: values differ from Rust's in their last places."];
 
-pub(crate) const OF_DOUBLE: Syntax = Syntax {
+const OF_DOUBLE: Syntax = Syntax {
     declare: |name, value| format!("const double {name} = {value};"),
     entry: |argument, i| format!("{argument}[{i}]"),
     number: |x| format!("{x:?}"),
@@ -201,9 +219,11 @@ fn single(x: f64) -> String {
 const SIN: &str = "\n#ifndef ROBOT_DYNAMICS_SIN\n#define ROBOT_DYNAMICS_SIN sin\n#endif\n";
 const COS: &str = "\n#ifndef ROBOT_DYNAMICS_COS\n#define ROBOT_DYNAMICS_COS cos\n#endif\n";
 const EXP: &str = "\n#ifndef ROBOT_DYNAMICS_EXP\n#define ROBOT_DYNAMICS_EXP exp\n#endif\n";
+const SQRT: &str = "\n#ifndef ROBOT_DYNAMICS_SQRT\n#define ROBOT_DYNAMICS_SQRT sqrt\n#endif\n";
 const SINF: &str = "\n#ifndef ROBOT_DYNAMICS_SINF\n#define ROBOT_DYNAMICS_SINF sinf\n#endif\n";
 const COSF: &str = "\n#ifndef ROBOT_DYNAMICS_COSF\n#define ROBOT_DYNAMICS_COSF cosf\n#endif\n";
 const EXPF: &str = "\n#ifndef ROBOT_DYNAMICS_EXPF\n#define ROBOT_DYNAMICS_EXPF expf\n#endif\n";
+const SQRTF: &str = "\n#ifndef ROBOT_DYNAMICS_SQRTF\n#define ROBOT_DYNAMICS_SQRTF sqrtf\n#endif\n";
 
 const SIGN: &str = "
 /** The sign, 0 of zero; NaN of NaN. */

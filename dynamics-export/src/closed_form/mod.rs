@@ -1,5 +1,5 @@
 //! Inverse kinematics in closed form as C99 and JavaScript, each in a file of its own with the functions that solve its
-//! equations. It is a loop over the solutions of each step inside that of the step before, as the Rust method has it.
+//! equations and choose among solutions. It is a loop over the solutions of each step inside that of the step before, as the Rust method has it.
 
 mod c;
 mod javascript;
@@ -12,15 +12,12 @@ use crate::comments::comment;
 use crate::syntax::Syntax;
 use dynamics_symbolic::emit::description_of_inverse;
 use dynamics_symbolic::inverse::{ELBOW, Plan, Step, Target};
-use dynamics_symbolic::robot::{JointType, Robot, Symbol};
+use dynamics_symbolic::robot::{Robot, Symbol};
 
 /// How a language writes the steps.
 struct Words {
-    syntax: Syntax,
-    /// The lines of a function's comment about its arguments and its results.
-    conventions: &'static [&'static str],
-    /// The text around the list of joints that turn, with 1 for each that does.
-    turning: [&'static str; 2],
+    /// The list of the names of branches.
+    branches: fn(&[String]) -> String,
     /// The declaration of the result, and of what families note besides.
     begin: &'static str,
     begin_tries: &'static str,
@@ -38,35 +35,38 @@ struct Words {
     noted: fn(&str) -> String,
     /// The beginning of a loop over the family of a joint, which is the value of a call.
     family: fn(&str, &str) -> Vec<String>,
-    /// The part of a direction that says whether it is singular.
+    /// The part of a direction that says whether it is singular, and the one of a joint that says whether it is a second root.
     is_singular: &'static str,
-    /// The statements that keep a solution: its joints, and whether it is singular besides.
-    keep: fn(&[String], &str) -> Vec<String>,
+    is_second: &'static str,
+    /// The statements that keep a solution: its joints, whether it is singular besides, and the number of its branch.
+    keep: fn(&[String], &str, &str) -> Vec<String>,
+    /// The statements that return an elbow's angle: the entries of three vectors, and their size.
+    elbow: fn([&[String]; 3], &str) -> Vec<String>,
 }
 
 struct Writer<'a> {
     plan: &'a Plan,
     words: &'a Words,
+    syntax: &'a Syntax,
     body: Body<'a>,
     /// For each line the number of steps that must be done before it.
     stages: Vec<usize>,
 }
 
 /// The statements of a function.
-fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
+fn statements(robot: &Robot, plan: &Plan, words: &Words, syntax: &Syntax) -> Vec<String> {
     let proven = plan.proven();
     let writer = Writer {
         plan,
         words,
-        body: Body::new(robot, &proven, &words.syntax),
+        syntax,
+        body: Body::new(robot, &proven, syntax),
         stages: plan.stages(),
     };
-    let joints = robot.joints();
-    let turning = joints.map(|row| u8::from(row.joint_type == JointType::Revolute).to_string());
-    let turning: Vec<_> = turning.collect();
-    let [before, behind] = words.turning;
-    let turning = format!("{before}{}{behind}", turning.join(", "));
-    let mut statements = vec![turning, words.begin.to_owned()];
+    let mut statements = vec![
+        (words.branches)(&plan.branches.names),
+        words.begin.to_owned(),
+    ];
     if plan.has_families() {
         statements.push(words.begin_tries.to_owned());
     }
@@ -78,12 +78,77 @@ fn statements(robot: &Robot, plan: &Plan, words: &Words) -> Vec<String> {
     statements
 }
 
-/// The comment on a function.
-fn description(frame: Option<&str>, plan: &Plan, words: &Words) -> String {
+/// The statements of the function of seven joints that returns the angle of their elbow.
+fn elbow_statements(
+    robot: &Robot,
+    plan: &Plan,
+    words: &Words,
+    syntax: &Syntax,
+) -> Option<Vec<String>> {
+    let proven = plan.proven_elbow()?;
+    let body = Body::new(robot, &proven, syntax);
+    let numbers: Vec<_> = (0..10).map(|k| body.output_of(k)).collect();
+    let vectors = [&numbers[0..3], &numbers[3..6], &numbers[6..9]];
+    let mut statements = body.inputs_that(|_| true);
+    statements.extend(body.lines_that(|_| true));
+    statements.extend((words.elbow)(vectors, &numbers[9]));
+    Some(statements)
+}
+
+/// The comment on a function, in which lines about arguments and results follow.
+fn description(frame: Option<&str>, plan: &Plan, conventions: &[String]) -> String {
     let first = description_of_inverse(frame, plan);
     let mut lines = vec![first.trim().replace('`', ""), String::new()];
-    lines.extend(words.conventions.iter().map(|line| (*line).to_owned()));
+    lines.extend_from_slice(conventions);
     comment(&lines)
+}
+
+/// The blocks of a text, apart by empty lines, that functions behind them need.
+fn needed(text: &str, functions: &str) -> String {
+    let mut code = functions.to_owned();
+    let mut kept = Vec::new();
+    for block in text
+        .trim_end()
+        .split("\n\n")
+        .collect::<Vec<_>>()
+        .into_iter()
+        .rev()
+    {
+        let statement = match block.strip_prefix("/*") {
+            Some(comment) => comment.split_once("*/").map_or("", |(_, rest)| rest),
+            None => block,
+        };
+        if defined(statement.trim_start()).is_none_or(|name| has_word(&code, name)) {
+            code.push_str(statement);
+            kept.push(block);
+        }
+    }
+    kept.reverse();
+    kept.join("\n\n") + "\n"
+}
+
+/// The name that a statement of C or JavaScript gives something that only its own file knows.
+fn defined(statement: &str) -> Option<&str> {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let first = |text: &'_ str| text.find(|c| !is_letter(c)).unwrap_or(text.len());
+    let (word, rest) = statement.split_once(' ')?;
+    match word {
+        "#define" | "const" => Some(&rest[..first(rest)]),
+        "typedef" | "enum" => Some(statement.trim_end_matches(';').rsplit(' ').next()?),
+        "static" | "function" | "function*" => {
+            let head = rest.split(['(', '[']).next()?;
+            head.split(|c| !is_letter(c)).rfind(|name| !name.is_empty())
+        }
+        _ => None,
+    }
+}
+
+/// Whether a text has a word.
+fn has_word(text: &str, word: &str) -> bool {
+    let is_letter = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    text.match_indices(word).any(|(at, _)| {
+        !text[..at].ends_with(is_letter) && !text[at + word.len()..].starts_with(is_letter)
+    })
 }
 
 /// The name of a joint that was found.
@@ -101,11 +166,8 @@ impl Writer<'_> {
         };
         let mut inputs = self.body.inputs_that(is_known);
         if self.plan.target == Target::PoseAndElbow {
-            let Syntax { sine, cosine, .. } = self.words.syntax;
-            for (place, function) in [(ELBOW, sine), (ELBOW + 1, cosine)] {
-                let value = format!("{function}(elbow)");
-                inputs.push((self.words.syntax.declare)(&self.number(place), &value));
-            }
+            let [sine, cosine] = [ELBOW, ELBOW + 1].map(|place| self.number(place));
+            inputs.extend(self.syntax.sine_and_cosine("elbow", [&sine, &cosine]));
         }
         inputs
     }
@@ -128,7 +190,7 @@ impl Writer<'_> {
                 [] => "0".to_owned(),
                 _ => singular.join(" || "),
             };
-            push((self.words.keep)(&joints, &singular));
+            push((self.words.keep)(&joints, &singular, &self.branch()));
             return;
         };
         let outputs = self.plan.outputs_of(step);
@@ -179,10 +241,28 @@ impl Writer<'_> {
         text.push(format!("{indent}}}"));
     }
 
+    /// The number of the branch: each joint with two roots adds one bit.
+    fn branch(&self) -> String {
+        let joints = self.plan.branches.joints.iter().enumerate();
+        let bits = joints.map(|(k, number)| {
+            format!(
+                "({}.{} ? {} : 0)",
+                joint(*number),
+                self.words.is_second,
+                1 << k
+            )
+        });
+        let bits: Vec<_> = bits.collect();
+        match &bits[..] {
+            [] => "0".to_owned(),
+            bits => bits.join(" + "),
+        }
+    }
+
     /// Parts of the solution of a step, where they are read.
     fn bound(&self, step: Step, of: &str) -> Vec<String> {
         let declare = |(index, part): (usize, &str)| {
-            (self.words.syntax.declare)(self.body.input_name(index), &format!("{of}.{part}"))
+            (self.syntax.declare)(self.body.input_name(index), &format!("{of}.{part}"))
         };
         self.plan.inputs_of(step).map(declare).collect()
     }

@@ -6,7 +6,6 @@
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use super::Real;
-use crate::Scalar as _;
 
 /// Coefficients of the odd polynomial z + z^3 P(z^2), which is the arc tangent for |z| <= 7/16 with a relative error below 2^-57:
 /// those of FreeBSD's `s_atan.c` (Sun Microsystems 1993), from the highest power downwards.
@@ -24,25 +23,12 @@ const ARC_TANGENT: [f64; 11] = [
     3.333_333_333_333_293e-1,
 ];
 
-/// tan(pi/8)
-const TANGENT_OF_EIGHTH: f64 = 0.414_213_562_373_095_04;
+/// The same in single precision, for |z| <= tan(pi/8) with a relative error below 3e-8: minimax, by Remez's algorithm.
+const SINGLE_ARC_TANGENT: [f32; 4] = [-0.080_537_21, 0.138_776_78, -0.199_777_1, 0.333_329_5];
 
-/// The angle from -pi to pi with this sine and cosine, up to a common positive factor; 0 where both vanish. The error is below
-/// 5e-16 rad, for a sine that is small beside the cosine below two units in the last place.
+/// -P(z^2) of a z whose square is given, in double precision.
 #[inline(always)]
-pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
-    let (s, c) = (sine.abs(), cosine.abs());
-    let is_steep = s > c;
-    let (small, large) = if is_steep { (c, s) } else { (s, c) };
-    // tan(x - pi/4) = (tan x - 1) / (tan x + 1)
-    let is_far = small > TANGENT_OF_EIGHTH * large;
-    let (over, under) = if is_far {
-        (small - large, small + large)
-    } else {
-        (small, large)
-    };
-    let z = over / if under == 0.0 { 1.0 } else { under };
-    let square = z * z;
+pub(super) fn arc_tangent(square: f64) -> f64 {
     // Even and odd powers, one beside the other.
     let fourth = square * square;
     let [mut even, mut odd] = [ARC_TANGENT[0], ARC_TANGENT[1]];
@@ -50,24 +36,55 @@ pub(super) fn angle(sine: f64, cosine: f64) -> f64 {
         even = even * fourth + ARC_TANGENT[2 * k];
         odd = odd * fourth + ARC_TANGENT[2 * k + 1];
     }
-    let polynomial = even * fourth + ARC_TANGENT[10] + odd * square;
-    let angle = z - z * (square * polynomial);
-    let angle = if is_far { FRAC_PI_4 + angle } else { angle };
-    let angle = if is_steep { FRAC_PI_2 - angle } else { angle };
-    let angle = if cosine < 0.0 { PI - angle } else { angle };
-    if sine < 0.0 { -angle } else { angle }
+    even * fourth + ARC_TANGENT[10] + odd * square
+}
+
+/// The same in single precision.
+#[inline(always)]
+pub(super) fn single_arc_tangent(square: f32) -> f32 {
+    let [a, b, c, d] = SINGLE_ARC_TANGENT;
+    ((a * square + b) * square + c) * square + d
+}
+
+/// tan(pi/8)
+const TANGENT_OF_EIGHTH: f64 = 0.414_213_562_373_095_04;
+
+/// The angle from -pi to pi with this sine and cosine, up to a common positive factor; 0 where both vanish. The error is below
+/// 5e-16 rad, for a sine that is small beside the cosine below two units in the last place; in single precision below 3e-7 rad.
+#[inline(always)]
+pub(super) fn angle<T: Real>(sine: T, cosine: T) -> T {
+    let [zero, one, eighth, quarter, half] = [0.0, 1.0, FRAC_PI_4, FRAC_PI_2, PI].map(T::from_f64);
+    let size = |x: T| if x > zero { x } else { zero - x };
+    let (s, c) = (size(sine), size(cosine));
+    let is_steep = s > c;
+    let (small, large) = if is_steep { (c, s) } else { (s, c) };
+    // tan(x - pi/4) = (tan x - 1) / (tan x + 1)
+    let is_far = small > T::from_f64(TANGENT_OF_EIGHTH) * large;
+    let (over, under) = if is_far {
+        (small - large, small + large)
+    } else {
+        (small, large)
+    };
+    let z = over / if under == zero { one } else { under };
+    let square = z * z;
+    let angle = z - z * (square * square.arc_tangent());
+    let angle = if is_far { eighth + angle } else { angle };
+    let angle = if is_steep { quarter - angle } else { angle };
+    let angle = if cosine < zero { half - angle } else { angle };
+    if sine < zero { -angle } else { angle }
 }
 
 /// Replaces cosines by the angles that they and the sines belong to, above -pi and up to pi.
 pub(super) fn angles<T: Real>(sines: &[T], cosines: &mut [T]) {
-    f64::vectorized(
+    let half_turn = T::from_f64(PI);
+    T::vectorized(
         #[inline(always)]
         || {
             for (sine, cosine) in sines.iter().zip(cosines) {
-                let angle = T::from_f64(angle((*sine).into(), (*cosine).into()));
+                let angle = angle(*sine, *cosine);
                 // An angle that rounding takes to -pi, from above, is half a turn all the same.
-                let is_half_turn = angle.into() <= -PI;
-                *cosine = if is_half_turn { T::from_f64(PI) } else { angle };
+                let is_half_turn = angle <= -half_turn;
+                *cosine = if is_half_turn { half_turn } else { angle };
             }
         },
     );
@@ -88,6 +105,23 @@ mod tests {
             assert!((angle(s * 1e-9, c * 1e-9) - expected).abs() < 9e-16);
         }
         assert!(worst < 5e-16, "{worst:e}");
+    }
+
+    #[test]
+    fn angles_in_single_precision_are_those_of_the_library() {
+        let mut worst = 0.0_f64;
+        for k in -100_000..=100_000 {
+            let x = f64::from(k) * (PI / 100_000.0);
+            let (s, c) = (x.sin() as f32, x.cos() as f32);
+            let expected = f64::from(s).atan2(f64::from(c));
+            worst = worst.max((f64::from(angle(s, c)) - expected).abs());
+        }
+        assert!(worst < 3e-7, "{worst:e}");
+        for k in 1..200 {
+            let x = 0.9_f32.powi(k);
+            let relative = f64::from(angle(x, 1.0)) / f64::from(x).atan() - 1.0;
+            assert!(relative.abs() < 3e-7, "{x} {relative:e}");
+        }
     }
 
     #[test]

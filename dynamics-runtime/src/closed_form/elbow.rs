@@ -31,7 +31,7 @@ pub fn elbow_angle<T: Real>(line: Vector3<T>, elbow: Vector3<T>, axis: Vector3<T
     let beside = cross(&axis, &line);
     let elbow = across(along(across(elbow, &line), beside, size), &line);
     let (cosine, sine) = (dot(&start, &elbow), dot(&line, &cross(&start, &elbow)));
-    T::from_f64(angle(sine.into(), cosine.into()))
+    angle(sine, cosine)
 }
 
 /// Ranges have room for so many. Each of six joints meets each of its two limits at two angles of the elbow at most, for both

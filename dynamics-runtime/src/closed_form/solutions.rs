@@ -285,14 +285,15 @@ pub fn nearest_turn<T: Real>(q: T, seed: T, range: Option<[T; 2]>) -> T {
 
 /// The multiple of a whole turn that is nearest to an angle, or, upwards, the least that is not below it.
 fn whole_turns<T: Real>(angle: T, upwards: bool) -> T {
-    let turn = core::f64::consts::TAU;
-    let turns = angle.into() / turn;
-    let whole = if upwards {
-        libm::ceil(turns)
+    let turn = T::from_f64(core::f64::consts::TAU);
+    let turns = angle / turn;
+    let nearest = turns.rint();
+    let whole = if upwards && nearest < turns {
+        nearest + T::from_f64(1.0)
     } else {
-        libm::rint(turns)
+        nearest
     };
-    T::from_f64(whole * turn)
+    whole * turn
 }
 
 impl<'s, T: Real, const N: usize> IntoIterator for &'s Solutions<T, N> {

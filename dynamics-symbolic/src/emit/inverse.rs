@@ -4,7 +4,7 @@
 use super::body::Writer;
 use super::inputs::{constants_like, input_name};
 use super::names::{ident, number_of_joints, shown, variable};
-use crate::function::{Argument, INVERSE_KINEMATICS, inverse_method};
+use crate::function::{Argument, ELBOW_METHODS, elbow_method, inverse_method};
 use crate::inverse::{ELBOW, Plan, Rule, Step, Target};
 use crate::program::Proven;
 use crate::robot::{JointType, Robot, Symbol};
@@ -159,14 +159,6 @@ fn elbow_methods(frame: Option<&str>, body: &TokenStream, path: &TokenStream) ->
             #path::closed_form::elbow_ranges(|#elbow| self.#inverse(#pose, #elbow), #limits)
         }
     }
-}
-
-/// The methods about the elbow of seven joints.
-const ELBOW_METHODS: [&str; 2] = ["elbow_angle", "elbow_ranges"];
-
-/// The name of a method about the elbow, for a frame of this name or for the tip.
-fn elbow_method(name: &str, frame: Option<&str>) -> String {
-    inverse_method(frame).replacen(INVERSE_KINEMATICS, name, 1)
 }
 
 /// The method that searches through families, if the one that does not has found an equation without a solution which one of
