@@ -12,13 +12,18 @@ import time
 import timeit
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+import robot_dynamics as rd  # noqa: E402
 from conftest import DATA, panda  # noqa: E402
 
 TURNS = 15
+
+CLOCK = time.perf_counter
+"""The clock; `kinds_of_calls` has the time of its thread alone, so that other programs count less."""
 
 STATES = np.random.default_rng(0).uniform(-1, 1, (3, 65_536, 7))
 
@@ -28,8 +33,15 @@ def in_turns(programs: dict[str, Callable[[], object]], calls: int) -> dict[str,
     best = dict.fromkeys(programs, np.inf)
     for _ in range(TURNS):
         for name, program in programs.items():
-            best[name] = min(best[name], timeit.timeit(program, number=calls) / calls)
+            seconds = timeit.timeit(program, number=calls, timer=CLOCK)
+            best[name] = min(best[name], seconds / calls)
     return best
+
+
+def reduced_panda(pinocchio: Any) -> Any:
+    model = pinocchio.buildModelFromUrdf(str(DATA / "urdf" / "panda.urdf"))
+    fingers = [model.getJointId(f"panda_finger_joint{k}") for k in (1, 2)]
+    return pinocchio.buildReducedModel(model, fingers, pinocchio.neutral(model))
 
 
 def one_call() -> None:
@@ -48,9 +60,7 @@ def one_call() -> None:
     except ImportError:
         print("Pinocchio is not installed")
     else:
-        model = pinocchio.buildModelFromUrdf(str(DATA / "urdf" / "panda.urdf"))
-        fingers = [model.getJointId(f"panda_finger_joint{k}") for k in (1, 2)]
-        model = pinocchio.buildReducedModel(model, fingers, pinocchio.neutral(model))
+        model = reduced_panda(pinocchio)
         data = model.createData()
         programs |= {
             "pinocchio.rnea": lambda: pinocchio.rnea(model, data, q, qd, qdd),
@@ -62,6 +72,63 @@ def one_call() -> None:
     nothing = seconds.pop("nothing")
     for name, time_of_call in seconds.items():
         print(f"{name:24}{(time_of_call - nothing) * 1e9:8.0f} ns a call")
+
+
+def beside(title: str, programs: dict[str, Callable[[], object]], calls: int) -> None:
+    """The time of each program in shares of the first one's."""
+    seconds = in_turns(programs, calls)
+    first, *others = seconds
+    for name in others:
+        print(f"{title + name:44}{seconds[name] / seconds[first]:8.2f} times {first}")
+
+
+def kinds_of_calls() -> None:
+    """A base that moves, derivatives of one state, and kinds of numbers."""
+    arm = panda(functions=["inverse_dynamics", "inverse_dynamics_derivatives", "forward_dynamics_derivatives"])
+    one, many = tuple(STATES[:, 0]), tuple(STATES[:, :1024])
+    for title, doubles, calls in (("one state, ", one, 5_000), ("1,024 states, ", many, 20)):
+        singles = tuple(x.astype(np.float32) for x in doubles)
+        programs: dict[str, Callable[[], object]] = {
+            "doubles": lambda doubles=doubles: arm.inverse_dynamics(*doubles),
+            "float32": lambda singles=singles: arm.inverse_dynamics(*singles),
+        }
+        beside(title, programs, calls)
+    for name, given in (("integers", tuple(x.astype(int) for x in one)), ("lists", tuple(x.tolist() for x in one))):
+        programs = {
+            "doubles and numpy's conversion": lambda given=given: arm.inverse_dynamics(*(np.asarray(x, float) for x in given)),
+            name: lambda given=given: arm.inverse_dynamics(*given),
+        }
+        beside("one state, ", programs, 5_000)
+    path = DATA / "urdf" / "laikago.urdf"
+    dog = rd.Robot.from_file(path, base="floating", gravity=(0, 0, -9.81), allow=["no_inertia"])
+    pose, q, v, a = np.eye(4), *np.split(STATES.ravel()[:48], [12, 30])
+    programs = {
+        "coriolis_vector, without base": lambda: dog.coriolis_vector(q, v),
+        "inverse_dynamics, with base": lambda: dog.inverse_dynamics(pose, q, v, a),
+    }
+    beside("a quadruped's ", programs, 2_000)
+    try:
+        import pinocchio
+    except ImportError:
+        return
+    model = pinocchio.buildModelFromUrdf(str(path), pinocchio.JointModelFreeFlyer())
+    data, theirs = model.createData(), np.concatenate([pinocchio.neutral(model)[:7], q])
+    programs = {
+        "Pinocchio's": lambda: pinocchio.rnea(model, data, theirs, v, a),
+        "tau": lambda: dog.inverse_dynamics(pose, q, v, a),
+    }
+    beside("a quadruped's ", programs, 2_000)
+    model = reduced_panda(pinocchio)
+    data = model.createData()
+    for name, theirs in (
+        ("inverse_dynamics_derivatives", pinocchio.computeRNEADerivatives),
+        ("forward_dynamics_derivatives", pinocchio.computeABADerivatives),
+    ):
+        programs = {
+            "Pinocchio's": lambda theirs=theirs: theirs(model, data, *one),
+            name: lambda name=name: getattr(arm, name)(*one),
+        }
+        beside("", programs, 2_000)
 
 
 def batches() -> None:
@@ -100,3 +167,5 @@ if __name__ == "__main__":
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     one_call()
     batches()
+    CLOCK = time.thread_time
+    kinds_of_calls()

@@ -94,10 +94,10 @@ impl Argument {
     #[inline]
     pub(crate) fn read(&self, given: &Bound<'_, PyAny>, to: &mut [f64]) -> PyResult<Option<Kind>> {
         if !self.is_pose() {
-            return Ok(vector(given, to));
+            return Ok(state(given, &self.axes, to));
         }
         let mut matrix = [0.0; 16];
-        let kind = matrix_of(given, &mut matrix);
+        let kind = state(given, &self.axes, &mut matrix);
         if kind.is_some() {
             to.copy_from_slice(&entries_of_pose(&matrix)?);
         }
@@ -268,33 +268,43 @@ fn repeat(rows: &[f64], own: &[usize], lead: &[usize], to: &mut Vec<f64>) {
     }
 }
 
-/// Whether numpy need not be asked about an array: it is no other class, and its numbers are aligned.
-fn is_plain(array: &Bound<'_, PyUntypedArray>) -> bool {
-    array.is_exact_instance_of::<PyUntypedArray>() && array.is_aligned()
+/// Reads an array of these axes or a list, of which numpy need not be asked.
+#[inline]
+fn state(given: &Bound<'_, PyAny>, axes: &[usize], to: &mut [f64]) -> Option<Kind> {
+    let Ok(array) = given.cast_exact::<PyUntypedArray>() else {
+        let is_vector = axes.len() == 1;
+        return is_vector
+            .then(|| listed(given, to))?
+            .map(|()| Kind::Written);
+    };
+    if array.shape() != axes || !array.is_aligned() {
+        return None;
+    }
+    let kind = array.dtype();
+    match (kind.kind(), kind.itemsize()) {
+        (b'f', 8) => entries::<f64>(array, to).map(|()| Kind::Double),
+        (b'f', 4) => entries::<f32>(array, to).map(|()| Kind::Single),
+        (b'i', 8) => entries::<i64>(array, to).map(|()| Kind::Written),
+        (b'i', 4) => entries::<i32>(array, to).map(|()| Kind::Written),
+        _ => None,
+    }
 }
 
-/// Reads a vector, of an array of numpy or a list.
+/// Reads the entries of a vector, or of a matrix by rows.
 #[inline]
-fn vector(given: &Bound<'_, PyAny>, to: &mut [f64]) -> Option<Kind> {
-    #[inline]
-    fn array<T: Number>(given: &Bound<'_, PyAny>, to: &mut [f64]) -> Option<()> {
-        let array = given.cast::<PyArray1<T>>().ok()?;
-        if array.len() != to.len() || !is_plain(array.as_untyped()) {
-            return None;
-        }
+fn entries<T: Number>(array: &Bound<'_, PyUntypedArray>, to: &mut [f64]) -> Option<()> {
+    if let Ok(vector) = array.cast::<PyArray1<T>>() {
         for (k, x) in to.iter_mut().enumerate() {
-            *x = array.get_owned([k])?.double();
+            *x = vector.get_owned([k])?.double();
         }
-        Some(())
+        return Some(());
     }
-    if array::<f64>(given, to).is_some() {
-        return Some(Kind::Double);
+    let matrix = array.cast::<PyArray2<T>>().ok()?;
+    let columns = matrix.shape()[1];
+    for (k, x) in to.iter_mut().enumerate() {
+        *x = matrix.get_owned([k / columns, k % columns])?.double();
     }
-    if array::<f32>(given, to).is_some() {
-        return Some(Kind::Single);
-    }
-    let whole = array::<i64>(given, to).or_else(|| array::<i32>(given, to));
-    whole.or_else(|| listed(given, to)).map(|()| Kind::Written)
+    Some(())
 }
 
 /// Reads a list of numbers of Python.
@@ -315,26 +325,6 @@ fn listed(given: &Bound<'_, PyAny>, to: &mut [f64]) -> Option<()> {
         };
     }
     Some(())
-}
-
-/// Reads a matrix by rows, of an array of numpy.
-#[inline]
-fn matrix_of(given: &Bound<'_, PyAny>, to: &mut [f64; 16]) -> Option<Kind> {
-    #[inline]
-    fn array<T: Number>(given: &Bound<'_, PyAny>, to: &mut [f64; 16]) -> Option<()> {
-        let array = given.cast::<PyArray2<T>>().ok()?;
-        if array.shape() != [4, 4] || !is_plain(array.as_untyped()) {
-            return None;
-        }
-        for (k, x) in to.iter_mut().enumerate() {
-            *x = array.get_owned([k / 4, k % 4])?.double();
-        }
-        Some(())
-    }
-    match array::<f64>(given, to) {
-        Some(()) => Some(Kind::Double),
-        None => array::<f32>(given, to).map(|()| Kind::Single),
-    }
 }
 
 /// Lists of numbers, and whatever numpy takes for an array.

@@ -76,6 +76,9 @@ def test_poses_are_those_of_single_calls(body: rd.Robot) -> None:
         assert found.shape == (6, 6, 7)
         np.testing.assert_allclose(found[3, 3], expected[3], atol=1e-13)
         np.testing.assert_allclose(found[1, 2], body.inverse_dynamics(poses[3], q[1, :1], v[2], a[2]), atol=1e-13)
+    for flat in (np.eye(4).ravel(), np.eye(4).ravel().tolist()):
+        with pytest.raises(ValueError, match=r"`base` has the shape \(16,\): expected \(\.\.\., 4, 4\)"):
+            body.gravity_vector(flat, [0.3])
     whole = np.eye(4, dtype=int)
     np.testing.assert_array_equal(body.gravity_vector(whole, [0.3]), body.gravity_vector(np.eye(4), [0.3]))
     single = [x.astype(np.float32) for x in (poses[0], q[0, :1], v[0], a[0])]
