@@ -23,7 +23,8 @@ pub trait Real: Scalar + PartialOrd + Into<f64> + sealed::Sealed {
     /// Whether the number is finite.
     #[inline]
     fn is_finite(self) -> bool {
-        self - self == Self::from_f64(0.0)
+        let zero = Self::from_f64(0.0);
+        self * zero == zero
     }
 }
 
