@@ -12,12 +12,14 @@ use crate::errors::warn_of_degrees;
 use crate::motion::CALLS_TO_MOVE;
 use crate::robot::Arm;
 
+/// A frame by its name, none for the tip, with the numbers of its target, a position besides, and weights.
+type OfFrame = (Option<String>, Vec<f64>, Option<[f64; 3]>, [f64; 2]);
+
 /// The request of a search.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct Asked {
-    /// Frames by their names, none for the tip, each with its target.
-    targets: Vec<(Option<String>, Vec<f64>, Option<[f64; 3]>, [f64; 2])>,
+    targets: Vec<OfFrame>,
     start: Vec<f64>,
     posture: Option<Vec<f64>>,
     tolerance: [f64; 2],
