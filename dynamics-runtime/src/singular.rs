@@ -93,15 +93,17 @@ impl SingularMassMatrix {
 #[cold]
 #[inline(never)]
 pub(crate) fn relative_pivot<T: Scalar>(pivot: T, diagonal: T) -> f64 {
-    let one = pivot.constant(1.0);
-    let quotient = pivot.ratio_to_f64(diagonal * diagonal.sign());
-    let ratio = if quotient.is_nan() && !diagonal.ratio_to_f64(one).is_nan() {
-        pivot.ratio_to_f64(one)
+    let [zero, one] = [0.0, 1.0].map(|x| pivot.constant(x));
+    // In the precision of the numbers: a controller of singles has no doubles.
+    let is_nan = |x: T| !(x * x + one).is_positive();
+    let quotient = pivot / (diagonal * diagonal.sign());
+    let ratio = if is_nan(quotient) && !is_nan(diagonal) {
+        pivot
     } else {
         quotient
     };
-    // Turns a zero that is negative into one that is not.
-    ratio + 0.0
+    // The sum turns a zero that is negative into one that is not.
+    (ratio + zero).ratio_to_f64(one)
 }
 
 impl fmt::Display for SingularMassMatrix {

@@ -119,14 +119,16 @@ impl<T: Real, const N: usize> Branches<T, N> {
     pub fn push(&mut self, joints: [Found<T>; N], is_singular: bool) {
         let add = |sum: T, joint: &Found<T>| sum + joint.sine + joint.cosine;
         let sum = joints.iter().fold(T::from_f64(0.0), add);
-        if self.count < MOST && sum.is_finite() {
-            let (sines, cosines) = (&mut self.sines[self.count], &mut self.cosines[self.count]);
-            self.are_singular[self.count] = is_singular;
-            self.seconds[self.count] = 0;
+        // A copy, which no write can change: the compiler knows that it is an index.
+        let at = self.count;
+        if at < MOST && sum.is_finite() {
+            let (sines, cosines) = (&mut self.sines[at], &mut self.cosines[at]);
+            self.are_singular[at] = is_singular;
+            self.seconds[at] = 0;
             for (i, joint) in joints.iter().enumerate() {
                 (sines[i], cosines[i]) = (joint.sine, joint.cosine);
-                self.are_singular[self.count] |= joint.is_singular;
-                self.seconds[self.count] |= u8::from(joint.is_second) << i;
+                self.are_singular[at] |= joint.is_singular;
+                self.seconds[at] |= u8::from(joint.is_second) << i;
             }
             self.count += 1;
         }
@@ -148,7 +150,8 @@ impl<T: Real, const N: usize> Branches<T, N> {
         is_pose: bool,
         (joints, names): (&[usize], &[&'static str]),
     ) -> Solutions<T, N> {
-        let some = (self.count * N).next_multiple_of(TOGETHER);
+        let some = (self.count.min(MOST) * N).next_multiple_of(TOGETHER);
+        let some = some.min(MOST * N);
         let cosines = &mut self.cosines.as_flattened_mut()[..some];
         angles(&self.sines.as_flattened()[..some], cosines);
         for i in (0..N).filter(|&i| !turns[i]) {
@@ -200,8 +203,8 @@ impl<T: Real, const N: usize> Solutions<T, N> {
                 q[i] = within.nearest_turn(i, q[i], q[i]);
                 limits[i].is_none_or(|[lower, upper]| q[i] >= lower && q[i] <= upper)
             });
-            if is_within {
-                within.all[within.count] = Solution { q, ..*solution };
+            if let (true, Some(place)) = (is_within, within.all.get_mut(within.count)) {
+                *place = Solution { q, ..*solution };
                 within.count += 1;
             }
         }
@@ -214,8 +217,10 @@ impl<T: Real, const N: usize> Solutions<T, N> {
     pub fn nearest(&self, seed: &SVector<T, N>) -> Option<Solution<T, N>> {
         let solution = *self.nearest_one(seed)?;
         let mut q = solution.q;
-        for i in (0..N).filter(|&i| self.limits[i].is_some()) {
-            q[i] = self.nearest_turn(i, q[i], seed[i]);
+        for i in 0..N {
+            if self.limits[i].is_some() {
+                q[i] = self.nearest_turn(i, q[i], seed[i]);
+            }
         }
         Some(Solution { q, ..solution })
     }
@@ -268,7 +273,7 @@ impl<T: Real, const N: usize> Deref for Solutions<T, N> {
 
     #[inline]
     fn deref(&self) -> &Self::Target {
-        &self.all[..self.count]
+        &self.all[..self.count.min(MOST)]
     }
 }
 

@@ -41,9 +41,11 @@ pub(super) fn reduce(x: f64) -> Reduced<f64> {
     let m = bits & 0xf_ffff_ffff_ffff | 0x10_0000_0000_0000;
     // 64 zeros, and e - 2.
     let start = (bits >> 52) - 1013;
+    // An index is never beyond the table, which the compiler cannot know: it would write a panic.
+    let bits_at = |at: usize| u128::from(TWO_OVER_PI.get(at).copied().unwrap_or(0));
     let window = |word: u64| {
         let at = (start / 64 + word) as usize;
-        let both = u128::from(TWO_OVER_PI[at]) << 64 | u128::from(TWO_OVER_PI[at + 1]);
+        let both = bits_at(at) << 64 | bits_at(at + 1);
         (both << (start % 64) >> 64) as u64
     };
     let product = |a: u64, b: u64| u128::from(a) * u128::from(b);

@@ -28,9 +28,11 @@ pub(super) fn reduce(x: f32) -> Reduced<f32> {
     let m = u64::from(bits & 0x7f_ffff | 0x80_0000);
     // 32 zeros, and e - 2.
     let start = 32 + (bits >> 23) - 152;
+    // An index is never beyond the table, which the compiler cannot know: it would write a panic.
+    let bits_at = |at: usize| u64::from(TWO_OVER_PI.get(at).copied().unwrap_or(0));
     let window = |word: u32| {
         let at = (start / 32 + word) as usize;
-        let both = u64::from(TWO_OVER_PI[at]) << 32 | u64::from(TWO_OVER_PI[at + 1]);
+        let both = bits_at(at) << 32 | bits_at(at + 1);
         both << (start % 32) >> 32
     };
     let low = m * window(2);
