@@ -20,6 +20,7 @@ pub(crate) fn run(given: &Generate) -> Result<String, Failure> {
         struct_name: name.as_deref(),
         numbers: c_numbers(given)?,
         is_project: given.project,
+        leaves_out_batches: given.no_batches,
     };
     let mut model = read_with_names(&given.robot)?;
     if given.lang != Language::Rust {
@@ -75,7 +76,7 @@ fn leave_out(language: Language, model: &mut Model) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The numbers of C. `--scalar`, `--sines` and `--project` are of no other language.
+/// The numbers of C. `--scalar`, `--sines`, `--project` and `--no-batches` are of no other language.
 fn c_numbers(given: &Generate) -> Result<CNumbers, Failure> {
     let (scalar, sines) = (&given.scalar, &given.sines);
     let is_c = given.lang == Language::C;
@@ -87,10 +88,19 @@ fn c_numbers(given: &Generate) -> Result<CNumbers, Failure> {
             )));
         }
     }
-    if given.project && !is_c {
-        return Err(Failure::of_the_command_line(
-            "`--project` is about `--lang c`: it writes what C++ and CMake need",
-        ));
+    for (is_given, option, what) in [
+        (given.project, "project", "writes what C++ and CMake need"),
+        (
+            given.no_batches,
+            "no-batches",
+            "leaves out functions over columns of states",
+        ),
+    ] {
+        if is_given && !is_c {
+            return Err(Failure::of_the_command_line(format!(
+                "`--{option}` is about `--lang c`: it {what}"
+            )));
+        }
     }
     Ok(CNumbers::new(
         scalar.as_deref() == Some("float"),

@@ -6,7 +6,7 @@ use dynamics_codegen::Model;
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request, proven_plan};
 
-use crate::c::{CNumbers, c_project, c_source_in};
+use crate::c::{CNumbers, c_project, c_source_in, c_source_without_batches};
 use crate::casadi::{casadi_requests, casadi_source};
 use crate::closed_form::{inverse_in_c, inverse_in_javascript};
 use crate::javascript::javascript_module;
@@ -27,6 +27,8 @@ pub struct Options<'a> {
     pub numbers: CNumbers,
     /// Whether C has a header for C++, a file for CMake and a test besides.
     pub is_project: bool,
+    /// Whether C has no functions over columns of states.
+    pub leaves_out_batches: bool,
 }
 
 /// The reason why there are no files.
@@ -89,7 +91,11 @@ fn functions(
     match language {
         Language::Rust => Vec::new(),
         Language::C => {
-            let source = c_source_in(robot, programs, options.numbers);
+            let write = match options.leaves_out_batches {
+                true => c_source_without_batches,
+                false => c_source_in,
+            };
+            let source = write(robot, programs, options.numbers);
             let header = (format!("{}.h", source.name), source.header);
             let mut files = vec![header, named(source.source)];
             if options.is_project {

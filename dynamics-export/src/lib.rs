@@ -28,7 +28,7 @@ mod python;
 mod rust;
 mod syntax;
 
-pub use c::{CNumbers, CSource, c_project, c_source, c_source_in};
+pub use c::{CNumbers, CSource, c_project, c_source, c_source_in, c_source_without_batches};
 pub use casadi::{CasadiSource, casadi_requests, casadi_source};
 pub use closed_form::{inverse_in_c, inverse_in_javascript};
 pub use comments::description;

@@ -73,6 +73,7 @@ impl Arm {
             struct_name: None,
             numbers: c_numbers(language, scalar, sines, project)?,
             is_project: project,
+            leaves_out_batches: false,
         };
         let files = py.detach(|| {
             let model = model(robot.clone(), requests);

@@ -116,8 +116,11 @@ pub(crate) struct Generate {
     #[arg(long, value_name = "LIBRARY", value_parser = ["libm"])]
     pub(crate) sines: Option<String>,
     /// Beside C write a header for C++, CMakeLists.txt and a test program
-    #[arg(long)]
+    #[arg(long, conflicts_with = "no_batches")]
     pub(crate) project: bool,
+    /// Write C without functions over columns of states
+    #[arg(long)]
+    pub(crate) no_batches: bool,
     /// The folder
     #[arg(long, value_name = "PATH", default_value = ".")]
     pub(crate) out: PathBuf,

@@ -15,6 +15,13 @@ use dynamics_symbolic::program::Proven;
 /// States whose sines are held at a time.
 const BLOCK: usize = 64;
 
+/// The beginnings of the names of functions of the C library.
+const LIBRARY: [&str; 3] = [
+    "ROBOT_DYNAMICS_SIN",
+    "ROBOT_DYNAMICS_COS",
+    "ROBOT_DYNAMICS_EXP",
+];
+
 /// The sentences about a function that refuses states.
 const REFUSAL: &str = "Returns 0; or the number of the first state, counted from 1, that the function of one state refuses. \
                        All values of such a state are NaN.";
@@ -84,15 +91,16 @@ impl Writer<'_> {
             "const size_t count = n - start < {BLOCK} ? n - start : {BLOCK};"
         )];
         block.extend(batch_columns(&of_states));
-        block.extend([
-            "ROBOT_DYNAMICS_LANES".to_owned(),
-            "for (k = 0; k < count; ++k) {".to_owned(),
-        ]);
+        // A function of the C library has no lanes, and clang would warn that there are none.
+        let calls_library = |line: &String| LIBRARY.iter().any(|name| line.contains(name));
+        let has_lanes = !state.iter().any(calls_library);
+        block.extend(has_lanes.then(|| "ROBOT_DYNAMICS_LANES".to_owned()));
+        block.push("for (k = 0; k < count; ++k) {".to_owned());
         block.extend(state.iter().map(|line| format!("    {line}")));
         block.push("}".to_owned());
         if request.refuses() {
             block.push("for (k = 0; first == 0 && refused && k < count; ++k) {".to_owned());
-            block.push("    if (regular[k] != regular[k]) first = start + k + 1;".to_owned());
+            block.push("    if (!(regular[k] > 0)) first = start + k + 1;".to_owned());
             block.push("}".to_owned());
         }
         let mut lines = self.batch_variables(request, &block, &of_states, &fixed);
@@ -128,8 +136,10 @@ impl Writer<'_> {
         let mut lines = Vec::new();
         if !of_states.is_empty() {
             let angles = of_states.len();
+            let computed = of_states.iter().any(|angle| column(angle).is_none());
+            lines.extend(computed.then(|| format!("{word} angles[{BLOCK}];")));
             lines.push(format!(
-                "{word} angles[{BLOCK}], sines[{angles}][{BLOCK}], cosines[{angles}][{BLOCK}];"
+                "{word} sines[{angles}][{BLOCK}], cosines[{angles}][{BLOCK}];"
             ));
         }
         if request.refuses() {
@@ -144,9 +154,14 @@ impl Writer<'_> {
             lines.extend(sines.statements(fixed));
             reads.extend(lines.iter().cloned());
         }
-        // A copy, which no column can be a part of.
+        // A copy, which no column can be a part of. Of the whole struct, a compiler would call `memcpy`.
         if reads.iter().any(|line| line.contains("own.")) {
-            lines.insert(0, format!("const {}_fields own = *arm;", self.name));
+            let fields = self.robot.fields.iter();
+            let fields: Vec<_> = fields
+                .map(|field| format!("arm->{}", free_name(field, WORDS)))
+                .collect();
+            let (name, fields) = (&self.name, fields.join(", "));
+            lines.insert(0, format!("const {name}_fields own = {{{fields}}};"));
             reads.push("arm->".to_owned());
         }
         let unread = self.unread(request, &reads).into_iter();
@@ -201,15 +216,29 @@ fn no_statements(_: &[Angle]) -> Vec<String> {
     Vec::new()
 }
 
+/// The column of an argument that an angle is, from the first state of a block on.
+fn column(angle: &Angle) -> Option<String> {
+    let column = angle.value.strip_suffix("[start + k]")?;
+    let is_plain = column
+        .chars()
+        .all(|c| c.is_alphanumeric() || "_[]".contains(c));
+    is_plain.then(|| format!("&{column}[start]"))
+}
+
 /// The statements that evaluate the columns of sines of a block.
 fn batch_columns(angles: &[Angle]) -> Vec<String> {
-    let lines = angles.iter().enumerate().flat_map(|(i, angle)| {
-        [
-            format!("for (k = 0; k < count; ++k) angles[k] = {};", angle.value),
-            format!("robot_dynamics_sin_cos_column(angles, sines[{i}], cosines[{i}], count);"),
-        ]
-    });
-    lines.collect()
+    let mut lines = Vec::new();
+    for (i, angle) in angles.iter().enumerate() {
+        let column = column(angle).unwrap_or_else(|| {
+            let value = &angle.value;
+            lines.push(format!("for (k = 0; k < count; ++k) angles[k] = {value};"));
+            "angles".to_owned()
+        });
+        lines.push(format!(
+            "robot_dynamics_sin_cos_column({column}, sines[{i}], cosines[{i}], count);"
+        ));
+    }
+    lines
 }
 
 impl Written {

@@ -1,6 +1,5 @@
 
 #include <stdint.h>
-#include <string.h>
 
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffinite-math-only, a part of -ffast-math, hides values that are not finite: add -fno-finite-math-only behind it"
@@ -28,11 +27,3 @@
 
 /* Constants have the size of a WORD: if this line is refused, compile without -fsingle-precision-constant. */
 typedef char robot_dynamics_compile_without_fsingle_precision_constant[sizeof(ONE) == sizeof(WORD) ? 1 : -1];
-
-#ifndef ROBOT_DYNAMICS_FMA
-#if defined(__FMA__) || defined(__aarch64__)
-#define ROBOT_DYNAMICS_FMA(a, b, c) BUILTIN(a, b, c)
-#else
-#define ROBOT_DYNAMICS_FMA(a, b, c) ((a) * (b) + (c))
-#endif
-#endif

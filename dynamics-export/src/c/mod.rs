@@ -75,12 +75,20 @@ pub fn c_source(robot: &Robot, functions: &[(Request, Proven)]) -> CSource {
 
 /// The same with numbers of that kind.
 pub fn c_source_in(robot: &Robot, functions: &[(Request, Proven)], numbers: CNumbers) -> CSource {
-    let writer = Writer::new(robot, numbers);
-    CSource {
-        header: writer.header(functions),
-        source: writer.source(functions),
-        name: writer.name,
-    }
+    Writer::new(robot, numbers).files(functions)
+}
+
+/// The same without functions over columns of states, which a controller has no use for.
+pub fn c_source_without_batches(
+    robot: &Robot,
+    functions: &[(Request, Proven)],
+    numbers: CNumbers,
+) -> CSource {
+    let writer = Writer {
+        has_batches: false,
+        ..Writer::new(robot, numbers)
+    };
+    writer.files(functions)
 }
 
 /// The files that make a project of header and source: `NAME.hpp` for C++, `CMakeLists.txt`, and `NAME_test.c`, which
@@ -103,6 +111,7 @@ struct Writer<'a> {
     robot: &'a Robot,
     precision: &'static Precision,
     name: String,
+    has_batches: bool,
 }
 
 /// A place that a function writes to: its type and name, and the texts of its entries.
@@ -117,6 +126,15 @@ impl<'a> Writer<'a> {
             robot,
             precision: numbers.precision(),
             name: snake_case(&robot.name),
+            has_batches: true,
+        }
+    }
+
+    fn files(self, functions: &[(Request, Proven)]) -> CSource {
+        CSource {
+            header: self.header(functions),
+            source: self.source(functions),
+            name: self.name,
         }
     }
 
@@ -142,9 +160,12 @@ impl<'a> Writer<'a> {
         let declaration = |(request, proven): &(Request, Proven)| {
             let documentation = comment(&lines(self.robot, request, proven, REFUSAL));
             let signature = self.signature(request, proven);
+            let batch = self
+                .has_batches
+                .then(|| self.batch_declaration(request, proven));
             format!(
                 "\n{documentation}{signature};\n{}",
-                self.batch_declaration(request, proven)
+                batch.unwrap_or_default()
             )
         };
         let declarations: String = functions.iter().map(declaration).collect();
@@ -175,10 +196,12 @@ impl<'a> Writer<'a> {
             "",
         ];
         let mut lines = title_lines(self.robot, conventions).to_vec();
-        lines.extend(of_batches.map(str::to_owned));
         let mut programs = functions.iter().map(|(_, proven)| &proven.program);
-        if programs.any(|program| program.lines().iter().flatten().count() > LONG) {
-            lines.extend(OF_LONG_BATCHES.map(str::to_owned));
+        if self.has_batches {
+            lines.extend(of_batches.map(str::to_owned));
+            if programs.any(|program| program.lines().iter().flatten().count() > LONG) {
+                lines.extend(OF_LONG_BATCHES.map(str::to_owned));
+            }
         }
         lines.extend(self.precision.digits.iter().map(|&line| line.to_owned()));
         comment(&lines)
@@ -189,11 +212,10 @@ impl<'a> Writer<'a> {
         let bodies: String = functions
             .flat_map(|(request, proven)| {
                 let proven = proven.ordered();
-                [
-                    self.function(request, &proven),
-                    self.batch(request, &proven),
-                ]
+                let batch = self.has_batches.then(|| self.batch(request, &proven));
+                [Some(self.function(request, &proven)), batch]
             })
+            .flatten()
             .collect();
         let functions = self.precision.functions(&bodies);
         format!("#include \"{}.h\"\n{functions}{bodies}", self.name)

@@ -69,17 +69,20 @@ impl Precision {
         if !library.is_empty() {
             library.insert(0, "\n#include <math.h>\n");
         }
-        let lanes = bodies.contains("ROBOT_DYNAMICS_LANES").then_some(LANES);
         let contraction = CONTRACTION
-            .replace("BUILTIN", self.fused)
             .replace("ONE", &(self.syntax.number)(1.0))
             .replace("WORD", self.word);
         let sines = self.sines.map(|sines| sines.functions(bodies));
+        let sines = sines.unwrap_or_default();
+        let has = |macro_name| bodies.contains(macro_name) || sines.contains(macro_name);
+        let fused = has("ROBOT_DYNAMICS_FMA(").then(|| FUSED.replace("BUILTIN", self.fused));
+        let lanes = has("ROBOT_DYNAMICS_LANES").then_some(LANES);
         let own = self.syntax.called(bodies);
         library.concat()
             + &contraction
+            + &fused.unwrap_or_default()
             + lanes.unwrap_or_default()
-            + &sines.unwrap_or_default()
+            + &sines
             + &own
     }
 
@@ -101,6 +104,8 @@ impl Precision {
 }
 
 const CONTRACTION: &str = include_str!("contraction.c");
+
+const FUSED: &str = include_str!("fused.c");
 
 const LANES: &str = include_str!("lanes.c");
 
@@ -229,7 +234,7 @@ const SIGN: &str = "
 /** The sign, 0 of zero; NaN of NaN. */
 ROBOT_DYNAMICS_DEVICE static double robot_dynamics_sign(double x)
 {
-    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x == 0.0 ? 0.0 : x;
+    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x >= 0.0 ? 0.0 : x;
 }
 ";
 
@@ -237,7 +242,7 @@ const FLOAT_SIGN: &str = "
 /** The sign, 0 of zero; NaN of NaN. */
 ROBOT_DYNAMICS_DEVICE static float robot_dynamics_sign(float x)
 {
-    return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : x == 0.0f ? 0.0f : x;
+    return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : x >= 0.0f ? 0.0f : x;
 }
 ";
 

@@ -1,7 +1,6 @@
 #include "fingers.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffinite-math-only, a part of -ffast-math, hides values that are not finite: add -fno-finite-math-only behind it"
@@ -58,13 +57,6 @@ typedef char robot_dynamics_compile_without_fsingle_precision_constant[sizeof(1.
 #error "registers wider than the numbers (x87) break the sines: add -msse2 -mfpmath=sse (/arch:SSE2), or generate with --sines libm"
 #endif
 
-/* Angles are evaluated in the lanes of vectors where the compiler and the processor have them. */
-#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
-#if defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__) || defined(__riscv_vector) || defined(__wasm_simd128__)
-#define ROBOT_DYNAMICS_VECTORS
-#endif
-#endif
-
 #ifdef __GNUC__
 #define ROBOT_DYNAMICS_INLINE ROBOT_DYNAMICS_DEVICE static inline __attribute__((always_inline))
 #define ROBOT_DYNAMICS_APART ROBOT_DYNAMICS_DEVICE static __attribute__((noinline))
@@ -73,65 +65,12 @@ typedef char robot_dynamics_compile_without_fsingle_precision_constant[sizeof(1.
 #define ROBOT_DYNAMICS_APART ROBOT_DYNAMICS_DEVICE static
 #endif
 
-/** The high half of a product. */
-ROBOT_DYNAMICS_DEVICE static uint64_t robot_dynamics_high(uint64_t a, uint64_t b)
-{
-    const uint64_t low = 0xffffffffu;
-    const uint64_t first = (a >> 32) * (b & low) + ((a & low) * (b & low) >> 32);
-    const uint64_t second = (a & low) * (b >> 32) + (first & low);
-    return (a >> 32) * (b >> 32) + (first >> 32) + (second >> 32);
-}
-
-/**
- * x = n pi/2 + rest - excess for a finite x of at least 2^16 (Payne and Hanek 1983): `n` ends in the last two bits of n.
- */
-ROBOT_DYNAMICS_DEVICE static void robot_dynamics_reduce_large(double x, double *n, double *rest, double *excess)
-{
-    /* The bits of 2/pi behind 64 zeros, the binary point behind these. */
-    const uint64_t two_over_pi[20] = {
-        0u,
-        0xa2f9836e4e441529u, 0xfc2757d1f534ddc0u, 0xdb6295993c439041u, 0xfe5163abdebbc561u,
-        0xb7246e3a424dd2e0u, 0x06492eea09d1921cu, 0xfe1deb1cb129a73eu, 0xe88235f52ebb4484u,
-        0xe99c7026b45f7e41u, 0x3991d639835339f4u, 0x9c845f8bbdf9283bu, 0x1ff897ffde05980fu,
-        0xef2f118b5a0a6d1fu, 0x6d367ecf27cb09b7u, 0x4f463f669e5fea2du, 0x7527bac7ebe5f17bu,
-        0x3d0739f78a5292eau, 0x6bfb5fb11f8d5d08u, 0x56033046fc7b6babu
-    };
-    uint64_t bits, m, start, window[3], middle, high, quarters, turns;
-    int64_t product;
-    int is_negative, zeros = 0;
-    double unit, size;
-    memcpy(&bits, &x, sizeof bits);
-    m = (bits & 0xfffffffffffffu) | 0x10000000000000u;
-    start = (bits >> 52) - 1013u;
-    for (turns = 0; turns < 3u; ++turns) {
-        const uint64_t *at = two_over_pi + start / 64u + turns;
-        window[turns] = at[0] << start % 64u | at[1] >> 1 >> (63u - start % 64u);
-    }
-    /* Two bits of whole quarter turns, and 126 behind the point. */
-    middle = m * window[1] + robot_dynamics_high(m, window[2]);
-    high = robot_dynamics_high(m, window[1]) + (middle < m * window[1]);
-    quarters = m * window[0] + high;
-    turns = (quarters + ((uint64_t)1 << 61)) >> 62;
-    quarters -= turns << 62;
-    is_negative = quarters >> 63 != 0u;
-    if (is_negative) {
-        middle = 0u - middle;
-        quarters = 0u - quarters - (middle != 0u);
-    }
-    for (; !(quarters >> 63); ++zeros) {
-        quarters = quarters << 1 | middle >> 63;
-        middle <<= 1;
-    }
-    /* 63 bits of the rest in units of 2^-(60 + zeros): pi/2 is in units of 2^-62. */
-    product = (int64_t)robot_dynamics_high(quarters, 0x6487ed5110b4611au);
-    bits = (uint64_t)(1023 - 60 - zeros) << 52;
-    memcpy(&unit, &bits, sizeof unit);
-    if (is_negative) unit = -unit;
-    size = (double)product;
-    memcpy(n, &turns, sizeof turns);
-    *rest = size * unit;
-    *excess = (double)((int64_t)size - product) * unit;
-}
+/* Angles are evaluated in the lanes of vectors where the compiler and the processor have them. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#if defined(__SSE2__) || defined(__aarch64__) || defined(__VSX__) || defined(__riscv_vector) || defined(__wasm_simd128__)
+#define ROBOT_DYNAMICS_VECTORS
+#endif
+#endif
 
 /** x = n pi/2 + rest - excess (Cody and Waite 1980). Products with the parts of pi/2 are exact; `n` ends in the bits of n. */
 ROBOT_DYNAMICS_INLINE void robot_dynamics_reduce_1(const double *x, double *n, double *rest, double *excess)
@@ -167,18 +106,22 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_cosine_1(const double *x, const double
     *cosine = w + ((lost + lower) + (zz * zz) * upper);
 }
 
+/** A number and its bits. C99 lets one be read as the other (6.5.2.3), and so do compilers of C++: no function is called. */
+typedef union { double real; uint64_t bits; } robot_dynamics_number_1;
+
 /** The sine and the cosine of what is left, turned by n quarters: (s, c) -> (c, -s). */
 ROBOT_DYNAMICS_INLINE void robot_dynamics_turn_1(const double *n, const double *s, const double *c, double *sine, double *cosine)
 {
-    uint64_t turns, a, b, other;
-    memcpy(&turns, n, sizeof turns);
-    memcpy(&a, s, sizeof a);
-    memcpy(&b, c, sizeof b);
-    other = (a ^ b) & -(turns & 1u);
-    a ^= other ^ turns >> 1 << 63;
-    b ^= other ^ (turns ^ turns >> 1) << 63;
-    memcpy(sine, &a, sizeof a);
-    memcpy(cosine, &b, sizeof b);
+    robot_dynamics_number_1 turns, a, b;
+    uint64_t other;
+    turns.real = *n;
+    a.real = *s;
+    b.real = *c;
+    other = (a.bits ^ b.bits) & -(turns.bits & 1u);
+    a.bits ^= other ^ turns.bits >> 1 << 63;
+    b.bits ^= other ^ (turns.bits ^ turns.bits >> 1) << 63;
+    *sine = a.real;
+    *cosine = b.real;
 }
 
 /** Sines and cosines of angles of magnitude up to 1e5, without a branch. */
@@ -189,6 +132,67 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_of_1(const double *x, double *
     robot_dynamics_sine_1(&rest, &excess, &s);
     robot_dynamics_cosine_1(&rest, &excess, &c);
     robot_dynamics_turn_1(&n, &s, &c, sine, cosine);
+}
+
+/** The high half of a product. */
+ROBOT_DYNAMICS_DEVICE static uint64_t robot_dynamics_high(uint64_t a, uint64_t b)
+{
+    const uint64_t low = 0xffffffffu;
+    const uint64_t first = (a >> 32) * (b & low) + ((a & low) * (b & low) >> 32);
+    const uint64_t second = (a & low) * (b >> 32) + (first & low);
+    return (a >> 32) * (b >> 32) + (first >> 32) + (second >> 32);
+}
+
+/**
+ * x = n pi/2 + rest - excess for a finite x of at least 2^16 (Payne and Hanek 1983): `n` ends in the last two bits of n.
+ */
+ROBOT_DYNAMICS_DEVICE static void robot_dynamics_reduce_large(double x, double *n, double *rest, double *excess)
+{
+    /* The bits of 2/pi behind 64 zeros, the binary point behind these. */
+    static const uint64_t two_over_pi[20] = {
+        0u,
+        0xa2f9836e4e441529u, 0xfc2757d1f534ddc0u, 0xdb6295993c439041u, 0xfe5163abdebbc561u,
+        0xb7246e3a424dd2e0u, 0x06492eea09d1921cu, 0xfe1deb1cb129a73eu, 0xe88235f52ebb4484u,
+        0xe99c7026b45f7e41u, 0x3991d639835339f4u, 0x9c845f8bbdf9283bu, 0x1ff897ffde05980fu,
+        0xef2f118b5a0a6d1fu, 0x6d367ecf27cb09b7u, 0x4f463f669e5fea2du, 0x7527bac7ebe5f17bu,
+        0x3d0739f78a5292eau, 0x6bfb5fb11f8d5d08u, 0x56033046fc7b6babu
+    };
+    uint64_t m, start, window[3], middle, high, quarters, turns;
+    int64_t product;
+    int is_negative, zeros = 0;
+    robot_dynamics_number_1 angle, unit, last;
+    double size;
+    angle.real = x;
+    m = (angle.bits & 0xfffffffffffffu) | 0x10000000000000u;
+    start = (angle.bits >> 52) - 1013u;
+    for (turns = 0; turns < 3u; ++turns) {
+        const uint64_t *at = two_over_pi + start / 64u + turns;
+        window[turns] = at[0] << start % 64u | at[1] >> 1 >> (63u - start % 64u);
+    }
+    /* Two bits of whole quarter turns, and 126 behind the point. */
+    middle = m * window[1] + robot_dynamics_high(m, window[2]);
+    high = robot_dynamics_high(m, window[1]) + (middle < m * window[1]);
+    quarters = m * window[0] + high;
+    turns = (quarters + ((uint64_t)1 << 61)) >> 62;
+    quarters -= turns << 62;
+    is_negative = quarters >> 63 != 0u;
+    if (is_negative) {
+        middle = 0u - middle;
+        quarters = 0u - quarters - (middle != 0u);
+    }
+    for (; !(quarters >> 63); ++zeros) {
+        quarters = quarters << 1 | middle >> 63;
+        middle <<= 1;
+    }
+    /* 63 bits of the rest in units of 2^-(60 + zeros): pi/2 is in units of 2^-62. */
+    product = (int64_t)robot_dynamics_high(quarters, 0x6487ed5110b4611au);
+    unit.bits = (uint64_t)(1023 - 60 - zeros) << 52;
+    if (is_negative) unit.real = -unit.real;
+    size = (double)product;
+    last.bits = turns;
+    *n = last.real;
+    *rest = size * unit.real;
+    *excess = (double)((int64_t)size - product) * unit.real;
 }
 
 /** Whether an angle needs no reduction in integers; not so for what is no number. */
@@ -277,18 +281,22 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_cosine_2(const robot_dynamics_2 *x, co
     *cosine = w + ((lost + lower) + (zz * zz) * upper);
 }
 
+/** A number and its bits. C99 lets one be read as the other (6.5.2.3), and so do compilers of C++: no function is called. */
+typedef union { robot_dynamics_2 real; robot_dynamics_bits_2 bits; } robot_dynamics_number_2;
+
 /** The sine and the cosine of what is left, turned by n quarters: (s, c) -> (c, -s). */
 ROBOT_DYNAMICS_INLINE void robot_dynamics_turn_2(const robot_dynamics_2 *n, const robot_dynamics_2 *s, const robot_dynamics_2 *c, robot_dynamics_2 *sine, robot_dynamics_2 *cosine)
 {
-    robot_dynamics_bits_2 turns, a, b, other;
-    memcpy(&turns, n, sizeof turns);
-    memcpy(&a, s, sizeof a);
-    memcpy(&b, c, sizeof b);
-    other = (a ^ b) & -(turns & 1u);
-    a ^= other ^ turns >> 1 << 63;
-    b ^= other ^ (turns ^ turns >> 1) << 63;
-    memcpy(sine, &a, sizeof a);
-    memcpy(cosine, &b, sizeof b);
+    robot_dynamics_number_2 turns, a, b;
+    robot_dynamics_bits_2 other;
+    turns.real = *n;
+    a.real = *s;
+    b.real = *c;
+    other = (a.bits ^ b.bits) & -(turns.bits & 1u);
+    a.bits ^= other ^ turns.bits >> 1 << 63;
+    b.bits ^= other ^ (turns.bits ^ turns.bits >> 1) << 63;
+    *sine = a.real;
+    *cosine = b.real;
 }
 
 /** Sines and cosines of angles of magnitude up to 1e5, without a branch. */
@@ -316,9 +324,11 @@ ROBOT_DYNAMICS_INLINE void robot_dynamics_sin_cos_2(double a, double b, robot_dy
     }
 #endif
     robot_dynamics_sin_cos(a, &sine, &cosine);
-    (*sines)[0] = sine, (*cosines)[0] = cosine;
+    (*sines)[0] = sine;
+    (*cosines)[0] = cosine;
     robot_dynamics_sin_cos(b, &sine, &cosine);
-    (*sines)[1] = sine, (*cosines)[1] = cosine;
+    (*sines)[1] = sine;
+    (*cosines)[1] = cosine;
 }
 
 ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fields *arm, const double q[2], double forward_kinematics[4][4])
@@ -348,13 +358,12 @@ ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip(const fingers_fi
 
 ROBOT_DYNAMICS_DEVICE void fingers_forward_kinematics_right_tip_batch(const fingers_fields *arm, const double *const *q, double *const *forward_kinematics, size_t n)
 {
-    const fingers_fields own = *arm;
-    double angles[64], sines[1][64], cosines[1][64];
+    const fingers_fields own = {arm->width, arm->length};
+    double sines[1][64], cosines[1][64];
     size_t start, k;
     for (start = 0; start < n; start += 64) {
         const size_t count = n - start < 64 ? n - start : 64;
-        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
-        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        robot_dynamics_sin_cos_column(&q[1][start], sines[0], cosines[0], count);
         ROBOT_DYNAMICS_LANES
         for (k = 0; k < count; ++k) {
             const double s_2 = sines[0][k];
@@ -405,13 +414,12 @@ ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip(const fingers_fields *arm, 
 
 ROBOT_DYNAMICS_DEVICE void fingers_jacobian_left_tip_batch(const fingers_fields *arm, const double *const *q, double *const *jacobian, size_t n)
 {
-    const fingers_fields own = *arm;
-    double angles[64], sines[1][64], cosines[1][64];
+    const fingers_fields own = {arm->width, arm->length};
+    double sines[1][64], cosines[1][64];
     size_t start, k;
     for (start = 0; start < n; start += 64) {
         const size_t count = n - start < 64 ? n - start : 64;
-        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
-        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        robot_dynamics_sin_cos_column(&q[0][start], sines[0], cosines[0], count);
         ROBOT_DYNAMICS_LANES
         for (k = 0; k < count; ++k) {
             const double s_1 = sines[0][k];
@@ -450,13 +458,12 @@ ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip(const fingers_fields
 
 ROBOT_DYNAMICS_DEVICE void fingers_wrench_torques_right_tip_batch(const fingers_fields *arm, const double *const *q, const double *const *wrench, double *const *wrench_torques, size_t n)
 {
-    const fingers_fields own = *arm;
-    double angles[64], sines[1][64], cosines[1][64];
+    const fingers_fields own = {arm->width, arm->length};
+    double sines[1][64], cosines[1][64];
     size_t start, k;
     for (start = 0; start < n; start += 64) {
         const size_t count = n - start < 64 ? n - start : 64;
-        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
-        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
+        robot_dynamics_sin_cos_column(&q[1][start], sines[0], cosines[0], count);
         ROBOT_DYNAMICS_LANES
         for (k = 0; k < count; ++k) {
             const double s_2 = sines[0][k];
@@ -519,15 +526,13 @@ ROBOT_DYNAMICS_DEVICE void fingers_pinch(const fingers_fields *arm, const double
 
 ROBOT_DYNAMICS_DEVICE void fingers_pinch_batch(const fingers_fields *arm, const double *const *q, double *const *mass_matrix, double *const *jacobian_left_tip, double *const *jacobian_right_tip, size_t n)
 {
-    const fingers_fields own = *arm;
-    double angles[64], sines[2][64], cosines[2][64];
+    const fingers_fields own = {arm->width, arm->length};
+    double sines[2][64], cosines[2][64];
     size_t start, k;
     for (start = 0; start < n; start += 64) {
         const size_t count = n - start < 64 ? n - start : 64;
-        for (k = 0; k < count; ++k) angles[k] = q[0][start + k];
-        robot_dynamics_sin_cos_column(angles, sines[0], cosines[0], count);
-        for (k = 0; k < count; ++k) angles[k] = q[1][start + k];
-        robot_dynamics_sin_cos_column(angles, sines[1], cosines[1], count);
+        robot_dynamics_sin_cos_column(&q[0][start], sines[0], cosines[0], count);
+        robot_dynamics_sin_cos_column(&q[1][start], sines[1], cosines[1], count);
         ROBOT_DYNAMICS_LANES
         for (k = 0; k < count; ++k) {
             const double s_1 = sines[0][k];

@@ -3,6 +3,7 @@
 mod flags;
 mod projects;
 mod sines;
+mod symbols;
 
 use std::fmt::{Debug, Write as _};
 use std::path::Path;

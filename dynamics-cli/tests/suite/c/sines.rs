@@ -15,7 +15,7 @@ const BUILDS: [&[&str]; 4] = [
 ];
 
 /// Rods about axes that are askew: the place of the tip reads the sine and the cosine of every angle.
-fn chain(joints: usize) -> String {
+pub(super) fn chain(joints: usize) -> String {
     let mut table =
         "convention = 'modified'\ngravity = [0, 0, 0]\nfunctions = ['forward_kinematics']\n"
             .to_owned();
@@ -53,7 +53,7 @@ fn angles<F: Number>() -> impl Iterator<Item = F> {
 fn program<F: Number>(name: &str, count: usize, values: &str) -> String {
     let (word, bits) = (F::WORD, F::BITS);
     format!(
-        "#include \"{name}.c\"\n#include <stdio.h>\n\
+        "#include \"{name}.c\"\n#include <stdio.h>\n#include <string.h>\n\
          static uint64_t state = 7u, sum = 0u;\n\
          static {word} next(uint64_t i)\n{{\n    uint64_t z = state += 0x9e3779b97f4a7c15u;\n    \
          z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;\n    z = (z ^ z >> 27) * 0x94d049bb133111ebu;\n    z ^= z >> 31;\n    \

@@ -1,16 +1,20 @@
 
+/** A number and its bits. C99 lets one be read as the other (6.5.2.3), and so do compilers of C++: no function is called. */
+typedef union { REAL real; WORD bits; } robot_dynamics_number_@;
+
 /** The sine and the cosine of what is left, turned by n quarters: (s, c) -> (c, -s). */
 ROBOT_DYNAMICS_INLINE void robot_dynamics_turn_@(const REAL *n, const REAL *s, const REAL *c, REAL *sine, REAL *cosine)
 {
-    WORD turns, a, b, other;
-    memcpy(&turns, n, sizeof turns);
-    memcpy(&a, s, sizeof a);
-    memcpy(&b, c, sizeof b);
-    other = (a ^ b) & -(turns & 1u);
-    a ^= other ^ turns >> 1 << SIGN;
-    b ^= other ^ (turns ^ turns >> 1) << SIGN;
-    memcpy(sine, &a, sizeof a);
-    memcpy(cosine, &b, sizeof b);
+    robot_dynamics_number_@ turns, a, b;
+    WORD other;
+    turns.real = *n;
+    a.real = *s;
+    b.real = *c;
+    other = (a.bits ^ b.bits) & -(turns.bits & 1u);
+    a.bits ^= other ^ turns.bits >> 1 << SIGN;
+    b.bits ^= other ^ (turns.bits ^ turns.bits >> 1) << SIGN;
+    *sine = a.real;
+    *cosine = b.real;
 }
 
 /** Sines and cosines of angles of magnitude up to LARGEST, without a branch. */

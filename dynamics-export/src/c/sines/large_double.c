@@ -14,7 +14,7 @@ ROBOT_DYNAMICS_DEVICE static uint64_t robot_dynamics_high(uint64_t a, uint64_t b
 ROBOT_DYNAMICS_DEVICE static void robot_dynamics_reduce_large(double x, double *n, double *rest, double *excess)
 {
     /* The bits of 2/pi behind 64 zeros, the binary point behind these. */
-    const uint64_t two_over_pi[20] = {
+    static const uint64_t two_over_pi[20] = {
         0u,
         0xa2f9836e4e441529u, 0xfc2757d1f534ddc0u, 0xdb6295993c439041u, 0xfe5163abdebbc561u,
         0xb7246e3a424dd2e0u, 0x06492eea09d1921cu, 0xfe1deb1cb129a73eu, 0xe88235f52ebb4484u,
@@ -22,13 +22,14 @@ ROBOT_DYNAMICS_DEVICE static void robot_dynamics_reduce_large(double x, double *
         0xef2f118b5a0a6d1fu, 0x6d367ecf27cb09b7u, 0x4f463f669e5fea2du, 0x7527bac7ebe5f17bu,
         0x3d0739f78a5292eau, 0x6bfb5fb11f8d5d08u, 0x56033046fc7b6babu
     };
-    uint64_t bits, m, start, window[3], middle, high, quarters, turns;
+    uint64_t m, start, window[3], middle, high, quarters, turns;
     int64_t product;
     int is_negative, zeros = 0;
-    double unit, size;
-    memcpy(&bits, &x, sizeof bits);
-    m = (bits & 0xfffffffffffffu) | 0x10000000000000u;
-    start = (bits >> 52) - 1013u;
+    robot_dynamics_number_1 angle, unit, last;
+    double size;
+    angle.real = x;
+    m = (angle.bits & 0xfffffffffffffu) | 0x10000000000000u;
+    start = (angle.bits >> 52) - 1013u;
     for (turns = 0; turns < 3u; ++turns) {
         const uint64_t *at = two_over_pi + start / 64u + turns;
         window[turns] = at[0] << start % 64u | at[1] >> 1 >> (63u - start % 64u);
@@ -50,11 +51,11 @@ ROBOT_DYNAMICS_DEVICE static void robot_dynamics_reduce_large(double x, double *
     }
     /* 63 bits of the rest in units of 2^-(60 + zeros): pi/2 is in units of 2^-62. */
     product = (int64_t)robot_dynamics_high(quarters, 0x6487ed5110b4611au);
-    bits = (uint64_t)(1023 - 60 - zeros) << 52;
-    memcpy(&unit, &bits, sizeof unit);
-    if (is_negative) unit = -unit;
+    unit.bits = (uint64_t)(1023 - 60 - zeros) << 52;
+    if (is_negative) unit.real = -unit.real;
     size = (double)product;
-    memcpy(n, &turns, sizeof turns);
-    *rest = size * unit;
-    *excess = (double)((int64_t)size - product) * unit;
+    last.bits = turns;
+    *n = last.real;
+    *rest = size * unit.real;
+    *excess = (double)((int64_t)size - product) * unit.real;
 }

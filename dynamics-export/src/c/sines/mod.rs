@@ -137,8 +137,11 @@ impl Sines {
             return String::new();
         }
         let mut text = HEAD.to_owned();
-        text.push_str(self.large);
+        if !groups.is_empty() {
+            text.push_str(include_str!("vectors.c"));
+        }
         text.push_str(&self.kernel_of(1));
+        text.push_str(self.large);
         text.push_str(include_str!("any.c"));
         for part in parts {
             text.push_str(&part.text());
@@ -236,7 +239,7 @@ impl Sines {
             let _ = write!(
                 text,
                 "    robot_dynamics_sin_cos({name}, &sine, &cosine);\n    \
-                 (*sines)[{lane}] = sine, (*cosines)[{lane}] = cosine;\n"
+                 (*sines)[{lane}] = sine;\n    (*cosines)[{lane}] = cosine;\n"
             );
         }
         text + "}\n"
@@ -263,7 +266,7 @@ impl Sines {
                 "#ifdef ROBOT_DYNAMICS_EIGHT\n    if ({}) {{\n        \
                  const robot_dynamics_8 x = {{{}}};\n        robot_dynamics_8 s, c;\n        \
                  robot_dynamics_sin_cos_of_8(&x, &s, &c);\n        \
-                 *sines = {}, *cosines = {};\n        *other_sines = {}, *other_cosines = {};\n        \
+                 *sines = {};\n        *cosines = {};\n        *other_sines = {};\n        *other_cosines = {};\n        \
                  return;\n    }}\n#endif\n    robot_dynamics_sin_cos_4({first}, sines, cosines);\n    \
                  robot_dynamics_sin_cos_{others}({last}, other_sines, other_cosines);\n}}\n",
                 are_usual(names),
@@ -337,13 +340,13 @@ const PARTS: [Part; 2] = [
         name: "sin",
         value: "sine",
         parity: "0u",
-        turn: "(turns >> 1)",
+        turn: "(turns.bits >> 1)",
     },
     Part {
         name: "cos",
         value: "cosine",
         parity: "1u",
-        turn: "(turns ^ turns >> 1)",
+        turn: "(turns.bits ^ turns.bits >> 1)",
     },
 ];
 
