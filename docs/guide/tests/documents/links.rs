@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::{Document, Library};
+use crate::packages::repository;
 use crate::{assert_none, documents, root};
 
 /// Every file and heading that a document of the project links to is there. Addresses of other hosts are not asked for.
@@ -23,6 +24,10 @@ fn links_lead_somewhere() {
 
 /// The mistake of a link, if it has one.
 fn complaint(library: &mut Library, path: &Path, link: &str) -> Option<&'static str> {
+    // A file of the repository, where a registry has no other files.
+    if let Some(file) = link.strip_prefix(&format!("{}/blob/main/", repository())) {
+        return complaint(library, &root().join("README.md"), file);
+    }
     // Another host, or an item of Rust, which rustdoc looks up.
     if link.contains(":/") || link.contains("::") || link.starts_with("mailto:") {
         return None;
@@ -94,6 +99,9 @@ fn a_dead_link_is_found() {
     assert_eq!(complaint("ACCURACY.md#functions"), None);
     assert_eq!(complaint("#equation-of-motion"), None);
     assert_eq!(complaint("https://example.org/nothing.md"), None);
+    let absolute = |file: &str| format!("{}/blob/main/{file}", repository());
+    assert_eq!(complaint(&absolute("docs/NOTATION.md")), None);
+    assert!(complaint(&absolute("NOTATION.md")).is_some());
     assert_eq!(complaint("accuracies.md"), Some("there is no such file"));
     assert_eq!(
         complaint("ACCURACY.md#function"),

@@ -6,6 +6,7 @@ mod comments;
 mod counts;
 mod document;
 mod links;
+mod packages;
 mod prose;
 mod sentences;
 
