@@ -154,7 +154,7 @@ impl Writer<'_> {
             lines.extend(sines.statements(fixed));
             reads.extend(lines.iter().cloned());
         }
-        // A copy, which no column can be a part of. Of the whole struct, a compiler would call `memcpy`.
+        // A copy, which no column can be a part of. For the whole struct at once a compiler would call `memcpy`.
         if reads.iter().any(|line| line.contains("own.")) {
             let fields = self.robot.fields.iter();
             let fields: Vec<_> = fields

@@ -1,4 +1,4 @@
-//! What registries show of a package.
+//! Entries of packages that registries show.
 
 use std::fs::read_to_string;
 use std::path::PathBuf;
@@ -20,7 +20,9 @@ fn value<'t>(manifest: &'t str, key: &str) -> Option<&'t str> {
 /// The address of the project, which one line says.
 pub(crate) fn repository() -> String {
     let manifest = text("Cargo.toml");
-    value(&manifest, "repository").expect("an address").to_owned()
+    value(&manifest, "repository")
+        .expect("an address")
+        .to_owned()
 }
 
 /// The manifests of packages that are published.
@@ -28,24 +30,41 @@ fn published() -> Vec<PathBuf> {
     let manifests = files(&root(), "toml").into_iter();
     let is_published = |path: &PathBuf| {
         let text = read_to_string(path).expect("a manifest");
-        path.ends_with("Cargo.toml") && text.contains("[package]") && !text.contains("publish = false")
+        text.contains("[package]") && !text.contains("publish = false")
     };
+    let manifests = manifests.filter(|path| path.ends_with("Cargo.toml"));
     manifests.filter(is_published).collect()
 }
 
 #[test]
 fn every_package_says_what_registries_show() {
     let keys = ["description", "documentation", "categories", "readme"];
-    let inherited = ["version", "authors", "license", "repository", "keywords", "rust-version"];
+    let inherited = [
+        "version",
+        "authors",
+        "license",
+        "repository",
+        "keywords",
+        "rust-version",
+    ];
     let mut missing = Vec::new();
     let manifests = published();
     assert!(manifests.len() > 10, "{manifests:?}");
     for path in manifests {
         let manifest = read_to_string(&path).expect("a manifest");
-        let own = keys.iter().filter(|key| !manifest.contains(&format!("\n{key}")));
+        let own = keys
+            .iter()
+            .filter(|key| !manifest.contains(&format!("\n{key}")));
         let lines = inherited.map(|key| format!("{key}.workspace = true"));
-        let lines = lines.iter().map(String::as_str).filter(|line| !manifest.contains(line));
-        missing.extend(own.copied().chain(lines).map(|key| format!("{}: {key}", path.display())));
+        let lines = lines
+            .iter()
+            .map(String::as_str)
+            .filter(|line| !manifest.contains(line));
+        missing.extend(
+            own.copied()
+                .chain(lines)
+                .map(|key| format!("{}: {key}", path.display())),
+        );
     }
     assert_none(missing);
 }

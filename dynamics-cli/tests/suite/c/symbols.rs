@@ -1,4 +1,4 @@
-//! What generated C leaves to a linker, and what compilers warn of in it.
+//! Functions that generated C leaves to a linker, and warnings of compilers about it.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
