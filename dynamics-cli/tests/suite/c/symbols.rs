@@ -113,6 +113,37 @@ fn stribeck_s_friction_calls_the_exponential_alone() {
     }
 }
 
+/// Three joints, all solutions of which are found by quadratics.
+const ELBOW: &str = r#"
+convention = "standard"
+gravity = [0, 0, -9.81]
+functions = ["inverse_kinematics"]
+joint = [
+    { name = "waist", type = "revolute", d = 0.5, alpha = "PI/2" },
+    { name = "shoulder", type = "revolute", a = 0.4 },
+    { name = "elbow", type = "revolute", a = 0.3 },
+]
+"#;
+
+/// Not at `-O0`, where clang copies structs by `memcpy`.
+#[test]
+fn closed_forms_call_the_root_alone() {
+    for (precision, root) in PRECISIONS.into_iter().zip(["sqrt", "sqrtf"]) {
+        let name = format!("elbow_{precision}");
+        let folder = generated(&name, ELBOW, &format!("--scalar {precision}"));
+        for compiler in ["gcc", "clang"] {
+            if !has(compiler) || !has("nm") {
+                println!("left out: symbols of {name}, without {compiler} or nm");
+                continue;
+            }
+            for flags in ["-O2", "-O2 -ffreestanding"] {
+                let found = undefined(&folder, &format!("{name}_inverse.c"), compiler, flags);
+                assert_eq!(found, [root], "{name}: {compiler} {flags}");
+            }
+        }
+    }
+}
+
 /// All warnings of clang but those about C99 itself, and the layout of a user's own fields.
 const CLANG: &str = "-Weverything -Wno-declaration-after-statement -Wno-padded -Wno-unknown-warning-option \
                      -Wno-unsafe-buffer-usage";
