@@ -21,27 +21,27 @@ pub(crate) struct Part {
 
 /// The keys of a call.
 pub(crate) const KEYS: &[&str] = word_list![
-    file chain ignore round_angles convention gravity base joints couple tool frames functions lock neglect tests
+    file chain ignore round_angles convention gravity base joints links couple tool frames functions lock neglect tests
     allow
 ];
 
 /// The keys of entries in TOML beside a file.
 const KEYS_BESIDE_A_FILE: &[&str] = word_list![
     convention gravity base joint couple tool frame functions lock neglect tests allow let fields
-    joints
+    joints links
 ];
 
 /// The keys of a file that names the file of its robot.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) const KEYS_OF_PROJECTS: &[&str] = word_list![
     file chain ignore round_angles convention gravity base joint couple tool frame functions lock neglect tests allow let
-    fields joints
+    fields joints links
 ];
 
 /// The keys of a file.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) const KEYS_OF_FILES: &[&str] =
-    KEYS_BESIDE_A_FILE.split_at(KEYS_BESIDE_A_FILE.len() - 1).0;
+    KEYS_BESIDE_A_FILE.split_at(KEYS_BESIDE_A_FILE.len() - 2).0;
 
 pub(crate) const CALL: Part = Part {
     name: "a robot",
@@ -91,6 +91,8 @@ parts! {
     /// The cells of a joint that may stand beside its file.
     BESIDE_A_FILE: "a joint of the file", "cell", [motor friction spring limits torque_limit velocity_limit allow],
         "`{ friction: { ... }, motor: { ... } }`";
+    /// The cells of a link that may stand beside its file.
+    LINK_BESIDE_A_FILE: "a link of the file", "cell", [mass com inertia], "`{ mass: ..., com: ..., inertia: ... }`";
     BASE: "`base`", "base entry", [xyz rpy], "`{ xyz: [x, y, z], rpy: [roll, pitch, yaw] }`";
     /// The body of a base that moves.
     FLOATING: "`floating`", "base entry", [mass com inertia inertia_at_origin allow],

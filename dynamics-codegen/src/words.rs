@@ -168,7 +168,7 @@ const ELSEWHERE: &[(&str, &[&str])] = &[
         word_list![classic classical sdh paul spong distal],
     ),
     ("modified", word_list![craig mdh khalil proximal]),
-    ("joints", word_list![links rows table]),
+    ("joints", word_list![rows table]),
     ("mass_matrix", word_list![M inertia_matrix crba]),
     ("coriolis_vector", word_list![V]),
     ("coriolis_matrix", word_list![C]),

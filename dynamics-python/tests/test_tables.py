@@ -297,3 +297,29 @@ def test_limits_of_torques_and_velocities() -> None:
     assert arm.velocity_limits.shape == (7,) and (arm.velocity_limits > 2).all()
     bare = rd.Robot.from_table(**TWO_LINK, gravity=(0, -9.81, 0), fields={"load": 0.7})
     assert np.isinf(bare.torque_limits).all() and np.isinf(bare.velocity_limits).all()
+
+
+def test_links_of_a_file_have_cells(tmp_path: Path) -> None:
+    """The hand of a Panda with a load: the robot of a file that has the numbers itself."""
+    text = (DATA / "urdf" / "panda.urdf").read_text()
+    begin, end = text.index('<link name="panda_hand">'), text.index('<link name="panda_hand_tcp">')
+    hand = re.sub(r'<mass value="[^"]*"', '<mass value="2.5"', text[begin:end])
+    hand = re.sub(r'(<inertial>.*?<origin[^>]*?xyz=)"[^"]*"', r'\1"0 0 0.125"', hand, flags=re.DOTALL)
+    (tmp_path / "loaded.urdf").write_text(text[:begin] + hand + text[end:])
+    chain = {"chain": ("panda_link0", "panda_hand_tcp"), "gravity": GRAVITY, "lock": {"rest": 0}}
+    expected = rd.Robot.from_file(tmp_path / "loaded.urdf", **chain)
+    path = DATA / "urdf" / "panda.urdf"
+    links = {"panda_hand": {"mass": "load", "com": [0, 0, "z"]}}
+    arm = rd.Robot.from_file(path, links=links, **chain)
+    assert arm.field_names == ["load", "z"]
+    q, qd = np.linspace(0.1, 0.7, 7), np.linspace(-0.5, 0.9, 7)
+    given = arm.with_fields(load=2.5, z=0.125)
+    np.testing.assert_allclose(given.mass_matrix(q), expected.mass_matrix(q), rtol=1e-12, atol=1e-14)
+    tau = expected.inverse_dynamics(q, qd, qd)
+    np.testing.assert_allclose(given.inverse_dynamics(q, qd, qd), tau, rtol=1e-12, atol=1e-12)
+    # By state, as any field.
+    loads = np.array([2.5, 0.0, 4.0])
+    found = arm.inverse_dynamics(q, qd, qd, load=loads, z=0.125)
+    np.testing.assert_allclose(found[0], tau, rtol=1e-12, atol=1e-12)
+    with pytest.raises(rd.TableError, match="did you mean `panda_hand`"):
+        panda(links={"panda_hnd": {"mass": 1}})

@@ -163,6 +163,8 @@ pub enum Entry {
     Joints(Place, Option<Joints>),
     /// `joints: { elbow: { friction: { viscous: 0.1 } } }`, cells of the joints of a file.
     Beside(Place, Option<Vec<Row>>),
+    /// `links: { hand: { mass: load } }`, cells of the links of a file.
+    Links(Place, Option<Vec<(Name, Body)>>),
     /// `tool: { xyz: [0, 0, 0.1], mass: 2 }`
     Tool(Place, Option<Box<Tool>>),
     /// `frames: { left_hand: { on: left_elbow, xyz: [0.3, 0, 0] } }`

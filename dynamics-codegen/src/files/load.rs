@@ -65,10 +65,17 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
     table.rounded = read.rounded;
     table.warnings = read.warnings;
     let cells = beside::take(&mut table.entries);
-    let in_front = cells.as_ref().map_or(0, |(at, ..)| *at);
+    let links = beside::take_links(&mut table.entries);
+    let in_front = beside::in_front(
+        cells.as_ref().map(|(at, ..)| *at),
+        links.as_ref().map(|(at, ..)| *at),
+    );
     if let Some((_, place, rows)) = cells {
         let all = || joint_names(&text, format);
         beside::put((place, rows), &mut read.entries, all, diagnostics);
+    }
+    if let Some((_, place, links)) = links {
+        beside::put_links((place, links), &mut read.entries, format, diagnostics);
     }
     let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
     let at = table.entries.iter().position(is_file).unwrap_or(0);
@@ -83,7 +90,7 @@ pub(super) fn insert(call: &mut Call, file: &FileName, diagnostics: &Diagnostics
         table.entries.push(Entry::Joints(Place::START, Some(none)));
     }
     if in_front > at {
-        beside::move_rows(&mut table.entries, behind);
+        beside::move_cells(&mut table.entries, behind);
     }
     table.mentions.extend(read.mentions);
     Some(())

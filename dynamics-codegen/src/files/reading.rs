@@ -161,6 +161,9 @@ fn put_beside(text: &str, format: Format, mut beside: Table, diagnostics: &Diagn
         let all = || joint_names(text, format);
         beside::put((place, rows), &mut table.entries, all, diagnostics);
     }
+    if let Some((_, place, links)) = beside::take_links(&mut beside.entries) {
+        beside::put_links((place, links), &mut table.entries, format, diagnostics);
+    }
     for (key, place) in &beside.keys {
         if ["convention", "joint"].contains(key) {
             diagnostics.error(*place, mistake::beside_a_file(key));
@@ -205,6 +208,16 @@ pub fn joined(mut table: Table, mut beside: Table) -> Table {
         match cells {
             Some(cells) => cells.extend(rows),
             None => table.entries.push(Entry::Beside(place, Some(rows))),
+        }
+    }
+    if let Some((_, place, links)) = beside::take_links(&mut beside.entries) {
+        let cells = table.entries.iter_mut().find_map(|entry| match entry {
+            Entry::Links(_, cells) => cells.as_mut(),
+            _ => None,
+        });
+        match cells {
+            Some(cells) => cells.extend(links),
+            None => table.entries.push(Entry::Links(place, Some(links))),
         }
     }
     table.names_are_fields = beside.names_are_fields;
@@ -283,6 +296,10 @@ pub(super) fn request(table: &Table, diagnostics: &Diagnostics) -> Option<Reques
             Entry::Beside(_, rows) => {
                 let allowed = |row: &Row| Some((row.name.clone()?, *row.body.allow.value()?));
                 request.allow = rows.iter().flatten().filter_map(allowed).collect();
+            }
+            Entry::Links(_, links) => {
+                let names = links.iter().flatten().map(|(name, _)| name.clone());
+                request.links = names.collect();
             }
             Entry::Lock(locked) => {
                 let locked = locked.as_ref()?.iter();

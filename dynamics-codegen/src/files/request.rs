@@ -64,6 +64,8 @@ pub struct Request {
     pub may_be_geometry: bool,
     /// Whether angles of many turns are accepted, which are meant in degrees elsewhere.
     pub odd_angle: bool,
+    /// Links whose bodies stand by themselves, on their frames.
+    pub links: Vec<Name>,
     /// Joints for which more is accepted: angles of their placement, and tensors of what they carry.
     pub allow: Vec<(Name, Allow)>,
 }

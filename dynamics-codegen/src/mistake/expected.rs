@@ -64,6 +64,9 @@ expectations! {
         "the name of a frame, in quotes if it is no word: `jacobian(left_hand)`, `jacobian(\"left-hand\")`";
     link() "the name of a joint, or `base`";
     joint_of_file() "the name of a joint: `joint: {{ ... }}`";
+    link_of_file() "the name of a link: `link: {{ mass: 2 }}`";
+    links()
+        "a table with the cells of each link of a file, `{{ link: {{ mass: 2 }}, ... }}`: the rows of a table are `joints`";
     value_after(name: &Name, are_followers: bool)
         "`=` and the joint that it follows after `{name}`: `{name} = factor * leader + offset`" if are_followers
         else "`=` and a position after `{name}`";

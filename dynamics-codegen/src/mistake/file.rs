@@ -61,6 +61,17 @@ mistakes! {
     no_joint_of_file()
         "no joint is named: give cells to one, `elbow: {{ friction: {{ viscous: 0.1 }} }}` for example, or leave \
          `joints` out";
+    /// `links: { }` beside a file.
+    no_link_of_file()
+        "no link is named: give cells to one, `hand: {{ mass: 2 }}` for example, or leave `links` out";
+    /// A link that does not belong to the part of the file that is read.
+    not_of_the_robot(link: &str => shortened)
+        "`{link}` is none of the robot's links, which are those of the part of the file that is read: cells would do \
+         nothing there, remove them";
+    /// Cells of the links of a file, where the file has no links.
+    links_of_a_table()
+        "`links` gives cells to the links of a URDF file: in a table, write them in the row of the joint that moves the \
+         link, or in a frame of `frames`";
     /// `[joints.joint.1]` in TOML, where a dot leads into a table.
     dotted_joint(first: &str, second: &str) {name: shortened(&format!("{first}.{second}"))}
         "expected the cells of a joint: a name with a dot is written in quotes, `[joints.\"{name}\"]`";

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident};
 
-use super::assigned::{functions, joints, named_tables};
+use super::assigned::{at_cells, functions, joints, named_tables};
 use super::cursor::Cursor;
 use super::list::one;
 use super::row::rows;
@@ -53,8 +53,11 @@ fn entry(cursor: &mut Cursor) -> ((Key, Node), char, String) {
 fn value_of(cursor: &mut Cursor, key: &str) -> Node {
     match words::meant(key, KEYS).unwrap_or(key) {
         "base" => base(cursor),
+        // In brackets `links` are the rows of a table, in another program's words.
         "joints" => rows(cursor),
+        "links" if !at_cells(cursor) => rows(cursor),
         "frames" => named_tables(cursor, expected::frame),
+        "links" => named_tables(cursor, expected::link_of_file),
         "functions" => functions(cursor),
         "lock" => joints(cursor, false),
         "couple" => joints(cursor, true),

@@ -1,8 +1,8 @@
 //! Frames, the tool and where they are.
 
 use super::reader::{Item, Read, Reader, put};
-use crate::description::{Frame, Link, Name, Placement, Tool, Vector};
-use crate::keys::{FRAME, Part, TOOL};
+use crate::description::{Body, Frame, Link, Name, Placement, Tool, Vector};
+use crate::keys::{FRAME, LINK_BESIDE_A_FILE, Part, TOOL};
 use crate::mistake::{self, expected};
 use crate::tree::{Key, KeyKind, Kind, Node};
 
@@ -67,6 +67,38 @@ impl Reader<'_> {
             }
         };
         Ok(items.map(read).collect())
+    }
+
+    /// `{ hand: { mass: load } }`, cells for the links of a file.
+    pub(super) fn links(&mut self, node: &Node) -> Read<Vec<(Name, Body)>> {
+        let Kind::Table(items) = &node.kind else {
+            return Err(self.instead_of(&expected::links(), node));
+        };
+        let mut links: Vec<(Name, Body)> = Vec::new();
+        for (key, node) in self.until_full(items) {
+            if key.kind == KeyKind::Stray {
+                self.instead_of(&expected::link_of_file(), node);
+                continue;
+            }
+            let Ok(name) = self.name(&key.word, key.place) else {
+                continue;
+            };
+            if links.iter().any(|(other, _)| other.plain() == name.plain()) {
+                self.error(key.place, mistake::given_twice(&key.word));
+                continue;
+            }
+            let mut body = Body::default();
+            let cells = self.visit(node, |reader, node| {
+                reader.table(node, &LINK_BESIDE_A_FILE, |reader, item| {
+                    reader.cell_of_body(item, &mut body)
+                })
+            });
+            if cells.unwrap_or(true) {
+                body.doubt();
+            }
+            links.push((name, body));
+        }
+        Ok(links)
     }
 
     pub(super) fn frame(&mut self, name: Name, node: &Node) -> Frame {

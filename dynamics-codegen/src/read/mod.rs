@@ -63,9 +63,10 @@ pub(crate) fn written_value(
     reader.value(&node).ok()
 }
 
-/// Whether the tree has a table `joints`, with cells for the joints of another file.
+/// Whether the tree has a table `joints` or `links`, with cells for those of another file.
 fn has_cells_beside(root: &Node) -> bool {
-    item(root, "joints").is_some_and(|node| matches!(node.kind, Kind::Table(_)))
+    let is_table = |node: &Node| matches!(node.kind, Kind::Table(_));
+    item(root, "joints").is_some_and(is_table) || item(root, "links").is_some()
 }
 
 /// Whether the tree names the file of its robot, or a word like that stands where there are no joints.
@@ -122,6 +123,10 @@ impl Reader<'_> {
                 add(to, |rows| Entry::Beside(place, rows), rows)
             }
             "joint" | "joints" => add(to, |rows| Entry::Joints(place, rows), self.joints(node)),
+            "links" => {
+                let links = self.links(node);
+                add(to, |links| Entry::Links(place, links), links)
+            }
             "tool" => {
                 let tool = self.tool(node).map(Box::new);
                 add(to, |tool| Entry::Tool(place, tool), tool)

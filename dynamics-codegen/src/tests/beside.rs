@@ -284,3 +284,102 @@ fn a_call_with_a_file_that_lists_fields() {
     );
     assert!(!messages[0].contains("does not list it"), "{messages:?}");
 }
+
+/// A robot of links: an arm whose hand is fixed to it, and has a body beside that of the arm.
+const URDF: &str = r#"<robot name="arm">
+<link name="stand"/>
+<link name="arm"><inertial><origin xyz="0.1 0 0"/><mass value="2"/>
+  <inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<link name="hand"><inertial><origin xyz="0 0 0.05" rpy="0 0 1.5707963267948966"/><mass value="0.5"/>
+  <inertia ixx="0.01" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<link name="empty"/>
+<joint name="lift" type="revolute"><parent link="stand"/><child link="arm"/><axis xyz="0 1 0"/>
+  <limit lower="-1" upper="1" effort="1" velocity="1"/></joint>
+<joint name="wrist" type="fixed"><parent link="arm"/><child link="hand"/><origin xyz="0.4 0 0"/></joint>
+<joint name="end" type="fixed"><parent link="hand"/><child link="empty"/><origin xyz="0 0 0.2"/></joint>
+</robot>"#;
+
+fn with_links(entries: &str) -> Result<Model, Vec<Error>> {
+    with_links_but(entries, &[])
+}
+
+/// The same without some joints.
+fn with_links_but(entries: &str, ignored: &[&str]) -> Result<Model, Vec<Error>> {
+    let entries = format!("gravity = [0, 0, -9.81]\n{entries}");
+    let request = Request::default();
+    let mut entries = table("beside", &entries, Format::Toml, &request)?;
+    entries.names_are_fields = true;
+    let ignored = ignored.iter().map(|name| Name::new(*name, Place::START));
+    entries.entries.push(Entry::Ignore(Some(ignored.collect())));
+    model_beside("arm", URDF, Format::Urdf, entries)
+}
+
+/// A link with cells beside the file stands by itself, on its frame; its other cells are those of the file.
+#[test]
+fn cells_of_links_replace_those_of_the_file() {
+    let model = with_links("[links.hand]\nmass = \"load\"\ncom = [0, 0, \"z\"]").expect("a robot");
+    assert_eq!(model.robot.fields, ["load", "z"]);
+    let arm = model.robot.rows[0].body();
+    assert_eq!(arm.mass.to_f64(&[]), 2.0);
+    let [hand] = &model.robot.frames[..] else {
+        panic!("{:?}", model.robot.frames)
+    };
+    let body = hand.body.as_ref().expect("a body");
+    assert_eq!(body.mass.to_f64(&[3.0, 0.2]), 3.0);
+    assert_eq!(body.com[2].to_f64(&[3.0, 0.2]), 0.2);
+    // Turned by a quarter, the axes x and y have changed places.
+    let [xx, yy, zz] = [0, 1, 2].map(|k| body.inertia[k].to_f64(&[]));
+    assert_eq!([xx, yy, zz], [0.02, 0.01, 0.02]);
+    // With the file's own mass it is the robot of the file.
+    let same = with_links("[links.hand]\nmass = 0.5")
+        .expect("a robot")
+        .robot;
+    let (lift, whole) = (same.rows[0].body(), with_links("").expect("a robot").robot);
+    let masses = [
+        &lift.mass,
+        &same.frames[0].body.as_ref().expect("a body").mass,
+    ];
+    let sum: f64 = masses.iter().map(|mass| mass.to_f64(&[])).sum();
+    assert_eq!(sum, whole.rows[0].body().mass.to_f64(&[]));
+    assert!(whole.frames.is_empty());
+    // A link without a body has one then, and needs no other.
+    let load = with_links("[links.empty]\nmass = 1")
+        .expect("a robot")
+        .robot;
+    assert_eq!(load.frames.len(), 1);
+}
+
+#[test]
+fn mistakes_in_cells_of_links_are_told() {
+    for (entries, part) in [
+        (
+            "[links.hnd]\nmass = 1",
+            "unknown link `hnd`: did you mean `hand`?",
+        ),
+        (
+            "[links.hand]\nmas = 1",
+            "unknown cell `mas`: did you mean `mass`?",
+        ),
+        ("[links.hand]\nmass = -1", "a mass cannot be negative"),
+        (
+            "links = [1]",
+            "expected a table with the cells of each link",
+        ),
+        ("links = {}", "no link is named"),
+    ] {
+        let errors = with_links(entries).expect_err("a mistake");
+        let told: Vec<_> = errors.iter().map(|error| &error.message).collect();
+        assert!(told.len() == 1 && told[0].contains(part), "{told:?}");
+    }
+    let errors = with_links_but("[links.hand]\nmass = 1", &["wrist"]).expect_err("a mistake");
+    assert!(
+        errors[0]
+            .message
+            .contains("`hand` is none of the robot's links")
+    );
+    let told = messages("allow = [\"odd_mass\"]\n[links.hand]\nmass = 1");
+    assert!(
+        told.len() == 1 && told[0].contains("the links of a URDF file"),
+        "{told:?}"
+    );
+}

@@ -215,6 +215,13 @@ impl Parts {
                     }
                     parts.rows.get_or_insert_default();
                 }
+                Entry::Links(place, links) => {
+                    // Beside a file with links they have gone into its frames.
+                    let is_file = |entry: &Entry| matches!(entry, Entry::File(_));
+                    if links.is_some() && !table.entries.iter().any(is_file) {
+                        scope.error(*place, file::links_of_a_table());
+                    }
+                }
                 Entry::Functions(functions) => parts.functions = functions.clone(),
                 // A file may have one besides that of the call.
                 Entry::Lock(locked) => {
@@ -345,7 +352,8 @@ impl Parts {
         let asked = asked.filter_map(|wanted| wanted.frame.as_ref());
         let asked: BTreeSet<&str> = asked.map(Name::plain).collect();
         let is_kept = |frame: &description::Frame| {
-            table.keeps_links || !frame.is_link || asked.contains(frame.word())
+            let is_named = !frame.is_link || asked.contains(frame.word());
+            table.keeps_links || is_named || frame.body.is_written()
         };
         let rows: Vec<Row> = self.rows?.into_iter().collect::<Option<_>>()?;
         let notes = table.notes.clone();

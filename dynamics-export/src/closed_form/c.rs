@@ -75,9 +75,9 @@ const WORDS: Words = Words {
     },
 };
 
-/// The numbers of a precision: angles that cannot be told apart, and how nearly a pose is reached and a last row is
-/// 0, 0, 0, 1, as the runtime has them; the distance from 1 to the next number, the largest number, and one and a half times the
-/// number from which on all are integers.
+/// The numbers of a precision. The first three are the runtime's: angles that cannot be told apart, how nearly a pose is reached, and
+/// a last row 0, 0, 0, 1. Then come the distance from 1 to the next number and the largest number. The last is one and a half times
+/// the number from which on all are integers.
 struct Numbers {
     precision: &'static Precision,
     words: [(&'static str, &'static str); 6],

@@ -1,4 +1,4 @@
-//! The joints that a request names: those that are left out, and those that stand still.
+//! The joints that a request names: those that are left out, and those that stand still. The links that it names.
 
 use dynamics_symbolic::robot::Value;
 
@@ -38,6 +38,15 @@ impl<'a> Assembly<'a> {
             if !known.contains(&name.plain()) && name.plain() != REST {
                 let meant = words::nearest(name.plain(), &known);
                 let mistake = crate::mistake::unknown("joint", name.plain(), meant, &known);
+                self.error(name, mistake);
+                is_good = false;
+            }
+        }
+        let known = self.tree.link_names();
+        for name in &self.request.links {
+            if !known.contains(&name.plain()) {
+                let meant = words::nearest(name.plain(), &known);
+                let mistake = crate::mistake::unknown("link", name.plain(), meant, &known);
                 self.error(name, mistake);
                 is_good = false;
             }

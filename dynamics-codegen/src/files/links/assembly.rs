@@ -143,7 +143,7 @@ impl<'a> Assembly<'a> {
 }
 
 /// A body, whose numbers are at one place.
-fn body(mass: Option<Mass>, place: Place) -> Body {
+pub(super) fn body(mass: Option<Mass>, place: Place) -> Body {
     let number = |x: Rational| Expr::known(Value::Rational(tidy(x)), place);
     let whole = mass.unwrap_or_else(Mass::none).body();
     let values = whole.inertia.map(|x| Given::As(number(x)));

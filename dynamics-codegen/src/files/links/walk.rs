@@ -5,9 +5,9 @@ use std::rc::Rc;
 use dynamics_symbolic::exact::Rational;
 use dynamics_symbolic::robot::{JointType, Mount, Placement, Value};
 
-use super::assembly::{Assembly, Moved};
-use super::tree::{Joint, Kind, Number};
-use crate::description::{Coulomb, Expr, Frame, Friction, Given, Link, Name, Row};
+use super::assembly::{Assembly, Moved, body};
+use super::tree::{Inertial, Joint, Kind, Number};
+use crate::description::{Body, Coulomb, Expr, Frame, Friction, Given, Link, Name, Row};
 use crate::geometry::{Mass, Transform, number};
 use crate::limits::MOST_PLACES;
 use crate::mistake::{links as mistake, size};
@@ -80,18 +80,8 @@ impl<'a> Assembly<'a> {
     /// Takes the body and the frame of a link. Returns its joints, the first one last.
     fn arrive(&mut self, mut spot: Spot<'a>) -> Vec<(usize, Rc<Spot<'a>>)> {
         let link = self.link(spot.link);
-        if let Some(inertial) = link.and_then(|link| link.inertial.as_ref()) {
-            let (carried, carrier) = match spot.row.map(|row| &mut self.moved[row]) {
-                Some(moved) => (Some(&mut moved.carried), Some(moved.joint.name.as_str())),
-                None => (self.request.base.is_some().then_some(&mut self.base), None),
-            };
-            if let Some(carried) = carried {
-                let frame = spot.frame.then(&inertial.frame);
-                let mass = Mass::new(&inertial.mass, &inertial.tensor, &frame);
-                carried.get_or_insert_with(Mass::none).add(&mass);
-            }
-            self.judge(inertial, carrier);
-        }
+        let inertial = link.and_then(|link| link.inertial.as_ref());
+        let body = self.body_of(&spot, inertial);
         spot.index = self.frames.len();
         self.ends.insert(spot.index);
         let frame = Frame {
@@ -99,12 +89,50 @@ impl<'a> Assembly<'a> {
             on: Given::As(Link::Row(spot.row)),
             places: spot.places.clone(),
             is_link: true,
+            body,
             ..Frame::default()
         };
         self.frames.push((spot.row, frame));
         let joints = self.outward.get(spot.link).into_iter().flatten();
         let spot = Rc::new(spot);
         joints.rev().map(|&joint| (joint, spot.clone())).collect()
+    }
+
+    /// Takes the body of a link to those that it moves with, unless it stands by itself: that is returned.
+    fn body_of(&mut self, spot: &Spot<'a>, inertial: Option<&Inertial>) -> Body {
+        let body_in = |frame: &Transform| {
+            let mass = |inertial: &Inertial| {
+                Mass::new(
+                    &inertial.mass,
+                    &inertial.tensor,
+                    &frame.then(&inertial.frame),
+                )
+            };
+            inertial.map(mass)
+        };
+        let is_apart = |name: &Name| name.plain() == spot.link;
+        if self.request.links.iter().any(is_apart) {
+            self.carry(spot.row, &Mass::none());
+            return body(body_in(&Transform::identity()), self.place_of(spot.link));
+        }
+        if let Some(inertial) = inertial {
+            let carrier = spot.row.map(|row| self.moved[row].joint.name.as_str());
+            self.judge(inertial, carrier);
+        }
+        if let Some(mass) = body_in(&spot.frame) {
+            self.carry(spot.row, &mass);
+        }
+        Body::default()
+    }
+
+    /// Adds a body to those that move with a row, or with a base that moves.
+    fn carry(&mut self, row: Option<usize>, mass: &Mass) {
+        let carried = match row {
+            Some(row) => &mut self.moved[row].carried,
+            None if self.request.base.is_some() => &mut self.base,
+            None => return,
+        };
+        carried.get_or_insert_with(Mass::none).add(mass);
     }
 
     /// The link behind a joint, unless the joint is left out.
