@@ -51,8 +51,11 @@ pub(super) fn put(
     }
 }
 
+/// Cells of links, by their names.
+type OfLinks = Vec<(Name, Body)>;
+
 /// Takes the cells of links out of the entries beside a file. Returns how many entries stand in front of them, too.
-pub(super) fn take_links(entries: &mut Vec<Entry>) -> Option<(usize, Place, Vec<(Name, Body)>)> {
+pub(super) fn take_links(entries: &mut Vec<Entry>) -> Option<(usize, Place, OfLinks)> {
     let is_links = |entry: &Entry| matches!(entry, Entry::Links(..));
     let at = entries.iter().position(is_links)?;
     match entries.remove(at) {
@@ -70,7 +73,7 @@ pub(super) fn in_front(joints: Option<usize>, links: Option<usize>) -> usize {
 
 /// Puts the cells of links in the frames of a file's links, which have the bodies of the file. A table has no links.
 pub(super) fn put_links(
-    (place, links): (Place, Vec<(Name, Body)>),
+    (place, links): (Place, OfLinks),
     entries: &mut [Entry],
     format: Format,
     diagnostics: &Diagnostics,
