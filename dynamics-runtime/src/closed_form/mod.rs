@@ -2,6 +2,7 @@
 //! joint of which it is made.
 
 mod angle;
+mod arc_tangent;
 mod elbow;
 mod family;
 mod follow;

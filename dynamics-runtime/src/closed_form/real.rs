@@ -1,6 +1,6 @@
 //! The numbers that closed forms run on.
 
-use super::angle::{arc_tangent, single_arc_tangent};
+use super::arc_tangent::{arc_tangent, single_arc_tangent};
 use crate::Scalar;
 
 /// `f64` and `f32`, which can be compared and have no digits that a double has not.
