@@ -220,7 +220,7 @@ def test_keywords_are_the_keys_of_files() -> None:
         Arm(DATA / "urdf" / "panda.urdf", (DATA / "urdf" / "panda.urdf").read_text(), "zzzzzz = 1")
     (message,) = [one.text for one in raised.value.mistakes if "zzzzzz" in one.text]
     keys = set(re.findall(r"\w+", message.partition("expected ")[2])) - {"or", "one", "of"}
-    beside = {"frames", "joints", "functions", "chain", "ignore", "round_angles", "fields"}
+    beside = {"frames", "joints", "links", "functions", "chain", "ignore", "round_angles", "fields"}
     assert set(KEYWORDS) == keys - {"frame", "tests"} | beside
 
 
@@ -311,7 +311,7 @@ def test_links_of_a_file_have_cells(tmp_path: Path) -> None:
     path = DATA / "urdf" / "panda.urdf"
     links = {"panda_hand": {"mass": "load", "com": [0, 0, "z"]}}
     arm = rd.Robot.from_file(path, links=links, **chain)
-    assert arm.field_names == ["load", "z"]
+    assert list(arm.fields) == ["load", "z"]
     q, qd = np.linspace(0.1, 0.7, 7), np.linspace(-0.5, 0.9, 7)
     given = arm.with_fields(load=2.5, z=0.125)
     np.testing.assert_allclose(given.mass_matrix(q), expected.mass_matrix(q), rtol=1e-12, atol=1e-14)

@@ -24,7 +24,7 @@ _OPTIONS = ("functions", "chain", "ignore", "round_angles", "fields")
 """Keywords that are no entries of a table."""
 
 KEYWORDS = (
-    *("convention", "gravity", "base", "joint", "joints", "couple", "tool", "frames", "lock", "neglect", "allow", "let"),
+    *("convention", "gravity", "base", "joint", "joints", "links", "couple", "tool", "frames", "lock", "neglect", "allow", "let"),
     *_OPTIONS,
 )
 """All keywords: entries of tables as files have them, where each frame is a `frame` of its own, and the options."""
@@ -37,7 +37,7 @@ class Robot:
     """A robot, read from a file or a table. Its functions are methods, each derived at its first call and kept.
 
     Every entry of a table may be a keyword: `gravity`, `base`, `tool`, `lock`, `allow`, `frames`, `couple`, `joints`,
-    `neglect`, and so on. Beside a file they add to its entries, or take their place. A float is read as its shortest
+    `links`, `neglect`, and so on. Beside a file they add to its entries, or take their place. A float is read as its shortest
     decimal, and a string is an expression such as `"PI/2"` or `"deg(90)"`. Further keywords:
 
     `functions`: the names of the functions, `default` for those that a table without names has.
