@@ -71,34 +71,17 @@ impl Reader<'_> {
 
     /// `{ hand: { mass: load } }`, cells for the links of a file.
     pub(super) fn links(&mut self, node: &Node) -> Read<Vec<(Name, Body)>> {
-        let Kind::Table(items) = &node.kind else {
-            return Err(self.instead_of(&expected::links(), node));
-        };
-        let mut links: Vec<(Name, Body)> = Vec::new();
-        for (key, node) in self.until_full(items) {
-            if key.kind == KeyKind::Stray {
-                self.instead_of(&expected::link_of_file(), node);
-                continue;
-            }
-            let Ok(name) = self.name(&key.word, key.place) else {
-                continue;
-            };
-            if links.iter().any(|(other, _)| other.plain() == name.plain()) {
-                self.error(key.place, mistake::given_twice(&key.word));
-                continue;
-            }
+        let (table, item) = (expected::links(), expected::link_of_file);
+        self.named_cells(node, &table, item, |reader, name, node| {
             let mut body = Body::default();
-            let cells = self.visit(node, |reader, node| {
-                reader.table(node, &LINK_BESIDE_A_FILE, |reader, item| {
-                    reader.cell_of_body(item, &mut body)
-                })
-            });
-            if cells.unwrap_or(true) {
+            let incomplete = reader.table(node, &LINK_BESIDE_A_FILE, |reader, item| {
+                reader.cell_of_body(item, &mut body)
+            })?;
+            if incomplete {
                 body.doubt();
             }
-            links.push((name, body));
-        }
-        Ok(links)
+            Ok((name, body))
+        })
     }
 
     pub(super) fn frame(&mut self, name: Name, node: &Node) -> Frame {

@@ -1,5 +1,7 @@
 //! The rows of a table and their cells.
 
+use std::collections::BTreeSet;
+
 use dynamics_symbolic::robot::JointType;
 
 use super::reader::{Item, Read, Reader, put};
@@ -11,6 +13,7 @@ use crate::keys::{
     ALLOWANCES_OF_BODY, AT, BESIDE_A_FILE, DIRECTIONS, FRICTION, JOINT_TYPES, MOTOR, OF_A_FILE,
     Part, SPRING, STRIBECK, TENSOR, word_list,
 };
+use crate::mistake::expected::Expected;
 use crate::mistake::{self, expected, file as wrong};
 use crate::tree::{Key, KeyKind, Kind, Language, Node};
 
@@ -153,25 +156,37 @@ impl Reader<'_> {
 
     /// `{ joint: { friction: { ... } }, ... }`, cells for the joints of a file.
     pub(super) fn joints_beside(&mut self, node: &Node) -> Read<Vec<Row>> {
+        let (table, item) = (expected::rows(), expected::joint_of_file);
+        self.named_cells(node, &table, item, Reader::cells_beside)
+    }
+
+    /// `{ name: { ... }, ... }`, cells for each of some names, which stand there once.
+    pub(super) fn named_cells<T>(
+        &mut self,
+        node: &Node,
+        table: &Expected,
+        item: fn() -> Expected,
+        cells: impl Fn(&mut Self, Name, &Node) -> Read<T>,
+    ) -> Read<Vec<T>> {
         let Kind::Table(items) = &node.kind else {
-            return Err(self.instead_of(&expected::rows(), node));
+            return Err(self.instead_of(table, node));
         };
-        let mut rows: Vec<Row> = Vec::new();
+        let (mut names, mut read) = (BTreeSet::new(), Vec::new());
         for (key, node) in self.until_full(items) {
             if key.kind == KeyKind::Stray {
-                self.instead_of(&expected::joint_of_file(), node);
+                self.instead_of(&item(), node);
                 continue;
             }
             let Ok(name) = self.name(&key.word, key.place) else {
                 continue;
             };
-            if rows.iter().any(|row| row.word() == name.plain()) {
+            if !names.insert(name.plain().to_owned()) {
                 self.error(key.place, mistake::given_twice(&key.word));
                 continue;
             }
-            rows.extend(self.visit(node, |reader, node| reader.cells_beside(name, node)));
+            read.extend(self.visit(node, |reader, node| cells(reader, name, node)));
         }
-        Ok(rows)
+        Ok(read)
     }
 
     fn cells_beside(&mut self, name: Name, node: &Node) -> Read<Row> {
