@@ -1,5 +1,6 @@
 //! The content of a file, and the functions of its robot.
 
+mod json;
 mod table;
 
 use std::fmt::Write as _;
@@ -9,9 +10,10 @@ use dynamics_symbolic::formula::{Budget, Format, Formulas, MOST_JOINTS, TooLong}
 use dynamics_symbolic::robot::Robot;
 use dynamics_symbolic::{Proven, Request};
 
-use crate::arguments::Show;
+use crate::arguments::{Show, Shown};
 use crate::failure::Failure;
 use crate::load::{for_command, programs, read_with_names, requests};
+use json::json;
 use table::table;
 
 /// How far the formulas of one function are multiplied out before they are given up, for each term that a formula may
@@ -29,9 +31,13 @@ pub(crate) fn run(given: &Show) -> Result<String, Failure> {
         products: PRODUCTS_FOR_EACH_TERM.saturating_mul(terms),
     };
     let mut left_out = LeftOut::default();
-    if let Some(format) = given.format {
-        let text = formulas(robot, &programs, format, budget, &mut left_out);
-        return Ok(text + &left_out.sentence(terms));
+    match given.format {
+        Some(Shown::Formulas(format)) => {
+            let text = formulas(robot, &programs, format, budget, &mut left_out);
+            return Ok(text + &left_out.sentence(terms));
+        }
+        Some(Shown::Json) => return Ok(json(robot, &programs)),
+        None => {}
     }
     let mut text = table(robot);
     for note in &model.notes {

@@ -1,5 +1,6 @@
 //! The description of a function as a comment.
 
+use dynamics_symbolic::bounds::rounding;
 use dynamics_symbolic::emit::{facts, formula_lines, short_formula_lines, shown, unresisted};
 use dynamics_symbolic::formula::{Budget, Formulas, TooLong};
 use dynamics_symbolic::function::Request;
@@ -43,12 +44,9 @@ fn function_lines(
     formulas: Option<Vec<String>>,
 ) -> Vec<String> {
     let recursion = || "Written as the recursion of the equations of motion is.".to_owned();
-    let notes = proven
-        .program
-        .is_plain
-        .then(recursion)
-        .into_iter()
-        .collect();
+    let plain = proven.program.is_plain.then(recursion);
+    let rounding = rounding(robot, request, proven).map(|rounding| rounding.line());
+    let notes = plain.into_iter().chain(rounding).collect();
     let mut lines = facts(robot, request, &proven.program, notes);
     lines.extend(formulas.into_iter().flatten());
     if request.refuses() {

@@ -2,10 +2,12 @@
 //! those of Rust is a test of `dynamics-evaluation`.
 
 use dynamics_export::{
-    c_source, casadi_requests, casadi_source, javascript_module, matlab_files, python_module,
+    CNumbers, c_project, c_source, casadi_requests, casadi_source, javascript_module, matlab_files,
+    python_module,
 };
+use dynamics_symbolic::bounds::rounding;
 use dynamics_symbolic::function::Part;
-use dynamics_symbolic::robot::Frame;
+use dynamics_symbolic::robot::{Frame, Value};
 use dynamics_symbolic::{Function, Request, expand, proven_program};
 use expect_test::expect_file;
 
@@ -133,4 +135,43 @@ fn functions_of_frames_have_text() {
     expect_file!["golden/fingers.h"].assert_eq(&files.header);
     expect_file!["golden/fingers.c"].assert_eq(&files.source);
     expect_file!["golden/fingers.mjs"].assert_eq(&javascript_module(&robot, &programs));
+}
+
+/// The line about rounding is that of Rust, wherever a function is.
+#[test]
+fn all_languages_have_the_bounds_of_rounding() {
+    let mut robot = arms::robot("two_link_saha");
+    for row in &mut robot.rows {
+        row.limits = Some([Value::integer(-2), Value::integer(2)]);
+    }
+    let requests = Function::default_set(false).into_iter().map(Request::from);
+    let program = |request: Request| {
+        let program = proven_program(&robot, &request).expect("proven");
+        (request, program)
+    };
+    let programs: Vec<_> = requests.map(program).collect();
+    let requests: Vec<_> = programs
+        .iter()
+        .map(|(request, _)| request.clone())
+        .collect();
+    let c = c_source(&robot, &programs);
+    let project = c_project(&robot, &programs, CNumbers::Double);
+    let matlab = matlab_files(&robot, &programs)
+        .into_iter()
+        .map(|(_, text)| text);
+    let texts = [
+        c.header,
+        project[0].1.clone(),
+        javascript_module(&robot, &programs),
+        python_module(&robot, &programs),
+        matlab.collect(),
+        casadi_source(&robot, &requests, &programs).text,
+    ];
+    for (request, proven) in &programs {
+        let line = rounding(&robot, request, proven).expect("limits").line();
+        assert!(line.starts_with("Rounding: at most "), "{line}");
+        for (k, text) in texts.iter().enumerate() {
+            assert!(text.contains(&line), "{k} {}: {line}", request.name());
+        }
+    }
 }

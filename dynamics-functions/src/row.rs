@@ -17,6 +17,8 @@ pub struct Row {
     /// to which poses refer, `{tip}` for the frame whose pose it is: the base frame and the last link
     /// frame, unless the table has a base and a tool.
     pub description: &'static str,
+    /// The unit of its values, of joints that turn and of joints that slide, if all have the same.
+    pub unit: Option<[&'static str; 2]>,
     /// The letter of its values in the formulas of small arms, where these are shown.
     pub symbol: Option<&'static str>,
     /// Whether it is generated without being requested.

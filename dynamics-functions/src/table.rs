@@ -31,6 +31,11 @@ const OF_SMALL_ARMS: Option<Second> = Some(Second {
     trial: Trial::Whole,
 });
 
+const TORQUE: Option<[&str; 2]> = Some(["N m", "N"]);
+const ACCELERATION: Option<[&str; 2]> = Some(["rad/s^2", "m/s^2"]);
+const ENERGY: Option<[&str; 2]> = Some(["J", "J"]);
+const LENGTH: Option<[&str; 2]> = Some(["m", "m"]);
+
 /// The columns of most functions: a row says where its function differs.
 const USUAL: Row = Row {
     name: "",
@@ -38,6 +43,7 @@ const USUAL: Row = Row {
     shape: VECTOR,
     refuses: false,
     description: "",
+    unit: None,
     symbol: None,
     set: Set::ByName,
     provided: None,
@@ -96,6 +102,7 @@ functions! {
     MassMatrix: mass_matrix(Position) -> SQUARE => {
         "Mass matrix M(q), N x N, both triangles, reflected motor inertias included \
             (kg m^2, kg m or kg). Also: joint-space inertia matrix, H (Featherstone), B (Siciliano), D (Spong).",
+        unit: Some(["kg m^2", "kg"]),
         symbol: Some("M"), set: Set::Default, provided: Some("MassMatrix"),
         reads_base: false,
         growth: Growth::Square(18),
@@ -105,6 +112,7 @@ functions! {
     CoriolisVector: coriolis_vector(Position, Velocity) -> VECTOR => {
         "Coriolis and centrifugal vector V(q, qd), N m or N: inverse dynamics without gravity, springs, \
             friction and acceleration.",
+        unit: TORQUE,
         symbol: Some("V"), set: Set::Default, provided: Some("CoriolisVector"),
         second: OF_SMALL_ARMS,
         reads_base: false,
@@ -114,6 +122,7 @@ functions! {
     GravityVector: gravity_vector(Position) -> VECTOR => {
         "Gravity vector G(q), N m or N: the gradient of the potential energy of gravity, inverse dynamics at \
             rest without springs.",
+        unit: TORQUE,
         symbol: Some("G"), set: Set::Default, provided: Some("GravityVector"), second: ASSEMBLED,
         growth: Growth::Linear(35),
     }
@@ -123,6 +132,7 @@ functions! {
         "Friction vector F(qd) = viscous qd + sign(qd) (C + (S - C) exp(-(qd/v)^2)), N m or N, with sign(0) = 0: \
             C is the Coulomb friction of the direction, S static friction that falls to it over the velocity v, where \
             the table has one, else C.",
+        unit: TORQUE,
         symbol: Some("F"), set: Set::WithFriction, masses: Masses::Unread,
         reads_base: false,
         growth: Growth::Linear(30),
@@ -132,6 +142,7 @@ functions! {
     SpringVector: spring_vector(Position) -> VECTOR => {
         "Spring vector K(q) = stiffness (q - rest), N m or N: the gradient of the energy in the springs at the \
             joints, zero where a joint has none.",
+        unit: TORQUE,
         symbol: Some("K"), search: Search::None, masses: Masses::Unread,
         reads_base: false,
     }
@@ -140,6 +151,7 @@ functions! {
     InverseDynamics: inverse_dynamics(Position, Velocity, Acceleration) -> VECTOR => {
         "Inverse dynamics tau = M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd), N m or N, as one program; K is of \
             springs, F of friction.",
+        unit: TORQUE,
         symbol: Some("tau"), set: Set::Default, provided: Some("InverseDynamics"),
         second: OF_SMALL_ARMS,
     }
@@ -148,6 +160,7 @@ functions! {
     ForwardDynamics: forward_dynamics(Position, Velocity, Force) -> VECTOR => {
         "Forward dynamics: the accelerations qdd with M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 \
             or m/s^2; K is of springs, F of friction.",
+        unit: ACCELERATION,
         refuses: true, set: Set::Default, provided: Some("ForwardDynamics"),
         second: Some(Second { form: Form::Articulated, up_to: ANY, trial: Trial::Promising }),
         growth: Growth::Linear(480),
@@ -156,6 +169,7 @@ functions! {
     /// T(q, qd), with reflected inertias.
     KineticEnergy: kinetic_energy(Position, Velocity) -> Shape::Number => {
         "Kinetic energy T(q, qd) = 1/2 qd^T M(q) qd, reflected motor inertias included, J.",
+        unit: ENERGY,
         symbol: Some("T"), set: Set::Default,
         reads_base: false,
         growth: Growth::Linear(60),
@@ -165,6 +179,7 @@ functions! {
     PotentialEnergy: potential_energy(Position) -> Shape::Number => {
         "Potential energy U(q) = -sum m g.c, zero at the origin of the {frame}, and that of springs, \
             1/2 stiffness (q - rest)^2, J.",
+        unit: ENERGY,
         symbol: Some("U"), set: Set::Default,
         growth: Growth::Linear(20),
     }
@@ -173,6 +188,7 @@ functions! {
     BiasForce: bias_force(Position, Velocity) -> VECTOR => {
         "Bias force V(q, qd) + G(q) + K(q) + F(qd), N m or N: inverse dynamics without acceleration; K is of \
             springs, F of friction.",
+        unit: TORQUE,
         second: OF_SMALL_ARMS,
     }
 
@@ -263,6 +279,7 @@ functions! {
         "Forward dynamics by articulated bodies (Featherstone), without M(q): the accelerations qdd with \
             M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau, rad/s^2 or m/s^2. Longer than `forward_dynamics`, and accurate \
             where M(q) is nearly singular: about as many digits are right as the data determine.",
+        unit: ACCELERATION,
         refuses: true, search: Search::Accuracy,
         growth: Growth::Linear(480),
     }
@@ -278,6 +295,7 @@ functions! {
     /// J' w
     WrenchTorques: wrench_torques(Position, Wrench) -> VECTOR => {
         "Joint torques J(q)^T w of a wrench at the tip, N m or N, without J: M(q) qdd + V(q, qd) + G(q) + K(q) + F(qd) = tau + J(q)^T w.",
+        unit: TORQUE,
         masses: Masses::Unread,
         of_tip: true,
         growth: Growth::Linear(60),
@@ -321,6 +339,7 @@ functions! {
     CenterOfMass: center_of_mass(Position) -> Shape::Matrix(Fixed(3), One) => {
         "Centre of mass of the tool and of all links but those that are locked to the base, in the {frame}, m: that \
             of the complete arm where parameters are neglected.",
+        unit: LENGTH,
         symbol: Some("r"), masses: Masses::Center,
     }
 
@@ -365,6 +384,7 @@ functions! {
     MomentumBias: momentum_bias(Position, Velocity) -> VECTOR => {
         "Rate of the generalized momentum without applied forces, C(q, qd)^T qd - G(q) - K(q) - F(qd), N m or N, with C from the Christoffel symbols: \
             d/dt (M qd) = tau + J^T w + momentum_bias, by which a momentum observer finds unknown forces.",
+        unit: TORQUE,
         second: OF_SMALL_ARMS,
     }
 
@@ -372,6 +392,7 @@ functions! {
     PassivityTorque: passivity_torque(Position, Velocity, ReferenceVelocity, ReferenceAcceleration) -> VECTOR => {
         "Torque of a passivity-based controller, M(q) qdd_r + C(q, qd) qd_r + G(q) + K(q) + F(qd), N m or N, with C from the \
             Christoffel symbols and without forming it. Also: the control of Slotine and Li.",
+        unit: TORQUE,
         second: OF_SMALL_ARMS,
     }
 

@@ -6,6 +6,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use dynamics_evaluation::{JointFriction, ReadOptions, RuntimeRobot, read_text};
+use dynamics_symbolic::Request;
+use dynamics_symbolic::bounds;
 use dynamics_symbolic::emit::{BaseParameters, base_parameter_names};
 use dynamics_symbolic::function::plain;
 use dynamics_symbolic::robot::{JointType, Row, Value};
@@ -242,6 +244,18 @@ impl Arm {
     #[getter]
     fn velocity_limits(&self) -> Vec<f64> {
         self.greatest(|row| row.velocity_limit.as_ref())
+    }
+
+    /// The names of the functions, each with the bounds of its rounding errors in double and in single precision.
+    fn bounds(&self, py: Python<'_>) -> PyResult<Vec<(String, [f64; 2])>> {
+        let robot = &self.description.robot;
+        let bound = |(place, request): (usize, &Request)| {
+            let proven = &self.description.derived(py, place)?.proven;
+            let found = bounds::rounding(robot, request, proven);
+            let bound = found.map_or([f64::INFINITY; 2], |found| found.largest());
+            Ok((request.name().to_owned(), bound))
+        };
+        self.description.functions().map(bound).collect()
     }
 
     /// The first term of each base parameter.

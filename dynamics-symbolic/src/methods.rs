@@ -1,6 +1,6 @@
 //! From a robot to its methods: derive, prove, emit.
 
-use crate::bounds;
+use crate::bounds::{self, Rounding};
 use crate::derive::derive_together;
 use crate::emit;
 use crate::formula::{Budget, Equation, Formulas, MOST_TERMS};
@@ -27,6 +27,8 @@ pub struct Method {
     pub function: Option<TokenStream>,
     /// Its operations.
     pub operations: Operations,
+    /// The bounds of its rounding errors over the limits, in double and in single precision; infinite if there is none.
+    pub rounding: [f64; 2],
     /// The joints whose position's sine or cosine it reads.
     pub angles: Vec<usize>,
     /// Its values as equations, if these are short enough to read.
@@ -234,6 +236,15 @@ pub fn percent(share: f64) -> String {
         .to_owned()
 }
 
+/// The sentence about rounding errors.
+fn rounding_note(rounding: &Rounding) -> String {
+    let line = rounding.line();
+    match rounding.largest()[0].is_finite() {
+        true => format!(" {line}"),
+        false => format!(" {line} `Certified` bounds it at a state."),
+    }
+}
+
 /// Proves a program, rounds its constants and emits it.
 fn method(
     robot: &Robot,
@@ -243,8 +254,9 @@ fn method(
     path: &TokenStream,
 ) -> Result<Method, Reason> {
     let proven = proven(robot, request, program)?;
-    let Proven { program, constants } = &proven;
-    notes.extend(bounds::note(robot, request, program, constants));
+    let program = &proven.program;
+    let rounding = bounds::rounding(robot, request, &proven);
+    notes.extend(rounding.as_ref().map(rounding_note));
     let formulas = Formulas::of_short_arm(robot, request.parts(), program, Budget::UNASKED);
     let emitted = emit::method(
         robot,
@@ -257,6 +269,7 @@ fn method(
     let equations = formulas.map_or(Vec::new(), |formulas| formulas.equations(MOST_TERMS));
     Ok(Method {
         equations,
+        rounding: rounding.map_or([f64::INFINITY; 2], |rounding| rounding.largest()),
         ..method_of(request.clone(), emitted, &[program])
     })
 }
@@ -322,6 +335,7 @@ fn method_of(request: Request, emitted: emit::Emitted, programs: &[&Program]) ->
         provided: emitted.provided,
         function: emitted.function,
         operations: programs[0].operations(),
+        rounding: [f64::INFINITY; 2],
         angles: angles.collect(),
         equations: Vec::new(),
     }

@@ -32,6 +32,14 @@ struct State {
     others: [Vec<f64>; 4],
 }
 
+/// A number that single precision has, near to one between two ends.
+fn single(x: f64, [lower, upper]: [f64; 2]) -> f64 {
+    let x = x as f32;
+    let is_within = |x: &f32| (lower..=upper).contains(&f64::from(*x));
+    let near = [x, x.next_down(), x.next_up()].into_iter().find(is_within);
+    near.map_or(lower, f64::from)
+}
+
 impl State {
     fn new(robot: &Robot, random: &mut SplitMix64, is_at_ends: bool) -> Self {
         let mut along = || match is_at_ends {
@@ -44,11 +52,12 @@ impl State {
                 (None, JointType::Revolute) => [-9.0, 9.0],
                 (None, JointType::Prismatic) => [-1.0, 1.0],
             };
-            (lower + along() * (upper - lower)).clamp(lower, upper)
+            single(lower + along() * (upper - lower), [lower, upper])
         });
         let q = q.collect();
         let count = robot.dof().max(6);
-        let others = [(); 4].map(|()| (0..count).map(|_| 2.0 * along() - 1.0).collect());
+        let mut other = |_| single(2.0 * along() - 1.0, [-1.0, 1.0]);
+        let others = [(); 4].map(|()| (0..count).map(&mut other).collect());
         State { q, others }
     }
 
@@ -70,7 +79,7 @@ impl State {
     }
 }
 
-/// The largest error of a function's values at some states, and the largest bound; no error exceeds its own.
+/// The largest error of a function's values at some states, and the largest bound; no error exceeds its own, in either precision.
 fn measured(robot: &Robot, function: Function, program: &Program, label: &str) -> Option<[f64; 2]> {
     let bounds = over_limits(robot, program, &program.rounded_constants())?;
     let count = function.entries(robot.dof(), program.outputs.len());
@@ -81,23 +90,22 @@ fn measured(robot: &Robot, function: Function, program: &Program, label: &str) -
     let mut largest = 0.0_f64;
     for number in 0..STATES {
         let state = State::new(robot, &mut random, number % 3 == 0);
-        let found = program.run::<f64>(&state.inputs());
-        for (k, (found, exact)) in found
-            .iter()
-            .zip(exact.run(&state.inputs()))
-            .take(count)
-            .enumerate()
+        let inputs = state.inputs();
+        let (found, single) = (program.run::<f64>(&inputs), program.run::<f32>(&inputs));
+        let found = found.into_iter().zip(single.into_iter().map(f64::from));
+        for (k, ((double, single), exact)) in found.zip(exact.run(&inputs)).take(count).enumerate()
         {
-            let error = (exact - (*found).into()).abs().to_f64();
-            assert!(
-                error <= bounds[k],
-                "{label}: {error:e} of {k}, {:e}",
-                bounds[k]
-            );
-            largest = largest.max(error);
+            for (found, bound) in [double, single].into_iter().zip(bounds[k]) {
+                let error = (exact - found.into()).abs().to_f64();
+                assert!(error <= bound, "{label}: {error:e} of {k}, {bound:e}");
+            }
+            largest = largest.max((exact - double.into()).abs().to_f64());
         }
     }
-    Some([largest, bounds.iter().copied().fold(0.0, f64::max)])
+    Some([
+        largest,
+        bounds.iter().map(|[double, _]| *double).fold(0.0, f64::max),
+    ])
 }
 
 /// The geometric mean of bounds over the largest errors, and the largest.

@@ -34,7 +34,8 @@ fn helped(id: &str, help: &'static str) -> impl FnMut(Arg) -> Arg {
         its units, its operations, which entries are zero or constant and on what the others depend. The formulas \
         of arms of up to three joints follow. With --format, print the formulas alone, of arms of any length. \
         Formulas of more than --terms terms are not printed, nor those that take too long to multiply out: a \
-        sentence names them. Names in the file's cells that have no value are fields: they are listed first, and \
+        sentence names them. --format json prints the joints and the functions, with operations and bounds of rounding errors, null \
+        where there is none. Names in the file's cells that have no value are fields: they are listed first, and \
         kept in the formulas.",
     after_help = "Examples:\n  \
         robot-dynamics show two_link.toml\n  \
@@ -43,14 +44,26 @@ fn helped(id: &str, help: &'static str) -> impl FnMut(Arg) -> Arg {
 pub(crate) struct Show {
     #[command(flatten)]
     pub(crate) robot: RobotOptions,
-    /// Print formulas alone, in this format
-    #[arg(long, value_parser = choice([("text", Format::Text), ("latex", Format::Latex), ("mathml", Format::MathMl)]))]
-    pub(crate) format: Option<Format>,
+    /// Print formulas alone, in this format, or functions with operations and rounding
+    #[arg(long, value_parser = choice([
+        ("text", Shown::Formulas(Format::Text)), ("latex", Shown::Formulas(Format::Latex)),
+        ("mathml", Shown::Formulas(Format::MathMl)), ("json", Shown::Json),
+    ]))]
+    pub(crate) format: Option<Shown>,
     /// The most terms of a formula that is printed
     #[arg(long, kind = count("1000", 1, 100_000))]
     pub(crate) terms: usize,
     #[command(flatten)]
     pub(crate) output: Output,
+}
+
+/// A format of `show`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Shown {
+    /// The formulas.
+    Formulas(Format),
+    /// The joints and the functions.
+    Json,
 }
 
 #[derive(Args)]

@@ -1,6 +1,6 @@
 //! Formulas that are too long to read beside a method.
 
-use super::calls::{data, folder, output};
+use super::calls::{PENDULUM, assert_has, data, file, folder, output};
 
 /// Generated code that leaves a formula out names the command that prints it, and the command does.
 #[test]
@@ -92,5 +92,30 @@ fn functions_without_formulas() {
             "{shown}"
         );
         assert!(!sections[2].contains("no formulas"), "{shown}");
+    }
+}
+
+/// Functions as JSON: operations, and bounds of rounding where joints have limits.
+#[test]
+fn functions_are_printed_as_json() {
+    let limited = PENDULUM.replace(
+        "type = \"revolute\"",
+        "type = \"revolute\", limits = [-1, 1]",
+    );
+    for (table, is_bounded) in [(PENDULUM, false), (&limited, true)] {
+        let table = file(&format!("json_{is_bounded}.toml"), table);
+        let json = output(format!(
+            "show {table} --functions gravity_vector --format json"
+        ));
+        assert_has(
+            &json,
+            [
+                "\"name\": \"gravity_vector\"",
+                "\"multiplications\": ",
+                "\"joints\": [",
+            ],
+        );
+        let none = "\"rounding\": {\"double\": null, \"single\": null}";
+        assert_eq!(json.contains(none), !is_bounded, "{json}");
     }
 }

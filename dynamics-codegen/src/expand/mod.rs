@@ -53,6 +53,7 @@ pub(crate) fn robot(
         limits: robot.joints().map(table::limits).collect(),
         greatest: table::greatest(robot),
         operations: operations(methods, path),
+        rounding: methods.iter().map(rounding).collect(),
         formulas: formulas(methods, path),
         base_parameters: base_parameter_constants(&requests, Some(robot)),
         table: table::table(structure, robot, path),
@@ -112,6 +113,7 @@ pub(crate) fn stubs(structure: &Structure, table: &Table, path: &TokenStream) ->
         greatest: [(); 2].map(|()| vec![quote!(::core::option::Option::None); names.len()]),
         names,
         operations: Vec::new(),
+        rounding: Vec::new(),
         formulas: Vec::new(),
         base_parameters: base_parameter_constants(&requests, None),
         table: unimplemented.clone(),
@@ -215,6 +217,19 @@ fn angles(robot: &Robot, methods: &[Method]) -> Vec<bool> {
         .collect()
 }
 
+/// An entry of the constant `ROUNDING`.
+fn rounding(method: &Method) -> TokenStream {
+    let name = method.request.name();
+    let [double, single] = method.rounding.map(|bound| match bound.is_finite() {
+        true => {
+            let bound = Literal::f64_unsuffixed(bound);
+            quote!(#bound)
+        }
+        false => quote!(f64::INFINITY),
+    });
+    quote!((#name, #double, #single))
+}
+
 /// The entries of the constant `OPERATIONS`.
 fn operations(methods: &[Method], path: &TokenStream) -> Vec<TokenStream> {
     let entry = |method: &Method| {
@@ -277,6 +292,8 @@ struct Items {
     greatest: [Vec<TokenStream>; 2],
     /// Names of methods, with their operations.
     operations: Vec<TokenStream>,
+    /// The same with the bounds of their rounding errors.
+    rounding: Vec<TokenStream>,
     /// Entries of the method `formulas`.
     formulas: Vec<TokenStream>,
     /// The constants about the base parameters, where there are any.
@@ -322,6 +339,7 @@ impl Items {
             limits,
             greatest: [torques, velocities],
             operations,
+            rounding,
             formulas,
             base_parameters,
             table,
@@ -360,6 +378,11 @@ impl Items {
                 /// Operations of each generated method, by the method's name.
                 pub const OPERATIONS: [(&'static str, #path::Operations); #count] =
                     [#(#operations),*];
+
+                /// The largest rounding error of each generated method's values in double and in single precision, SI units: proven
+                /// for all positions within the limits, all other arguments up to 1, and any rotation of a moving base. Infinite if
+                /// there is no bound: without limits, with fields, or if a divisor may vanish.
+                pub const ROUNDING: [(&'static str, f64, f64); #count] = [#(#rounding),*];
 
                 #base_parameters
 

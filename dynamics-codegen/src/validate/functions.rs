@@ -19,7 +19,7 @@ use crate::words;
 
 /// Names that an item of the struct has in any case, and the methods that come with its derives.
 pub(crate) const RESERVED: &[&str] = word_list![
-    default table formulas DOF JOINT_NAMES JOINT_LIMITS TORQUE_LIMITS VELOCITY_LIMITS OPERATIONS BASE_PARAMETERS BASE_PARAMETER_NAMES evaluate momenta
+    default table formulas DOF JOINT_NAMES JOINT_LIMITS TORQUE_LIMITS VELOCITY_LIMITS OPERATIONS ROUNDING BASE_PARAMETERS BASE_PARAMETER_NAMES evaluate momenta
     energies clone eq
 ];
 

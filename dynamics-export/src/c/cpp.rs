@@ -5,6 +5,7 @@ use crate::arguments::argument_sizes;
 use crate::comments::comment;
 use crate::names::free_name;
 use crate::syntax::indented;
+use dynamics_symbolic::bounds::rounding;
 use dynamics_symbolic::function::Request;
 use dynamics_symbolic::program::Proven;
 
@@ -80,8 +81,11 @@ impl Writer<'_> {
                 }
             }
         };
+        let rounding = rounding(self.robot, request, proven);
+        let rounding = rounding.map(|rounding| comment(&[rounding.line()]));
         format!(
-            "\ninline {result} {function}({})\n{{\n{}}}\n",
+            "\n{}inline {result} {function}({})\n{{\n{}}}\n",
+            rounding.unwrap_or_default(),
             parameters.join(", "),
             indented(&lines, 4)
         )

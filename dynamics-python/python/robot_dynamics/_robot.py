@@ -160,6 +160,15 @@ class Robot:
         return np.array(self._arm.velocity_limits, dtype=np.float64)
 
     @property
+    def bounds(self) -> dict[str, tuple[float, float]]:
+        """The largest rounding error of each function's values, SI units, in double and in single precision.
+
+        It is proven for all positions within the limits, all other arguments up to 1, and any rotation of a moving base. Infinite if
+        there is no bound: without limits, with fields, or if a divisor may vanish. All functions are derived for it.
+        """
+        return {name: (double, single) for name, (double, single) in self._arm.bounds()}
+
+    @property
     def base_parameter_names(self) -> list[str]:
         """The first term of each base parameter, in the order of the regressor's columns: `J2xx`, `h2x`, `m2`, `I2`."""
         return self._arm.base_parameter_names

@@ -3,7 +3,7 @@
 use crate::interval::{Interval, Intervals};
 use crate::mechanism::{Joint, Law, Mechanism};
 use crate::robot::{Interpretation, Symbol, Value};
-use crate::rounding::Ranged;
+use crate::rounding::{Each, Ranged};
 
 /// An input, as generated code has it; with an infinite error where nothing is known.
 pub(super) fn input(arm: &Mechanism, symbol: &Symbol) -> Ranged {
@@ -22,7 +22,7 @@ pub(super) fn input(arm: &Mechanism, symbol: &Symbol) -> Ranged {
 }
 
 fn unknown() -> Ranged {
-    Ranged::with_error(Interval::symmetric(f64::INFINITY), f64::INFINITY)
+    Ranged::with_error(Interval::symmetric(f64::INFINITY), [f64::INFINITY; 2])
 }
 
 /// A position or velocity; that of a follower is its leader's times the factor.
@@ -53,8 +53,17 @@ fn circle(angle: Ranged, pick: impl Fn((Interval, Interval)) -> Interval) -> Ran
     let range = pick(angle.range.sin_cos());
     // Only the cosine of zero is 1, and it is exact.
     let largest = range.size().min(1.0_f64.next_down());
-    let unit = largest.next_up() - largest;
-    Ranged::with_error(range, (unit + angle.error).next_up())
+    let single = (largest as f32).min(1.0_f32.next_down());
+    let units = [
+        largest.next_up() - largest,
+        f64::from(single.next_up() - single),
+    ];
+    Ranged::with_error(range, wrong_by(angle.error, units))
+}
+
+/// Errors that are passed on, and others.
+fn wrong_by(passed_on: Each, others: Each) -> Each {
+    core::array::from_fn(|k| (passed_on[k] + others[k]).next_up())
 }
 
 /// exp(-(qd/v)^2).
@@ -68,20 +77,18 @@ fn stribeck(arm: &Mechanism, index: usize) -> Ranged {
     };
     let velocity = relative(moved(arm, index, |_| Interval::exact(1.0)));
     let ratio = velocity / relative(cell(&stribeck.velocity));
-    let r = (ratio * ratio).error;
-    if r < 0.5 {
-        Ranged::with_error(range, (r + f64::EPSILON).next_up())
-    } else {
-        unknown()
-    }
+    let r = (ratio * ratio)
+        .error
+        .map(|r| if r < 0.5 { r } else { f64::INFINITY });
+    Ranged::with_error(range, wrong_by(r, [f64::EPSILON, f32::EPSILON.into()]))
 }
 
 /// The number over its exact value.
 fn relative(x: Ranged) -> Ranged {
-    let mut error = 0.0;
-    if x.error != 0.0 {
-        error = (x.error / x.range.least_size()).next_up();
-    }
+    let error = x.error.map(|error| match error {
+        0.0 => 0.0,
+        error => (error / x.range.least_size()).next_up(),
+    });
     Ranged::with_error(Interval::exact(1.0), error)
 }
 

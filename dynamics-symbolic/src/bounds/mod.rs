@@ -1,16 +1,16 @@
 //! How far rounding can take a function's values from the exact ones, wherever the joints are within their limits.
 //!
 //! One walk over the finished program in intervals ([`outputs_over`](crate::rounding)) bounds the error of every
-//! output: joints within the limits of the table, all other arguments from -1 to 1. Counted are half a unit in the last
-//! place for each operation and for constants that are no doubles, and one unit for exponentials, sines and cosines,
-//! which the runtime proves of its kernels. A product that is added without being rounded before is not worse. Bounds
-//! are rounded outwards, by operations that every platform rounds alike.
+//! output in double and in single precision: joints within the limits of the table, all other arguments from -1 to 1. Counted are
+//! half a unit in the last place for each operation and for constants that the precision has not, and one unit for exponentials,
+//! sines and cosines, which the runtime proves of its kernels. A product that is added without being rounded before is not worse.
+//! Bounds are rounded outwards, by operations that every platform rounds alike.
 
 mod degree;
 mod inputs;
-mod note;
+mod line;
 
-pub(crate) use note::note;
+pub use line::{Rounding, rounding};
 
 use crate::mechanism::Mechanism;
 use crate::program::Program;
@@ -18,12 +18,12 @@ use crate::robot::{Robot, Symbol};
 use crate::rounding::outputs_over;
 use inputs::input;
 
-/// The largest error of each output, with the constants as they are emitted, joints within their limits and other
-/// arguments from -1 to 1. Infinite where there is no bound: of a quotient by what may be zero somewhere, of what
+/// The largest error of each output in double and in single precision, with the constants as they are emitted, joints within their
+/// limits and other arguments from -1 to 1. Infinite where there is no bound: of a quotient by what may be zero somewhere, of what
 /// depends on the struct's fields or on the position of a joint that slides without limits.
 ///
 /// `None` where there is nothing to say: no joint has limits, or nothing is read that changes.
-pub fn over_limits(robot: &Robot, program: &Program, constants: &[f64]) -> Option<Vec<f64>> {
+pub fn over_limits(robot: &Robot, program: &Program, constants: &[f64]) -> Option<Vec<[f64; 2]>> {
     let arm = Mechanism::from(robot);
     let has_limits = arm.free().any(|i| arm.joints[i].limits.is_some());
     let mut arguments = program.inputs.iter().filter_map(Symbol::argument);

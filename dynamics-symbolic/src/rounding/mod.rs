@@ -17,7 +17,7 @@ mod running;
 pub use bounded::{Bounded, UNIT};
 pub(crate) use over::outputs_over;
 pub use program::Rounded;
-pub(crate) use ranged::Ranged;
+pub(crate) use ranged::{Each, Ranged};
 pub use running::{Point, Running};
 
 /// At how many points the nodes of a graph are evaluated together.

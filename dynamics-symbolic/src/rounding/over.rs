@@ -1,7 +1,7 @@
 //! The outputs of a program over a box of points.
 
 use super::pairs::{Length, Pairs, SumOfProducts, turned};
-use super::ranged::{Ranged, norm, plus, rounding};
+use super::ranged::{Ranged, each, norm, plus, rounding, sum};
 use crate::exact::negate_if;
 use crate::interval::Interval;
 use crate::program::{Constant, ConstantPool, Instruction, Operand, Program};
@@ -65,7 +65,8 @@ impl Walk<'_> {
                 && let Some(cosine) = place(&Symbol::Cosine(*i))
             {
                 let [sine, cosine] = [sine, cosine].map(|place| Operand::Input(place as u32));
-                let error = norm(self.read(sine).error, self.read(cosine).error);
+                let [s, c] = [sine, cosine].map(|place| self.read(place).error);
+                let error = each(|k| norm(s[k], c[k]));
                 self.pairs.set(sine, cosine, Length { size: 1.0, error });
             }
         }
@@ -99,10 +100,10 @@ impl Walk<'_> {
 
     fn sum(&mut self, a: Operand, b: Operand, is_difference: bool) -> Ranged {
         let (x, y) = (self.read(a), self.read(b));
-        let sum = x + negate_if(y, is_difference);
+        let result = x + negate_if(y, is_difference);
         let products = self.program.product(a).zip(self.program.product(b));
         let Some((first, second)) = products else {
-            return sum;
+            return result;
         };
         let products = SumOfProducts {
             first,
@@ -113,15 +114,16 @@ impl Walk<'_> {
             let (coefficients, vector) = (self.length(turn.coefficients), self.length(turn.vector));
             (turn, turned(coefficients, vector))
         });
-        let (mut range, mut error) = (sum.range, plus(x.error, y.error));
+        let (mut range, mut error) = (result.range, sum(x.error, y.error));
         for (_, (length, roundings)) in &turns {
             range = range.within(length.size);
-            error = error.min(plus(length.error, *roundings));
+            let turned = sum(length.error, *roundings);
+            error = each(|k| error[k].min(turned[k]));
         }
-        let last = rounding(plus(range.size(), error));
+        let last = rounding(error.map(|error| plus(range.size(), error)));
         for (turn, (length, roundings)) in turns {
             self.pairs
-                .component(self.next(), turn, length, plus(roundings, last));
+                .component(self.next(), turn, length, sum(roundings, last));
         }
         Ranged::from_operands(range, error)
     }
@@ -131,11 +133,11 @@ impl Walk<'_> {
         let (x, y) = (self.read(a), self.read(b));
         let mut length = Length {
             size: norm(x.range.size(), y.range.size()),
-            error: norm(x.error, y.error),
+            error: each(|k| norm(x.error[k], y.error[k])),
         };
         if let Some(known) = self.pairs.length(a, b) {
             length.size = length.size.min(known.size);
-            length.error = length.error.min(known.error);
+            length.error = each(|k| length.error[k].min(known.error[k]));
         }
         length
     }
@@ -202,7 +204,11 @@ mod tests {
         let last = instructions.len() as u32 - 1;
         for output in outputs(2, instructions, &[last - 3, last]) {
             assert!((1.4..1.5).contains(&output.range.size()), "{output:?}");
-            assert!(output.error < 20.0 * 4.0 * f64::EPSILON, "{output:?}");
+            assert!(output.error[0] < 20.0 * 4.0 * f64::EPSILON, "{output:?}");
+            assert!(
+                output.error[1] < 20.0 * 4.0 * f64::from(f32::EPSILON),
+                "{output:?}"
+            );
         }
     }
 

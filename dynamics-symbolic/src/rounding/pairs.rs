@@ -8,7 +8,7 @@
 //!
 //! The same holds of errors: what (x, y) was wrong by is turned, and turned back, without growing.
 
-use super::ranged::{norm, plus, rounding, times};
+use super::ranged::{Each, each, norm, plus, rounding, sum, times};
 use crate::program::Operand;
 use std::collections::BTreeMap;
 
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Length {
     pub(super) size: f64,
-    pub(super) error: f64,
+    pub(super) error: Each,
 }
 
 impl Length {
@@ -24,19 +24,24 @@ impl Length {
     fn scaled(self, t: Length) -> Self {
         Length {
             size: times(self.size, t.size),
-            error: plus(
-                times(self.size, t.error),
-                times(self.error, plus(t.size, t.error)),
-            ),
+            error: each(|k| {
+                let computed = plus(t.size, t.error[k]);
+                plus(times(self.size, t.error[k]), times(self.error[k], computed))
+            }),
         }
     }
 
     /// With two numbers that were rounded by so much besides.
-    fn with_roundings(self, a: f64, b: f64) -> Self {
+    fn with_roundings(self, a: Each, b: Each) -> Self {
         Length {
-            error: plus(self.error, norm(a, b)),
+            error: sum(self.error, each(|k| norm(a[k], b[k]))),
             ..self
         }
+    }
+
+    /// The largest roundings of a number that is no longer than it.
+    fn rounding(self) -> Each {
+        rounding(self.error.map(|error| plus(self.size, error)))
     }
 }
 
@@ -95,7 +100,7 @@ impl Turn {
 struct Component {
     result: Operand,
     turn: Turn,
-    rounding: f64,
+    rounding: Each,
 }
 
 /// The pairs whose lengths are known.
@@ -128,7 +133,7 @@ impl Pairs {
         [a, b]: [Operand; 2],
         [size_a, size_b]: [Length; 2],
         result: Operand,
-        rounded: f64,
+        rounded: Each,
     ) {
         for (a, t, size) in [(a, b, size_b), (b, a, size_a)] {
             let partners = self.partners.get(&a).cloned().unwrap_or_default();
@@ -139,7 +144,7 @@ impl Pairs {
                 };
                 let scaled = length.scaled(size);
                 // The other product is no longer than the pair.
-                let roundings = rounding(plus(scaled.size, scaled.error));
+                let roundings = scaled.rounding();
                 self.set(other, result, scaled.with_roundings(rounded, roundings));
             }
         }
@@ -148,7 +153,7 @@ impl Pairs {
 
     /// Adds a sum of products: it makes a pair with the other component of the same turned vector. `length` is that of
     /// the turned vector, `rounded` the largest rounding of the sum and its products.
-    pub(super) fn component(&mut self, result: Operand, turn: Turn, length: Length, rounded: f64) {
+    pub(super) fn component(&mut self, result: Operand, turn: Turn, length: Length, rounded: Each) {
         let is_other = |other: &&Component| {
             let is_turned = other.turn.is_straight() != turn.is_straight();
             is_turned && other.turn.is_difference != turn.is_difference
@@ -173,7 +178,7 @@ impl Pairs {
 
 /// The length of a turned vector, and what the roundings of a component's two products come to: |a x| + |b y| is at
 /// most the length too.
-pub(super) fn turned(coefficients: Length, vector: Length) -> (Length, f64) {
+pub(super) fn turned(coefficients: Length, vector: Length) -> (Length, Each) {
     let turned = coefficients.scaled(vector);
-    (turned, rounding(plus(turned.size, turned.error)))
+    (turned, turned.rounding())
 }

@@ -8,17 +8,45 @@ use crate::exact::Rational;
 use crate::interval::Interval;
 use crate::operators::impl_operators;
 
-/// A number over a box of points: the exact one is in `range`, and what is computed at most `error` away from it.
+/// A number for each precision: double, and single.
+pub(crate) type Each = [f64; 2];
+
+/// A precision.
+struct Precision {
+    /// The largest relative error of one operation.
+    unit: f64,
+    /// The largest error of a result that underflows; in doubles bounds are rounded up by it.
+    underflow: f64,
+    /// Beyond it a result may overflow.
+    largest: f64,
+}
+
+const PRECISIONS: [Precision; 2] = [
+    Precision {
+        unit: UNIT,
+        underflow: 0.0,
+        largest: f64::MAX / 4.0,
+    },
+    Precision {
+        unit: f32::EPSILON as f64 / 2.0,
+        underflow: f32::MIN_POSITIVE as f64 * f32::EPSILON as f64,
+        largest: f32::MAX as f64 / 4.0,
+    },
+];
+
+/// A number for each precision, from its index.
+pub(super) fn each(of: impl FnMut(usize) -> f64) -> Each {
+    core::array::from_fn(of)
+}
+
+/// A number over a box of points: the exact one is in `range`, and what is computed in each precision at most `error` away from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ranged {
     /// The exact numbers.
     pub(crate) range: Interval,
-    /// The bound; infinite where nothing is known.
-    pub(crate) error: f64,
+    /// The bounds; infinite where nothing is known.
+    pub(crate) error: Each,
 }
-
-/// Beyond it a result may overflow.
-const LARGEST: f64 = f64::MAX / 4.0;
 
 /// A result of operations on bounds, rounded upwards: next to it where it was rounded to nearest. Zero is exact.
 pub(super) fn up(x: f64) -> f64 {
@@ -47,74 +75,102 @@ pub(super) fn norm(a: f64, b: f64) -> f64 {
     up(plus(times(a, a), times(b, b)).sqrt())
 }
 
-/// The largest error of rounding a result of that size.
-pub(super) fn rounding(size: f64) -> f64 {
-    times(size, UNIT)
+/// The largest errors of rounding results of those sizes.
+pub(super) fn rounding(sizes: Each) -> Each {
+    each(|k| {
+        let Precision {
+            unit, underflow, ..
+        } = PRECISIONS[k];
+        match sizes[k] {
+            0.0 => 0.0,
+            size => times(size, unit).max(underflow),
+        }
+    })
+}
+
+/// The errors of a sum of numbers with these.
+pub(super) fn sum(a: Each, b: Each) -> Each {
+    each(|k| plus(a[k], b[k]))
 }
 
 impl Ranged {
     /// Numbers that are what they stand for.
     pub(crate) fn exact(range: Interval) -> Self {
-        Ranged { range, error: 0.0 }
+        Ranged {
+            range,
+            error: [0.0; 2],
+        }
     }
 
     /// Numbers that are known to some error.
-    pub(crate) fn with_error(range: Interval, error: f64) -> Self {
-        let is_known = error <= LARGEST && range.size() <= LARGEST;
+    pub(crate) fn with_error(range: Interval, error: Each) -> Self {
+        let bound = |k: usize| {
+            let largest = PRECISIONS[k].largest;
+            let is_known = error[k] <= largest && range.size() <= largest;
+            if is_known { error[k] } else { f64::INFINITY }
+        };
         Ranged {
             range,
-            error: if is_known { error } else { f64::INFINITY },
+            error: each(bound),
         }
     }
 
-    /// An exact number that was rounded to the double `x`.
+    /// An exact number that was rounded to the double `x`, or from there on to a single.
     pub(crate) fn rounded(x: f64) -> Self {
         let range = Interval::new(x.next_down(), x.next_up());
-        Ranged::with_error(range, rounding(x.abs()))
+        Ranged::with_error(range, rounding([x.abs(); 2]))
     }
 
-    /// A rational number, exact where the double `x` is the number, else rounded to that double.
+    /// A rational number, exact where the double `x` is the number, and in single precision where that has it too; else rounded.
     pub(crate) fn rational(exact: &Rational, x: f64) -> Self {
+        let mut rounded = Ranged::rounded(x);
         if Rational::try_from(x).is_ok_and(|x| x == *exact) {
-            Ranged::exact(Interval::exact(x))
-        } else {
-            Ranged::rounded(x)
+            let single = if f64::from(x as f32) == x {
+                0.0
+            } else {
+                rounded.error[1]
+            };
+            rounded = Ranged::with_error(Interval::exact(x), [0.0, single]);
         }
+        rounded
     }
 
-    /// The largest size of what is computed.
-    pub(super) fn computed(self) -> f64 {
-        plus(self.range.size(), self.error)
+    /// The largest sizes of what is computed.
+    pub(super) fn computed(self) -> Each {
+        self.error.map(|error| plus(self.range.size(), error))
     }
 
     /// A result that is rounded once, from operands that contribute `error`.
-    pub(super) fn from_operands(range: Interval, error: f64) -> Self {
-        let rounding = rounding(plus(range.size(), error));
-        Ranged::with_error(range, plus(error, rounding))
+    pub(super) fn from_operands(range: Interval, error: Each) -> Self {
+        let rounding = rounding(error.map(|error| plus(range.size(), error)));
+        Ranged::with_error(range, sum(error, rounding))
     }
 }
 
 impl_operators! {
     impl [] for Ranged;
     Neg neg |a| Ranged { range: -a.range, ..a };
-    Add add |a, b| Ranged::from_operands(a.range + b.range, plus(a.error, b.error));
+    Add add |a, b| Ranged::from_operands(a.range + b.range, sum(a.error, b.error));
     Mul mul |a, b| {
-        let passed_on = plus(times(a.range.size(), b.error), times(b.computed(), a.error));
+        let (size, computed) = (a.range.size(), b.computed());
+        let passed_on = each(|k| plus(times(size, b.error[k]), times(computed[k], a.error[k])));
         Ranged::from_operands(a.range * b.range, passed_on)
     };
     /// |a'/b' - a/b| <= (e_a + |a/b| e_b) / (|b| - e_b)
     Div div |a, b| {
         let range = a.range.over(b.range);
-        let room = (b.range.least_size() - b.error).next_down();
-        let passed_on = plus(a.error, times(range.size(), b.error));
-        let error = if room.is_nan() || room <= 0.0 {
-            f64::INFINITY
-        } else if passed_on == 0.0 {
-            0.0
-        } else {
-            (passed_on / room).next_up()
+        let error = |k: usize| {
+            let room = (b.range.least_size() - b.error[k]).next_down();
+            let passed_on = plus(a.error[k], times(range.size(), b.error[k]));
+            if room.is_nan() || room <= 0.0 {
+                f64::INFINITY
+            } else if passed_on == 0.0 {
+                0.0
+            } else {
+                (passed_on / room).next_up()
+            }
         };
-        Ranged::from_operands(range, error)
+        Ranged::from_operands(range, each(error))
     };
 }
 
@@ -128,6 +184,7 @@ mod tests {
     struct Known {
         ranged: Ranged,
         computed: f64,
+        single: f32,
         exact: Rational,
     }
 
@@ -137,13 +194,16 @@ mod tests {
 
     impl Known {
         fn assert_holds(&self) {
-            let difference = rational(self.computed) - &self.exact;
-            let bound = rational(self.ranged.error);
-            assert!(
-                -&bound <= difference && difference <= bound,
-                "{:?}",
-                self.ranged
-            );
+            let computed = [self.computed, f64::from(self.single)];
+            for (computed, error) in computed.into_iter().zip(self.ranged.error) {
+                let difference = rational(computed) - &self.exact;
+                let bound = rational(error);
+                assert!(
+                    -&bound <= difference && difference <= bound,
+                    "{:?}",
+                    self.ranged
+                );
+            }
             let size = rational(self.ranged.range.size());
             assert!(-&size <= self.exact && self.exact <= size);
         }
@@ -158,10 +218,12 @@ mod tests {
             let mut input = || {
                 let (low, width) = (4.0 * random.unit() - 2.0, random.unit() - 0.5);
                 let range = Interval::new(low, low + width.max(0.0));
-                let computed = low + width.max(0.0) * random.unit();
+                let single = (low + width.max(0.0) * random.unit()) as f32;
+                let computed = f64::from(single);
                 Known {
-                    ranged: Ranged::exact(range),
+                    ranged: Ranged::exact(range.hull(Interval::exact(computed))),
                     computed,
+                    single,
                     exact: rational(computed),
                 }
             };
@@ -174,21 +236,25 @@ mod tests {
                     0 => Known {
                         ranged: a.ranged + b.ranged,
                         computed: a.computed + b.computed,
+                        single: a.single + b.single,
                         exact: a.exact + b.exact,
                     },
                     1 => Known {
                         ranged: a.ranged + -b.ranged,
                         computed: a.computed - b.computed,
+                        single: a.single - b.single,
                         exact: a.exact - b.exact,
                     },
-                    3 if (a.ranged / b.ranged).error < f64::INFINITY => Known {
+                    3 if (a.ranged / b.ranged).error[1] < f64::INFINITY => Known {
                         ranged: a.ranged / b.ranged,
                         computed: a.computed / b.computed,
+                        single: a.single / b.single,
                         exact: a.exact / b.exact,
                     },
                     _ => Known {
                         ranged: a.ranged * b.ranged,
                         computed: a.computed * b.computed,
+                        single: a.single * b.single,
                         exact: a.exact * b.exact,
                     },
                 };
@@ -204,18 +270,18 @@ mod tests {
     fn nothing_is_known_of_a_quotient_by_what_may_be_zero_or_of_what_overflows() {
         let one = Ranged::exact(Interval::exact(1.0));
         let around = Ranged::exact(Interval::symmetric(1e-3));
-        assert_eq!((one / around).error, f64::INFINITY);
-        assert_eq!((one / around + one).error, f64::INFINITY);
+        assert_eq!((one / around).error, [f64::INFINITY; 2]);
+        assert_eq!((one / around + one).error, [f64::INFINITY; 2]);
         let large = Ranged::exact(Interval::symmetric(1e300));
-        assert_eq!((large * large).error, f64::INFINITY);
-        assert_eq!((large * large * -around).error, f64::INFINITY);
+        assert_eq!((large * large).error, [f64::INFINITY; 2]);
+        assert_eq!((large * large * -around).error, [f64::INFINITY; 2]);
     }
 
     #[test]
     fn what_underflows_is_counted() {
         let tiny = Ranged::exact(Interval::symmetric(1e-200));
-        assert!((tiny * tiny).error > 0.0);
+        assert!((tiny * tiny).error.iter().all(|error| *error > 0.0));
         let zero = Ranged::exact(Interval::exact(0.0));
-        assert_eq!((zero * tiny).error, 0.0);
+        assert_eq!((zero * tiny).error, [0.0; 2]);
     }
 }
