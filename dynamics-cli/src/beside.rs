@@ -239,6 +239,12 @@ impl<'a> Source<'a> {
         if let Some(base) = &given.base {
             entries.add(&format!("base = {base:?}"), format!("--base {base}"));
         }
+        if let Some(bounds) = &given.bounds {
+            entries.add(
+                &format!("bounds = {bounds:?}"),
+                format!("--bounds {bounds}"),
+            );
+        }
         let is_meant = self.is_meant();
         for (joint, position) in assignments(&given.lock, LOCK)? {
             if is_meant(&joint) {

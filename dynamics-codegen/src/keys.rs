@@ -21,21 +21,21 @@ pub(crate) struct Part {
 
 /// The keys of a call.
 pub(crate) const KEYS: &[&str] = word_list![
-    file chain ignore round_angles convention gravity base joints links couple tool frames functions lock neglect tests
-    allow
+    file chain ignore round_angles convention gravity base joints links couple tool frames functions lock neglect bounds
+    tests allow
 ];
 
 /// The keys of entries in TOML beside a file.
 const KEYS_BESIDE_A_FILE: &[&str] = word_list![
-    convention gravity base joint couple tool frame functions lock neglect tests allow let fields
+    convention gravity base joint couple tool frame functions lock neglect bounds tests allow let fields
     joints links
 ];
 
 /// The keys of a file that names the file of its robot.
 #[cfg_attr(not(feature = "files"), allow(dead_code))]
 pub(crate) const KEYS_OF_PROJECTS: &[&str] = word_list![
-    file chain ignore round_angles convention gravity base joint couple tool frame functions lock neglect tests allow let
-    fields joints links
+    file chain ignore round_angles convention gravity base joint couple tool frame functions lock neglect bounds tests allow
+    let fields joints links
 ];
 
 /// The keys of a file.

@@ -53,6 +53,20 @@ impl Interval {
         Interval::new(self.low.max(-size), self.high.min(size))
     }
 
+    /// The numbers up to the middle, and those from there on.
+    pub(crate) fn halves(self) -> [Self; 2] {
+        let middle = self.low / 2.0 + self.high / 2.0;
+        [
+            Interval::new(self.low, middle),
+            Interval::new(middle, self.high),
+        ]
+    }
+
+    /// How far its ends are apart.
+    pub(crate) fn width(self) -> f64 {
+        self.high - self.low
+    }
+
     /// The largest absolute value; infinite where an end is not a number.
     pub(crate) fn size(self) -> f64 {
         let [low, high] = [self.low.abs(), self.high.abs()];

@@ -35,6 +35,7 @@ pub(crate) fn robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
         rows,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base,
         tool,
     };
@@ -86,6 +87,7 @@ pub(crate) fn coupled_robot(bytes: &[u8]) -> Result<(Robot, Vec<f64>)> {
         rows,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     };

@@ -1,11 +1,11 @@
 //! Bounds of rounding over the joint limits, of arms whose files have limits.
 
-use dynamics_symbolic::Function;
-use dynamics_symbolic::bounds::over_limits;
+use dynamics_symbolic::bounds::{over_limits, rounding};
 use dynamics_symbolic::derive::{derive, derive_plain};
 use dynamics_symbolic::exact::SplitMix64;
 use dynamics_symbolic::program::Program;
-use dynamics_symbolic::robot::{JointType, Robot};
+use dynamics_symbolic::robot::{Bounds, JointType, Robot, Value};
+use dynamics_symbolic::{Function, Proven};
 use interpreter::{Inputs, Rounded};
 
 use super::urdf::{references, robot};
@@ -54,7 +54,9 @@ impl State {
             };
             single(lower + along() * (upper - lower), [lower, upper])
         });
-        let q = q.collect();
+        // Symbols of a base that moves stand in front of those of its joints.
+        let of_base = robot.freedoms().base;
+        let q = core::iter::repeat_n(0.0, of_base).chain(q).collect();
         let count = robot.dof().max(6);
         let mut other = |_| single(2.0 * along() - 1.0, [-1.0, 1.0]);
         let others = [(); 4].map(|()| (0..count).map(&mut other).collect());
@@ -83,17 +85,28 @@ impl State {
 fn measured(robot: &Robot, function: Function, program: &Program, label: &str) -> Option<[f64; 2]> {
     let bounds = over_limits(robot, program, &program.rounded_constants())?;
     let count = function.entries(robot.dof(), program.outputs.len());
-    let bounds = &bounds[..count];
+    Some(beside(robot, program, &bounds[..count], STATES, label))
+}
+
+/// The same beside other bounds.
+fn beside(
+    robot: &Robot,
+    program: &Program,
+    bounds: &[[f64; 2]],
+    states: usize,
+    label: &str,
+) -> [f64; 2] {
     let program = Rounded::new(program);
     let exact = program.with_all_digits();
     let mut random = SplitMix64::new(31);
     let mut largest = 0.0_f64;
-    for number in 0..STATES {
+    for number in 0..states {
         let state = State::new(robot, &mut random, number % 3 == 0);
         let inputs = state.inputs();
         let (found, single) = (program.run::<f64>(&inputs), program.run::<f32>(&inputs));
         let found = found.into_iter().zip(single.into_iter().map(f64::from));
-        for (k, ((double, single), exact)) in found.zip(exact.run(&inputs)).take(count).enumerate()
+        for (k, ((double, single), exact)) in
+            found.zip(exact.run(&inputs)).take(bounds.len()).enumerate()
         {
             for (found, bound) in [double, single].into_iter().zip(bounds[k]) {
                 let error = (exact - found.into()).abs().to_f64();
@@ -102,10 +115,10 @@ fn measured(robot: &Robot, function: Function, program: &Program, label: &str) -
             largest = largest.max((exact - double.into()).abs().to_f64());
         }
     }
-    Some([
+    [
         largest,
         bounds.iter().map(|[double, _]| *double).fold(0.0, f64::max),
-    ])
+    ]
 }
 
 /// The geometric mean of bounds over the largest errors, and the largest.
@@ -193,4 +206,77 @@ fn bounds_of_generated_programs_hold_for_every_function() {
             }
         }
     }
+}
+
+/// The largest bound of a function's values, in both precisions.
+fn largest(robot: &Robot, function: Function, proven: &Proven, bounds: Bounds) -> [f64; 2] {
+    let robot = Robot {
+        bounds,
+        ..robot.clone()
+    };
+    let found = rounding(&robot, &function.into(), proven);
+    found.expect("limits").largest()
+}
+
+/// Arms, a tree and a moving base, positions being cut: no error exceeds its bound, and none is looser than without.
+#[test]
+fn tight_bounds_hold_and_are_no_looser() {
+    let all = references();
+    let arm = |name: &str| {
+        let reference = &all
+            .iter()
+            .find(|(other, _)| other == name)
+            .expect("there")
+            .1;
+        robot(name, reference)
+    };
+    let tree = |placement| {
+        let file = super::trees::file("hyq_no_sensors");
+        super::trees::robot(file, placement, &[]).robot().clone()
+    };
+    let cases = [
+        ("panda", arm("panda"), Function::MassMatrix, 1.7e-14),
+        ("panda", arm("panda"), Function::GravityVector, 6e-14),
+        (
+            "puma",
+            arms_limited("puma560"),
+            Function::ForwardDynamics,
+            2e-13,
+        ),
+        (
+            "hyq",
+            tree(super::trees::STANDING),
+            Function::MassMatrix,
+            f64::INFINITY,
+        ),
+        (
+            "hyq",
+            tree(super::trees::MOVING),
+            Function::MassMatrix,
+            f64::INFINITY,
+        ),
+    ];
+    for (name, robot, function, expected) in cases {
+        let label = format!("{} of {name}", function.name());
+        let program = derive(&robot, function);
+        let constants = program.rounded_constants();
+        let proven = Proven { program, constants };
+        let [whole, tight] =
+            [Bounds::Whole, Bounds::Tight].map(|bounds| largest(&robot, function, &proven, bounds));
+        println!("{label}: {:.2e} {:.2e}", whole[0], tight[0]);
+        assert!(tight[0] <= whole[0] && tight[1] <= whole[1], "{label}");
+        assert!(tight[0] <= expected, "{label}: {:e}", tight[0]);
+        let count = function.entries(robot.dof(), proven.program.outputs.len());
+        let bounds = vec![tight; count];
+        beside(&robot, &proven.program, &bounds, 20 * STATES, &label);
+    }
+}
+
+/// A textbook's arm with limits of 2 rad.
+fn arms_limited(name: &str) -> Robot {
+    let mut robot = arms::robot(name);
+    for row in &mut robot.rows {
+        row.limits = Some([-2, 2].map(Value::integer));
+    }
+    robot
 }

@@ -47,6 +47,9 @@ pub(crate) struct FileOptions {
     /// 1e-4
     #[arg(long, help_heading = ABOUT, value_name = "RAD", value_parser = small_angle)]
     pub(crate) round_angles: Option<f64>,
+    /// How bounds of rounding are found: `tight` cuts the ranges of the joints into parts, for up to a second a function
+    #[arg(long, help_heading = ABOUT, value_parser = ["tight"])]
+    pub(crate) bounds: Option<String>,
     /// Accept what is refused otherwise, anywhere in the file
     #[arg(long, help_heading = ABOUT, value_name = "WORD", value_delimiter = ',', num_args = 1, value_parser = PossibleValuesParser::new(Allow::WORDS))]
     pub(crate) allow: Vec<String>,

@@ -8,7 +8,7 @@ use dynamics_codegen::geometry::{Body, Transform, Vector};
 use dynamics_symbolic::Request;
 use dynamics_symbolic::function::Part;
 use dynamics_symbolic::robot::{
-    Body as Fixed, Convention, Coupling, Frame, Placement, Robot, Row as Joint,
+    Body as Fixed, Bounds, Convention, Coupling, Frame, Placement, Robot, Row as Joint,
 };
 
 use super::angle::roll_pitch_yaw;
@@ -97,6 +97,8 @@ impl Document {
         entries.extend(unless_empty("couple", couplings(robot)));
         let neglect = model.neglect.as_ref();
         entries.extend(neglect.map(|(share, _)| entry("neglect", share)));
+        let is_tight = robot.bounds == Bounds::Tight;
+        entries.extend(is_tight.then(|| entry("bounds", "tight")));
         entries.extend(allow(allowed.get(&None)));
         entries.extend(unless_empty("base", base));
         entries.extend(tool(tool_frame, robot));

@@ -100,7 +100,7 @@ fn functions_without_formulas() {
 fn functions_are_printed_as_json() {
     let limited = PENDULUM.replace(
         "type = \"revolute\"",
-        "type = \"revolute\", limits = [-1, 1]",
+        "type = \"revolute\"\nlimits = [-1, 1]",
     );
     for (table, is_bounded) in [(PENDULUM, false), (&limited, true)] {
         let table = file(&format!("json_{is_bounded}.toml"), table);
@@ -117,5 +117,15 @@ fn functions_are_printed_as_json() {
         );
         let none = "\"rounding\": {\"double\": null, \"single\": null}";
         assert_eq!(json.contains(none), !is_bounded, "{json}");
+        if is_bounded {
+            let call = format!("show {table} --functions forward_dynamics --format json --bounds ");
+            let bound = |more: &str| {
+                let json = output(call.replace("--bounds ", more));
+                let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+                json["functions"][0]["rounding"]["double"].as_f64()
+            };
+            let [whole, tight] = ["", "--bounds tight"].map(bound);
+            assert!(tight.expect("a bound") < whole.unwrap_or(f64::INFINITY));
+        }
     }
 }

@@ -10,7 +10,7 @@ mod value;
 use std::collections::BTreeSet;
 
 use dynamics_symbolic::Function;
-use dynamics_symbolic::robot::Convention;
+use dynamics_symbolic::robot::{Bounds, Convention};
 
 use crate::audience::Audience;
 use crate::finding::Finding;
@@ -179,6 +179,8 @@ pub enum Entry {
     Fields(Option<Vec<Name>>),
     /// `neglect: 1%`
     Neglect(Option<Share>),
+    /// `bounds: tight`
+    Bounds(Option<Bounds>),
     /// `tests: true`
     Tests(Place, Option<bool>),
     /// `file: "robots/arm.urdf"`

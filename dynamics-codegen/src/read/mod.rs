@@ -10,7 +10,7 @@ mod unknown;
 
 use std::collections::BTreeSet;
 
-use dynamics_symbolic::robot::Convention;
+use dynamics_symbolic::robot::{Bounds, Convention};
 
 use crate::description::{Allow, Entry, FileName, Name, Positioned, Share, Table, Vector};
 use crate::diagnose::Diagnostics;
@@ -136,6 +136,7 @@ impl Reader<'_> {
             "lock" => add(to, Entry::Lock, self.lock(node)),
             "couple" => add(to, Entry::Couple, self.couple(node)),
             "neglect" => add(to, Entry::Neglect, self.share(node)),
+            "bounds" => add(to, Entry::Bounds, self.bounds(node)),
             "tests" => add(to, |tests| Entry::Tests(place, tests), self.truth(node)),
             "fields" => add(to, Entry::Fields, self.fields(node)),
             "allow" => add(to, Entry::Allow, self.allow(node, &Allow::WORDS)),
@@ -185,6 +186,13 @@ impl Reader<'_> {
             "standard" => Convention::Standard,
             _ => Convention::Modified,
         })
+    }
+
+    /// How bounds of rounding are found.
+    fn bounds(&self, node: &Node) -> Read<Bounds> {
+        const KNOWN: [&str; 1] = ["tight"];
+        self.choice_but(node, &KNOWN, |word| unknown("bounds", word, &KNOWN).mistake)?;
+        Ok(Bounds::Tight)
     }
 
     fn gravity(&mut self, node: &Node) -> Read<Vector> {

@@ -30,7 +30,7 @@ use std::collections::BTreeSet;
 
 use dynamics_symbolic::Request;
 use dynamics_symbolic::function::Freedoms;
-use dynamics_symbolic::robot::{Base, Convention, Frame, Robot, Row, Tool, Value};
+use dynamics_symbolic::robot::{Base, Bounds, Convention, Frame, Robot, Row, Tool, Value};
 
 use crate::description::{self, Asked, Entry, Name, Table};
 #[cfg(feature = "files")]
@@ -166,6 +166,7 @@ struct Parts {
     lock: Vec<Lock>,
     couple: Vec<Couple>,
     neglect: Option<(Value, Place)>,
+    bounds: Bounds,
     tests: Option<Place>,
     /// Whether a file was named, what is in it is not known: that has been reported.
     has_unread_file: bool,
@@ -234,6 +235,7 @@ impl Parts {
                         .extend(couple::couplings(coupled.as_deref(), scope));
                 }
                 Entry::Neglect(share) => parts.neglect = neglect::share(share.as_ref(), scope),
+                Entry::Bounds(bounds) => parts.bounds = bounds.unwrap_or_default(),
                 Entry::Tests(place, tests) => {
                     parts.tests = tests.unwrap_or(false).then_some(*place);
                 }
@@ -368,6 +370,7 @@ impl Parts {
             rows,
             frames: frames?,
             neglected: None,
+            bounds: self.bounds,
             base: self.base.map_or(Some(None), |base| base.map(Some))?,
             tool: self.tool.map_or(Some(None), |tool| tool.map(Some))?,
         };

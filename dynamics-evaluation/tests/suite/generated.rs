@@ -161,6 +161,7 @@ pub(crate) fn description() -> Robot {
         }),
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
     }
 }
 

@@ -95,6 +95,7 @@ mod tests {
             tool: None,
             frames: Vec::new(),
             neglected: None,
+            bounds: Default::default(),
         }
     }
 

@@ -24,7 +24,7 @@ _OPTIONS = ("functions", "chain", "ignore", "round_angles", "fields")
 """Keywords that are no entries of a table."""
 
 KEYWORDS = (
-    *("convention", "gravity", "base", "joint", "joints", "links", "couple", "tool", "frames", "lock", "neglect", "allow", "let"),
+    *("convention", "gravity", "base", "joint", "joints", "links", "couple", "tool", "frames", "lock", "neglect", "bounds", "allow", "let"),
     *_OPTIONS,
 )
 """All keywords: entries of tables as files have them, where each frame is a `frame` of its own, and the options."""

@@ -3,7 +3,7 @@
 use crate::interval::{Interval, Intervals};
 use crate::mechanism::{Joint, Law, Mechanism};
 use crate::robot::{Interpretation, Symbol, Value};
-use crate::rounding::{Each, Ranged};
+use crate::rounding::{Each, Ranged, Variables};
 
 /// An input, as generated code has it; with an infinite error where nothing is known.
 pub(super) fn input(arm: &Mechanism, symbol: &Symbol) -> Ranged {
@@ -46,6 +46,60 @@ fn position(arm: &Mechanism, index: usize) -> Ranged {
         }
         None => Interval::symmetric(f64::INFINITY),
     })
+}
+
+/// The positions of all joints, on which inputs depend.
+pub(super) struct Positions<'a> {
+    pub(super) arm: &'a Mechanism,
+    pub(super) symbols: &'a [Symbol],
+}
+
+impl Positions<'_> {
+    fn is_free(&self, index: usize) -> bool {
+        matches!(self.arm.joint_of_symbol(index).law, Law::Free { .. })
+    }
+}
+
+impl Variables for Positions<'_> {
+    /// Angles without limits are anywhere on a turn.
+    fn whole(&self) -> Vec<Interval> {
+        let range = |index: usize| {
+            let range = position(self.arm, index).range;
+            if range.size() < f64::INFINITY {
+                range
+            } else {
+                Interval::symmetric(core::f64::consts::PI.next_up())
+            }
+        };
+        (0..self.arm.free().count()).map(range).collect()
+    }
+
+    fn inputs(&self, ranges: &[Interval]) -> Vec<Ranged> {
+        let of = |symbol: &Symbol| match symbol {
+            Symbol::Sine(i) if self.is_free(*i) => {
+                circle(Ranged::exact(ranges[*i]), |(sine, _)| sine)
+            }
+            Symbol::Cosine(i) if self.is_free(*i) => {
+                circle(Ranged::exact(ranges[*i]), |(_, cosine)| cosine)
+            }
+            Symbol::Position(i)
+                if input(self.arm, symbol).range.size() < f64::INFINITY && self.is_free(*i) =>
+            {
+                Ranged::exact(ranges[*i])
+            }
+            symbol => input(self.arm, symbol),
+        };
+        self.symbols.iter().map(of).collect()
+    }
+
+    fn of_input(&self, index: usize) -> Option<usize> {
+        match &self.symbols[index] {
+            Symbol::Sine(i) | Symbol::Cosine(i) | Symbol::Position(i) if self.is_free(*i) => {
+                Some(*i)
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A sine or a cosine: one unit in the last place of the largest, and what the angle is wrong by.

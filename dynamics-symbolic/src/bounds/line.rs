@@ -1,11 +1,11 @@
 //! The bounds of a function, and the line about them that every language has.
 
 use super::degree::degree;
-use super::over_limits;
+use super::{largest_in_parts, over_limits};
 use crate::function::{Argument, Part, Request, Shape, Size, spans};
 use crate::mechanism::Mechanism;
 use crate::program::{Program, Proven};
-use crate::robot::{JointType, Robot, Symbol};
+use crate::robot::{Bounds, JointType, Robot, Symbol};
 use core::ops::Range;
 
 /// The largest rounding errors of the functions that one program computes, in double and in single precision, joints within their
@@ -35,13 +35,14 @@ pub fn rounding(robot: &Robot, request: &Request, proven: &Proven) -> Option<Rou
     };
     let spans: Vec<_> = parts.iter().zip(outputs).map(values).collect();
     let bound = |(part, span): &(Part, Range<usize>)| {
-        let largest = |k: usize| {
-            errors[span.clone()]
-                .iter()
-                .map(|error| error[k])
-                .fold(0.0, f64::max)
+        let errors = &errors[span.clone()];
+        let largest = match robot.bounds {
+            Bounds::Whole => {
+                [0, 1].map(|k| errors.iter().map(|error| error[k]).fold(0.0, f64::max))
+            }
+            Bounds::Tight => largest_in_parts(robot, program, constants, span.clone(), errors),
         };
-        (robot.name_of(*part), [0, 1].map(largest))
+        (robot.name_of(*part), largest)
     };
     let growth = match &spans[..] {
         [(_, span)] => growth(program, span.clone()),

@@ -15,8 +15,9 @@ pub use line::{Rounding, rounding};
 use crate::mechanism::Mechanism;
 use crate::program::Program;
 use crate::robot::{Robot, Symbol};
-use crate::rounding::outputs_over;
-use inputs::input;
+use crate::rounding::{largest_subdivided, outputs_over, ranged};
+use core::ops::Range;
+use inputs::{Positions, input};
 
 /// The largest error of each output in double and in single precision, with the constants as they are emitted, joints within their
 /// limits and other arguments from -1 to 1. Infinite where there is no bound: of a quotient by what may be zero somewhere, of what
@@ -34,4 +35,22 @@ pub fn over_limits(robot: &Robot, program: &Program, constants: &[f64]) -> Optio
     let inputs: Vec<_> = symbols.map(|symbol| input(&arm, symbol)).collect();
     let outputs = outputs_over(program, constants, &inputs);
     Some(outputs.into_iter().map(|output| output.error).collect())
+}
+
+/// The largest of the errors of some outputs, which are `known` over all positions: positions are cut into parts where
+/// that helps most.
+fn largest_in_parts(
+    robot: &Robot,
+    program: &Program,
+    constants: &[f64],
+    outputs: Range<usize>,
+    known: &[[f64; 2]],
+) -> [f64; 2] {
+    let arm = Mechanism::from(robot);
+    let positions = Positions {
+        arm: &arm,
+        symbols: &program.inputs,
+    };
+    let constants = ranged(&program.constants, constants);
+    largest_subdivided(program, &constants, &positions, outputs, known)
 }

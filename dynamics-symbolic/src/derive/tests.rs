@@ -50,6 +50,7 @@ fn branched() -> Mechanism {
         tool: None,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
     };
     let tip = Frame {
         link: Some(3),
@@ -242,6 +243,7 @@ fn two_arms(is_locked: bool, is_coupled: bool) -> Mechanism {
         tool: None,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
     })
 }
 

@@ -251,6 +251,7 @@ mod tests {
             rows: vec![row],
             frames: Vec::new(),
             neglected: None,
+            bounds: Default::default(),
             base: None,
             tool: None,
         }

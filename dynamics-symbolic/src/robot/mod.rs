@@ -167,6 +167,18 @@ pub struct Robot {
     pub tool: Option<Tool>,
     /// The parameters that the functions leave out: see [`crate::neglect`].
     pub neglected: Option<Neglected>,
+    /// How bounds of rounding are found.
+    pub bounds: Bounds,
+}
+
+/// How the bounds of rounding of functions are found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Bounds {
+    /// In one walk over all positions within the limits.
+    #[default]
+    Whole,
+    /// Positions are cut into parts, in each of which the walk loses less.
+    Tight,
 }
 
 /// The base inertial parameters that are left out of the Lagrangian.

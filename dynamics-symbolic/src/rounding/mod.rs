@@ -5,20 +5,24 @@
 //!
 //! [`Bounded`] has the rules. [`Running`] applies them to the nodes of a graph, whose definitions may change,
 //! [`Rounded`] to finished programs. `outputs_over` bounds them over a box of points, rounded outwards: that is proven.
+//! `largest_subdivided` cuts the box where that helps.
 
 mod bounded;
 mod constants;
+mod lengths;
 mod over;
-mod pairs;
 mod program;
 mod ranged;
 mod running;
+mod subdivided;
+mod walk;
 
 pub use bounded::{Bounded, UNIT};
-pub(crate) use over::outputs_over;
+pub(crate) use over::{outputs_over, ranged};
 pub use program::Rounded;
 pub(crate) use ranged::{Each, Ranged};
 pub use running::{Point, Running};
+pub(crate) use subdivided::{Variables, largest_subdivided};
 
 /// At how many points the nodes of a graph are evaluated together.
 pub const POINTS: usize = 4;

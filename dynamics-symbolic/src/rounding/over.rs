@@ -1,7 +1,7 @@
 //! The outputs of a program over a box of points.
 
-use super::pairs::{Length, Pairs, SumOfProducts, turned};
-use super::ranged::{Ranged, each, norm, plus, rounding, sum};
+use super::ranged::Ranged;
+use super::walk::{Node, Operation, Walk};
 use crate::exact::negate_if;
 use crate::interval::Interval;
 use crate::program::{Constant, ConstantPool, Instruction, Operand, Program};
@@ -10,46 +10,45 @@ use crate::robot::Symbol;
 /// The outputs of a program over all points at which its inputs are in these ranges, with its constants as they are
 /// emitted.
 pub(crate) fn outputs_over(program: &Program, constants: &[f64], inputs: &[Ranged]) -> Vec<Ranged> {
-    let mut walk = Walk {
-        program,
-        constants: ranged(&program.constants, constants),
-        inputs,
-        results: Vec::with_capacity(program.instructions.len()),
-        pairs: Pairs::default(),
-    };
-    walk.circles();
-    for instruction in &program.instructions {
-        let result = walk.result(instruction);
-        walk.results.push(result);
-    }
+    let (walk, nodes) = Nodes::walked(program, constants, inputs);
     let outputs = program.outputs.iter();
     outputs
-        .map(|output| negate_if(walk.read(output.operand), output.negative))
+        .map(|output| negate_if(walk.value(nodes.of(output.operand)), output.negative))
         .collect()
 }
 
-/// The constants of a program, each an exact number that was rounded to a double. Constants that are doubles are
-/// exact.
-fn ranged(constants: &ConstantPool, doubles: &[f64]) -> Vec<Ranged> {
-    let ranged = |(constant, &double): (&Constant, &f64)| match constant {
-        Constant::Rational(x) => Ranged::rational(x, double),
-        // One that is zero is written only where it is zero exactly.
-        _ if double == 0.0 => Ranged::exact(Interval::exact(double)),
-        _ => Ranged::rounded(double),
-    };
-    constants.iter().zip(doubles).map(ranged).collect()
+/// The nodes of a program: its constants, its inputs, its instructions.
+struct Nodes {
+    constants: Vec<Node>,
+    inputs: Vec<Node>,
+    results: Vec<Node>,
 }
 
-struct Walk<'p> {
-    program: &'p Program,
-    constants: Vec<Ranged>,
-    inputs: &'p [Ranged],
-    results: Vec<Ranged>,
-    pairs: Pairs,
-}
+impl Nodes {
+    /// The walk over a whole program.
+    fn walked(program: &Program, constants: &[f64], inputs: &[Ranged]) -> (Walk, Self) {
+        let mut walk = Walk::default();
+        let constants = ranged(&program.constants, constants);
+        let mut nodes = Nodes {
+            constants: constants.into_iter().map(|x| walk.given(x)).collect(),
+            inputs: inputs.iter().map(|x| walk.given(*x)).collect(),
+            results: Vec::new(),
+        };
+        nodes.circles(program, &mut walk);
+        for instruction in &program.instructions {
+            let [a, b] = instruction.operands().map(|operand| nodes.of(operand));
+            let operation = match instruction {
+                Instruction::Add(..) => Operation::Add(a, b),
+                Instruction::Sub(..) => Operation::Sub(a, b),
+                Instruction::Mul(..) => Operation::Mul(a, b),
+                Instruction::Div(..) => Operation::Div(a, b),
+            };
+            nodes.results.push(walk.compute(operation));
+        }
+        (walk, nodes)
+    }
 
-impl Walk<'_> {
-    fn read(&self, operand: Operand) -> Ranged {
+    fn of(&self, operand: Operand) -> Node {
         match operand {
             Operand::Constant(id) => self.constants[id.index()],
             Operand::Input(index) => self.inputs[index as usize],
@@ -58,89 +57,28 @@ impl Walk<'_> {
     }
 
     /// A sine and its cosine are on the unit circle.
-    fn circles(&mut self) {
-        let place = |symbol: &Symbol| self.program.inputs.iter().position(|other| other == symbol);
-        for (sine, symbol) in self.program.inputs.iter().enumerate() {
+    fn circles(&self, program: &Program, walk: &mut Walk) {
+        let place = |symbol: &Symbol| program.inputs.iter().position(|other| other == symbol);
+        for (sine, symbol) in program.inputs.iter().enumerate() {
             if let Symbol::Sine(i) = symbol
                 && let Some(cosine) = place(&Symbol::Cosine(*i))
             {
-                let [sine, cosine] = [sine, cosine].map(|place| Operand::Input(place as u32));
-                let [s, c] = [sine, cosine].map(|place| self.read(place).error);
-                let error = each(|k| norm(s[k], c[k]));
-                self.pairs.set(sine, cosine, Length { size: 1.0, error });
+                walk.circle([sine, cosine].map(|index| self.inputs[index]));
             }
         }
     }
+}
 
-    fn result(&mut self, instruction: &Instruction) -> Ranged {
-        match *instruction {
-            Instruction::Add(a, b) => self.sum(a, b, false),
-            Instruction::Sub(a, b) => self.sum(a, b, true),
-            Instruction::Mul(a, b) => self.product(a, b),
-            Instruction::Div(a, b) => self.read(a) / self.read(b),
-        }
-    }
-
-    /// The operand of the instruction that comes next.
-    fn next(&self) -> Operand {
-        Operand::Result(self.results.len() as u32)
-    }
-
-    fn product(&mut self, a: Operand, b: Operand) -> Ranged {
-        let product = self.read(a) * self.read(b);
-        let rounded = rounding(product.computed());
-        let lengths = [a, b].map(|operand| Length {
-            size: self.read(operand).range.size(),
-            error: self.read(operand).error,
-        });
-        let next = self.next();
-        self.pairs.product([a, b], lengths, next, rounded);
-        product
-    }
-
-    fn sum(&mut self, a: Operand, b: Operand, is_difference: bool) -> Ranged {
-        let (x, y) = (self.read(a), self.read(b));
-        let result = x + negate_if(y, is_difference);
-        let products = self.program.product(a).zip(self.program.product(b));
-        let Some((first, second)) = products else {
-            return result;
-        };
-        let products = SumOfProducts {
-            first,
-            second,
-            is_difference,
-        };
-        let turns = products.turns().map(|turn| {
-            let (coefficients, vector) = (self.length(turn.coefficients), self.length(turn.vector));
-            (turn, turned(coefficients, vector))
-        });
-        let (mut range, mut error) = (result.range, sum(x.error, y.error));
-        for (_, (length, roundings)) in &turns {
-            range = range.within(length.size);
-            let turned = sum(length.error, *roundings);
-            error = each(|k| error[k].min(turned[k]));
-        }
-        let last = rounding(error.map(|error| plus(range.size(), error)));
-        for (turn, (length, roundings)) in turns {
-            self.pairs
-                .component(self.next(), turn, length, sum(roundings, last));
-        }
-        Ranged::from_operands(range, error)
-    }
-
-    /// The length of a pair: what is known of it, or else of each.
-    fn length(&self, (a, b): (Operand, Operand)) -> Length {
-        let (x, y) = (self.read(a), self.read(b));
-        let mut length = Length {
-            size: norm(x.range.size(), y.range.size()),
-            error: each(|k| norm(x.error[k], y.error[k])),
-        };
-        if let Some(known) = self.pairs.length(a, b) {
-            length.size = length.size.min(known.size);
-            length.error = each(|k| length.error[k].min(known.error[k]));
-        }
-        length
-    }
+/// The constants of a program, each an exact number that was rounded to a double. Constants that are doubles are
+/// exact.
+pub(crate) fn ranged(constants: &ConstantPool, doubles: &[f64]) -> Vec<Ranged> {
+    let ranged = |(constant, &double): (&Constant, &f64)| match constant {
+        Constant::Rational(x) => Ranged::rational(x, double),
+        // One that is zero is written only where it is zero exactly.
+        _ if double == 0.0 => Ranged::exact(Interval::exact(double)),
+        _ => Ranged::rounded(double),
+    };
+    constants.iter().zip(doubles).map(ranged).collect()
 }
 
 #[cfg(test)]

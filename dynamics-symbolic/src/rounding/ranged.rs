@@ -140,6 +140,17 @@ impl Ranged {
         self.error.map(|error| plus(self.range.size(), error))
     }
 
+    /// The exact numbers and the computed ones, of single precision too where its errors are known.
+    pub(super) fn wide(self) -> Interval {
+        let [double, single] = self.error;
+        let error = if single < f64::INFINITY {
+            single
+        } else {
+            double
+        };
+        self.range + Interval::symmetric(error)
+    }
+
     /// A result that is rounded once, from operands that contribute `error`.
     pub(super) fn from_operands(range: Interval, error: Each) -> Self {
         let rounding = rounding(error.map(|error| plus(range.size(), error)));

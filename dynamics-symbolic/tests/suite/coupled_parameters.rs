@@ -237,6 +237,7 @@ fn arm(convention: Convention, gravity: [i64; 3], fields: usize, rows: Vec<Row>)
         rows,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     }

@@ -64,6 +64,7 @@ fn arm(rows: Vec<Row>) -> Robot {
         rows,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     }

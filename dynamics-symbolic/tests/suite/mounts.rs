@@ -133,6 +133,7 @@ impl Random {
             rows,
             frames: Vec::new(),
             neglected: None,
+            bounds: Default::default(),
             base: None,
             tool: None,
         }

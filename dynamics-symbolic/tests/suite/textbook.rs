@@ -167,6 +167,7 @@ fn planar_robot(
         rows,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     }

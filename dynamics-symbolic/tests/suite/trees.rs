@@ -59,6 +59,7 @@ pub(crate) fn y_tree(convention: Convention) -> Robot {
         rows,
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     }

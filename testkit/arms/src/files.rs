@@ -104,6 +104,7 @@ pub fn robot(name: &str) -> Robot {
         rows: rows.collect(),
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: json.get("base").map(placement).map(Base::Standing),
         tool: json.get("tool").map(|tool| Tool {
             placement: placement(tool),

@@ -16,6 +16,7 @@ pub fn generic_chain(joints: usize) -> Robot {
         rows: (1..=joints as i64).map(row).collect(),
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     }

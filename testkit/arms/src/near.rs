@@ -175,6 +175,7 @@ impl Arms {
                 rows,
                 frames: Vec::new(),
                 neglected: None,
+                bounds: Default::default(),
                 base: None,
                 tool: None,
             },

@@ -459,6 +459,7 @@ impl Tables {
             rows,
             frames: Vec::new(),
             neglected: None,
+            bounds: Default::default(),
             base: None,
             tool: None,
         }

@@ -60,5 +60,6 @@ pub fn fingers() -> Robot {
             frame("Right tip", 1, Some(body)),
         ],
         neglected: None,
+        bounds: Default::default(),
     }
 }

@@ -143,6 +143,7 @@ impl Definition {
         let uncoupled = robot.is_coupled().then(|| {
             let complete = Robot {
                 neglected: None,
+                bounds: Default::default(),
                 ..robot.uncoupled()
             };
             let read = |point: &mut Assignment| Definition::read(point, &complete);

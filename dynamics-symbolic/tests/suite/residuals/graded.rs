@@ -76,6 +76,7 @@ pub(crate) fn antiparallel() -> Robot {
         ],
         frames: Vec::new(),
         neglected: None,
+        bounds: Default::default(),
         base: None,
         tool: None,
     }
@@ -175,6 +176,7 @@ impl Arms {
             rows: (0..dof).map(|i| self.row(i)).collect(),
             frames: Vec::new(),
             neglected: None,
+            bounds: Default::default(),
             base: None,
             tool: None,
         }
