@@ -5,7 +5,7 @@ use core::ops::Range;
 use dynamics_runtime::Scalar;
 use dynamics_runtime::closed_form::{
     Branches, Family, Found, NoSolution, Roots, Solution, direction, elbow_angle, is_reached,
-    nearest_pose, slide, slides, turn, turns,
+    nearest_pose, slide, slides, turn, turns, turns_of_line,
 };
 use dynamics_runtime::nalgebra::{Matrix4, Vector3};
 use dynamics_symbolic::function::{Argument, INVERSE_KINEMATICS};
@@ -314,6 +314,10 @@ impl<const N: usize> Search<'_, N> {
                 return self.place(step, joint, [slide(c[0]); 2], is_singular);
             }
             Step::Joint(joint, Rule::Turns) => (joint, turns(c[0], c[1], c[2], c[3], c[4])),
+            Step::Joint(joint, Rule::TurnsOfLine) => {
+                let roots = turns_of_line(c[0], c[1], c[2], c[3], c[4], c[5], c[6]);
+                (joint, roots)
+            }
             Step::Joint(joint, Rule::Slides) => (joint, slides(c[0], c[1], c[2])),
         };
         for root in self.judged(step, roots) {

@@ -111,6 +111,15 @@ static inline roots turns(REAL a, REAL b, REAL c, REAL discriminant, REAL size)
     return all;
 }
 
+/* a cos q + b sin q = c of a point, and u cos q + v sin q = w of the direction of a line on which it is: the point that is farther
+   along it by the root of size, where the discriminant is larger, meets their sum. */
+static inline roots turns_of_line(REAL a, REAL b, REAL c, REAL u, REAL v, REAL w, REAL size)
+{
+    const REAL along = a * u + b * v < c * w ? -SQRT(size) : SQRT(size);
+    const REAL x = a + along * u, y = b + along * v, z = c + along * w;
+    return turns(x, y, z, x * x + y * y - z * z, size);
+}
+
 /* b + root and b - root of the discriminant, a difference of numbers as large as size. */
 static inline roots slides(REAL b, REAL discriminant, REAL size)
 {

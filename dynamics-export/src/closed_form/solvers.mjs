@@ -112,6 +112,16 @@ function turns(a, b, c, discriminant, size) {
   return [turned(b / scale, a / scale, true, { length: double, size })];
 }
 
+/**
+ * a cos q + b sin q = c of a point, and u cos q + v sin q = w of the direction of a line on which it is: the point that is farther
+ * along it by the root of size, where the discriminant is larger, meets their sum.
+ */
+function turns_of_line(a, b, c, u, v, w, size) {
+  const along = a * u + b * v < c * w ? -Math.sqrt(size) : Math.sqrt(size);
+  const [x, y, z] = [a + along * u, b + along * v, c + along * w];
+  return turns(x, y, z, x * x + y * y - z * z, size);
+}
+
 /** b + root and b - root of the discriminant, a difference of numbers as large as size. */
 function slides(b, discriminant, size) {
   if (!(discriminant >= -roundings(size) && Number.isFinite(size))) return none(discriminant / size);

@@ -21,7 +21,7 @@ pub use follow::BranchEnds;
 pub use pose::{is_homogeneous, is_rotation, nearest_pose};
 pub use real::Real;
 #[doc(hidden)]
-pub use roots::{Found, Roots, direction, is_reached, slide, slides, turn, turns};
+pub use roots::{Found, Roots, direction, is_reached, slide, slides, turn, turns, turns_of_line};
 #[doc(hidden)]
 pub use solutions::{Branches, nearest_turn};
 pub use solutions::{NoSolution, Solution, Solutions};

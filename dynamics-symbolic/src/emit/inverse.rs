@@ -371,7 +371,7 @@ impl Method<'_> {
                         quote!(#lines let [#found, #on_circle] = #value; #of_circle #rest)
                     }
                     Rule::Slide => quote!(#lines let #found = #value; #of_found #rest),
-                    Rule::Turns | Rule::Slides => {
+                    Rule::Turns | Rule::TurnsOfLine | Rule::Slides => {
                         let before = self.plan.families_before(step);
                         let before = before.iter().map(|joint| self.found(*joint));
                         let value = match (before.len(), self.searches) {

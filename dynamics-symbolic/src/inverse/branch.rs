@@ -55,7 +55,7 @@ impl Part {
 /// The joints with two roots, each with its part: the shoulder before the elbow before the wrist.
 fn parts(plan: &Plan) -> Vec<(usize, Part)> {
     let two = plan.steps.iter().filter_map(|step| match step {
-        Step::Joint(joint, Rule::Turns | Rule::Slides) => Some(*joint),
+        Step::Joint(joint, rule) if step.solutions() == 2 => Some(*joint),
         _ => None,
     });
     let mut two: Vec<usize> = two.collect();
@@ -373,6 +373,11 @@ fn roots(rule: Rule, coefficients: &[f64]) -> Vec<[f64; 3]> {
             let both = [discriminant.sqrt(), -discriminant.sqrt()];
             both.map(|root| unit(b * c + a * root, a * c - b * root))
                 .to_vec()
+        }
+        (Rule::TurnsOfLine, &[a, b, c, u, v, w, size]) => {
+            let along = size.sqrt().copysign(a * u + b * v - c * w);
+            let [a, b, c] = [a + along * u, b + along * v, c + along * w];
+            roots(Rule::Turns, &[a, b, c, a * a + b * b - c * c, size])
         }
         (Rule::Slides, &[b, discriminant, _]) => {
             let both = [discriminant.sqrt(), -discriminant.sqrt()];

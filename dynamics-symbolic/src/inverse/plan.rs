@@ -70,6 +70,9 @@ pub enum Rule {
     /// `a`, `b`, `c`, `discriminant`, `size`: a cos q + b sin q = c, with the discriminant a^2 + b^2 - c^2 in the form that keeps
     /// most digits. `size` is as large as the numbers that the discriminant is the sum of, or zero if it is a square.
     Turns,
+    /// `a`, `b`, `c` of a point, `u`, `v`, `w` of the direction of a line on which it is, `size`: the equation of `Turns` holds for
+    /// both, and for their sum with any factor. The solver takes the root of `size`, or its negative.
+    TurnsOfLine,
     /// `d`: the position itself.
     Slide,
     /// `b`, `discriminant`, `size`: d = b + root or b - root of the discriminant, a difference of numbers as large as `size`.
@@ -83,6 +86,7 @@ impl Step {
         match self {
             Step::Joint(_, Rule::Turn) => ("turn", 4, 1),
             Step::Joint(_, Rule::Turns) => ("turns", 5, 2),
+            Step::Joint(_, Rule::TurnsOfLine) => ("turns_of_line", 7, 2),
             Step::Joint(_, Rule::Slide) => ("slide", 1, 1),
             Step::Joint(_, Rule::Slides) => ("slides", 3, 2),
             Step::Direction(_) => ("direction", 7, 1),
@@ -179,7 +183,8 @@ impl Plan {
     /// Whether other positions of a joint, where a pose leaves it free, may decide if the equation of a later one has a
     /// solution: that of a step reads it.
     pub fn has_family(&self, step: usize) -> bool {
-        let turns = matches!(self.steps[step], Step::Joint(_, Rule::Turn | Rule::Turns));
+        let slides = |rule| matches!(rule, Rule::Slide | Rule::Slides);
+        let turns = matches!(self.steps[step], Step::Joint(_, rule) if !slides(rule));
         let mut later = step + 1..self.steps.len();
         turns && later.any(|k| self.may_fail(k) && self.reads(k, step))
     }

@@ -34,11 +34,14 @@ impl<'g> Equation<'g> {
     /// The equation of joint t of a view, as it moves in the equation that is no inverse.
     fn of(view: &View<'g>, t: usize, rule: Rule, mut coefficients: Vec<Expr<'g>>) -> Self {
         if view.is_inverse {
-            let opposite = match rule {
-                Rule::Turn | Rule::Turns => 1,
-                Rule::Slide | Rule::Slides => 0,
+            let opposite: &[usize] = match rule {
+                Rule::Turn | Rule::Turns => &[1],
+                Rule::TurnsOfLine => &[1, 4],
+                Rule::Slide | Rule::Slides => &[0],
             };
-            coefficients[opposite] = -coefficients[opposite];
+            for &k in opposite {
+                coefficients[k] = -coefficients[k];
+            }
         }
         let step = Step::Joint(view.joints[t].number, rule);
         Equation {
@@ -157,6 +160,8 @@ fn slide<'g>(view: &View<'g>, t: usize) -> Option<Equation<'g>> {
 }
 
 /// y.(Z^-1 L p) = y.(B p): a height that joints right behind the first do not change, over a point that the others do not move.
+///
+/// y.(Z^-1 L w) = y.(B w): the direction w of a line that the others leave has digits left where p is near the first axis.
 fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
     let last = view.joints.len();
     (2..=last).rev().find_map(|end| {
@@ -165,10 +170,24 @@ fn front_heights<'g>(view: &View<'g>) -> Option<Equation<'g>> {
         let y = near.into_iter().find(|y| !are_parallel(*y, view.z()))?;
         let pair = point_from(view, 0, end, None)?;
         let v = view.target.point(pair.far);
-        let height = y.dot(pair.near);
-        let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
-        let size = v.dot(v) + view.span;
-        Equation::turns(view, 0, [a, b, height - y[2] * v[2]], None, size)
+        let equation = |near: Vector<'g>, v: Vector<'g>| {
+            let height = y.dot(near);
+            let (a, b) = (y[0] * v[0] + y[1] * v[1], y[0] * v[1] - y[1] * v[0]);
+            [a, b, height - y[2] * v[2]]
+        };
+        let (of_point, size) = (equation(pair.near, v), v.dot(v) + view.span);
+        let turns = Equation::turns(view, 0, of_point, None, size)?;
+        let [w] = view.directions(end..last)[..] else {
+            return Some(turns);
+        };
+        let near = view.way(0, end).direction(w);
+        let far = view.way(0, last - 1).inverse().direction(near);
+        let of_line = equation(near, view.target.direction(far));
+        let both = [&of_point[..], &of_line, &[size]].concat();
+        Some(match view.allows(&both) {
+            true => Equation::of(view, 0, Rule::TurnsOfLine, both),
+            false => turns,
+        })
     })
 }
 

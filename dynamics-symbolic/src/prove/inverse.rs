@@ -213,6 +213,11 @@ fn solutions(rule: Rule, coefficients: &[Number]) -> Option<Vec<Solution>> {
             let with = |root: Number| turn((b * c + a * root) * by, (a * c - b * root) * by);
             Some(vec![with(root), with(-root)])
         }
+        // The sum of both with a factor that has nothing to do with them.
+        (Rule::TurnsOfLine, &[a, b, c, u, v, w, size]) => {
+            let [a, b, c] = [a + size * u, b + size * v, c + size * w];
+            solutions(Rule::Turns, &[a, b, c, a * a + b * b - c * c, size])
+        }
         (Rule::Slide, &[d]) => Some(vec![slide(d)]),
         (Rule::Slides, &[b, discriminant, _]) => {
             let root = discriminant.square_root()?;

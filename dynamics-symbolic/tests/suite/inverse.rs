@@ -82,8 +82,9 @@ fn is_proven(robot: &Robot, plan: &Plan) -> bool {
 /// Another operation, and another sign of a coefficient, anywhere in the program.
 #[test]
 fn every_damage_is_found() {
-    for name in ["puma560", "ur5", "stanford", "scara", "elbow_3r"] {
-        let robot = arms::robot(name);
+    let named = ["puma560", "ur5", "stanford", "scara", "elbow_3r"];
+    let named = named.map(|name| (name, arms::robot(name)));
+    for (name, robot) in named.into_iter().chain([("so100", five_axes())]) {
         let right = proven_plan(&robot, None).expect(name);
         let program = &right.program;
         for index in 0..program.instructions.len() {
@@ -114,6 +115,25 @@ fn waists_have_a_closed_form() {
     robot.rows[0].a = arms::decimal(0.012);
     robot.rows[1].theta = arms::decimal(1.3854);
     proven_plan(&robot, None).expect("a waist with a step");
+}
+
+/// A waist, three parallel axes and a roll, with a step beside the waist.
+fn five_axes() -> Robot {
+    let mut robot = arms::robot("elbow_3r");
+    let [mut pitch, mut roll] = ["pitch", "roll"].map(|name| {
+        let mut row = robot.rows[2].clone();
+        row.name = name.to_owned();
+        row.a = Value::zero();
+        row
+    });
+    robot.rows[1].d = arms::decimal(0.01);
+    (pitch.alpha, pitch.theta) = (
+        arms::decimal(0.5) * Value::Pi,
+        arms::decimal(0.5) * Value::Pi,
+    );
+    roll.d = arms::decimal(0.1);
+    robot.rows.extend([pitch, roll]);
+    robot
 }
 
 /// The geometry of a KUKA LBR iiwa 14.
@@ -165,6 +185,7 @@ fn only_sizes(plan: &Plan, index: usize) -> bool {
     let proven = steps.flat_map(|(number, step)| {
         let first = plan.outputs_of(number).start;
         let count = match step {
+            Step::Joint(_, Rule::TurnsOfLine) => 6,
             Step::Joint(_, Rule::Turns) => 4,
             Step::Joint(_, Rule::Turn) | Step::Direction(_) | Step::Condition => 3,
             Step::Joint(_, Rule::Slides) => 2,
