@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use robot_dynamics::nalgebra::SVector;
+use robot_dynamics::nalgebra::{SVector, Vector2};
 
 use crate::arms::*;
 use crate::{Inverse, Random, apart, residual};
@@ -94,5 +94,20 @@ fn two_edges_at_once() {
     // One root has half of the digits, and the root of that a quarter.
     check(&ThreeRolls, (&[], 2e-3), |q, off, other| {
         (q[2], q[4]) = (stretched + other, PI + off);
+    });
+}
+
+/// The tip over the waist, whose angle the direction of the roll alone tells.
+#[test]
+fn tips_over_the_waist() {
+    let [d, a] = [0.0542, 0.0304];
+    check(&So100, (&[], 1e-6), |q, off, _| {
+        let mut plane = *q;
+        plane[0] = 0.0;
+        let pose = So100.forward_kinematics(&plane);
+        // From the second axis in the plane of the arm, y down: turned until it is over the first axis.
+        let way = Vector2::new(pose[(0, 3)] - a, d - pose[(2, 3)]);
+        let over = (-a / way.norm()).max(-1.0).acos();
+        q[1] += over - way.y.atan2(way.x) + off;
     });
 }

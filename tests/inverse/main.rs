@@ -148,7 +148,6 @@ fn conditioning<const N: usize, A: Inverse<N>>(arm: &A, q: &SVector<f64, N>) -> 
 fn random_poses_are_solved<const N: usize, A: Inverse<N>>(arm: &A, count: usize) {
     let mut random = Random(7);
     let (mut worst_residual, mut worst, mut roundings) = (0.0_f64, [0.0_f64; 2], 0.0_f64);
-    let mut missed = 0;
     for _ in 0..count {
         let q = random.joints();
         let pose = arm.pose(&q);
@@ -159,28 +158,19 @@ fn random_poses_are_solved<const N: usize, A: Inverse<N>>(arm: &A, count: usize)
         let near_singular = usize::from(conditioning < 5e-3);
         worst[near_singular] = worst[near_singular].max(nearest);
         roundings = roundings.max(nearest * conditioning.min(1.0));
-        let residuals = solutions
-            .iter()
-            .map(|solution| residual(arm, &pose, &solution.q));
-        let largest = residuals.fold(0.0, f64::max);
-        worst_residual = worst_residual.max(largest);
-        missed += usize::from(largest > 1e-13);
+        for solution in &solutions {
+            worst_residual = worst_residual.max(residual(arm, &pose, &solution.q));
+        }
     }
     let [away, near] = worst;
     println!(
-        "{}: residual {worst_residual:.1e}, {missed} above 1e-13, joints {away:.1e}, near singular {near:.1e}, times conditioning {roundings:.1e}",
+        "{}: residual {worst_residual:.1e}, joints {away:.1e}, near singular {near:.1e}, times conditioning {roundings:.1e}",
         A::NAME
     );
-    // The waist of five joints is read of a position, which says little of it near axis 1: no joint behind makes that good.
-    let [residual, joints, rounding] = match N {
-        5 => [1e-11, 1e-11, 1e-12],
-        _ => [1e-14, 1e-12, 1e-14],
-    };
-    assert!(worst_residual < residual, "{}: {worst_residual:e}", A::NAME);
-    assert!(missed * 50 < count, "{}: {missed} of {count}", A::NAME);
-    assert!(away < joints, "{}: {away:e}", A::NAME);
+    assert!(worst_residual < 1e-14, "{}: {worst_residual:e}", A::NAME);
+    assert!(away < 1e-12, "{}: {away:e}", A::NAME);
     // The rounding of the pose alone moves the joints by this.
-    assert!(roundings < rounding, "{}: {roundings:e}", A::NAME);
+    assert!(roundings < 1e-14, "{}: {roundings:e}", A::NAME);
 }
 
 macro_rules! random_poses_of_all {
