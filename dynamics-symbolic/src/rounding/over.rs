@@ -150,6 +150,45 @@ mod tests {
         }
     }
 
+    /// Twenty turns about two axes in turn: by its pairs alone the vector would be a thousand times as long.
+    #[test]
+    fn a_vector_that_is_turned_about_two_axes_is_as_long_as_it_was() {
+        let mut vector = [4, 5, 6].map(Operand::Input);
+        let mut instructions = Vec::new();
+        for k in 0..20 {
+            let first = instructions.len() as u32;
+            let turned = [k % 2, k % 2 + 1].map(|k| vector[k as usize]);
+            instructions.extend(turn(2 * (k % 2), turned, first));
+            let results = [first + 2, first + 5].map(Operand::Result);
+            vector[k as usize % 2] = results[0];
+            vector[k as usize % 2 + 1] = results[1];
+        }
+        let last = instructions.len() as u32 - 1;
+        for output in outputs(3, instructions, &[last - 3, last]) {
+            assert!((1.7..1.8).contains(&output.range.size()), "{output:?}");
+            assert!(output.error[0] < 20.0 * 6.0 * f64::EPSILON, "{output:?}");
+        }
+    }
+
+    /// A chain of sums is as long as the program: it is followed back only so far.
+    #[test]
+    fn lengths_of_long_sums_end() {
+        use Instruction::{Add, Mul};
+        let [s, c, x, y] = [0, 1, 4, 5].map(Operand::Input);
+        let mut instructions = vec![Add(x, y), Add(y, x)];
+        for k in 0..20_000 {
+            instructions.push(Add(Operand::Result(k), x));
+        }
+        let [a, b] = [20_000, 20_001].map(Operand::Result);
+        let first = instructions.len() as u32;
+        instructions.extend(turn(0, [a, b], first));
+        instructions.extend([Mul(s, c)]);
+        let [sum] = outputs(2, instructions, &[first + 2])[..] else {
+            unreachable!("one output")
+        };
+        assert!((10_000.0..20_000.0).contains(&sum.range.size()), "{sum:?}");
+    }
+
     /// (s x + c y, c x + s y) is no turned vector: both may be 1 and more at once.
     #[test]
     fn two_sums_are_no_turn() {
