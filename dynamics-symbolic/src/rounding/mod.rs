@@ -9,7 +9,6 @@
 
 mod bounded;
 mod constants;
-mod lengths;
 mod over;
 mod program;
 mod ranged;

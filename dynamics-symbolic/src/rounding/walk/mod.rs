@@ -1,7 +1,9 @@
 //! A walk over a program in intervals, node by node.
 
-use super::lengths::{Length, Vector};
+mod lengths;
+
 use super::ranged::{Each, Ranged, each, norm, plus, rounding, sum};
+use lengths::{Length, Vector};
 use std::collections::HashMap;
 
 /// How far lengths are followed back.
@@ -13,9 +15,9 @@ pub(super) struct Node(u32);
 
 impl Node {
     /// Behind all nodes.
-    pub(super) const NONE: Self = Node(u32::MAX);
+    const NONE: Self = Node(u32::MAX);
 
-    pub(super) fn index(self) -> usize {
+    fn index(self) -> usize {
         self.0 as usize
     }
 }
@@ -32,10 +34,10 @@ pub(super) enum Operation {
 
 /// A component of a turned vector: a x + b y, beside the other one, b x - a y.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Turn {
-    pub(super) coefficients: [Node; 2],
-    pub(super) vector: [Node; 2],
-    pub(super) partner: Node,
+struct Turn {
+    coefficients: [Node; 2],
+    vector: [Node; 2],
+    partner: Node,
 }
 
 /// Two pairs, in order: one that is turned, and the one that turns it.
@@ -63,7 +65,7 @@ pub(super) struct Walk {
 }
 
 impl Walk {
-    pub(super) fn operation(&self, node: Node) -> Operation {
+    fn operation(&self, node: Node) -> Operation {
         self.operations[node.index()]
     }
 
@@ -71,15 +73,15 @@ impl Walk {
         self.values[node.index()]
     }
 
-    pub(super) fn turn(&self, node: Node) -> Option<Turn> {
+    fn turn(&self, node: Node) -> Option<Turn> {
         self.turns[node.index()]
     }
 
-    pub(super) fn known_length(&self, vector: Vector) -> Option<Length> {
+    fn known_length(&self, vector: Vector) -> Option<Length> {
         self.lengths.get(&vector).copied()
     }
 
-    pub(super) fn keep_length(&mut self, vector: Vector, length: Length) {
+    fn keep_length(&mut self, vector: Vector, length: Length) {
         self.lengths.insert(vector, length);
     }
 
@@ -96,7 +98,7 @@ impl Walk {
     }
 
     /// Calls it if not too many wait already: chains of sums are as long as programs.
-    pub(super) fn deeper<T>(&mut self, of: impl FnOnce(&mut Self) -> T) -> Option<T> {
+    fn deeper<T>(&mut self, of: impl FnOnce(&mut Self) -> T) -> Option<T> {
         if self.depth == DEEPEST {
             return None;
         }

@@ -11,8 +11,8 @@
 //!
 //! The same holds of errors: the error of (x, y) is turned without growing.
 
-use super::ranged::{Each, each, norm, plus, rounding, sum, times};
-use super::walk::{Node, Operation, Walk};
+use super::{Node, Operation, Walk};
+use crate::rounding::ranged::{Each, each, norm, plus, rounding, sum, times};
 
 /// The length of a vector, and that of its error, at most.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +102,7 @@ impl Vector {
     }
 
     /// The node that was computed last.
-    pub(super) fn last(&self) -> Node {
+    fn last(&self) -> Node {
         self.nodes().next_back().expect("not empty")
     }
 
