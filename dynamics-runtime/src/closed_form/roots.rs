@@ -181,11 +181,14 @@ pub fn turns<T: Real>(a: T, b: T, c: T, discriminant: T, size: T) -> Roots<T> {
     }
 }
 
-/// The turns with a cos q + b sin q = c of a point, and u cos q + v sin q = w of the direction of a line on which it is. Another
-/// point of the line, farther by the root of `size`, has the sum of both:
+/// The turns with a cos q + b sin q = c of a point, and u cos q + v sin q = w of the direction of a line on which it is. The
+/// point that is farther along the line by the root of `size` has the sum of both.
+///
 ///   (a + along u) cos q + (b + along v) sin q = c + along w
-/// Its discriminant is that of the point, `size` times that of the direction, and 2 along (a u + b v - c w), of which the sign of
-/// `along` makes a gain: it is small only if neither says where the joint is.
+///
+/// Three numbers make its discriminant: that of the point, `size` times that of the direction, and twice
+/// along (a u + b v - c w). The sign of `along` makes the last one a gain. The sum is small only if neither equation says where
+/// the joint is.
 #[inline]
 pub fn turns_of_line<T: Real>(a: T, b: T, c: T, u: T, v: T, w: T, size: T) -> Roots<T> {
     let along = size.sqrt();
